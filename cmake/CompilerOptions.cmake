@@ -1,0 +1,18 @@
+# One set of options for all rooms.
+# candela_options is part of the interface: the kernels are templates in headers, and their bits
+# must not depend on who instantiates them (no contraction to fma, no errno from libm).
+
+add_library(candela_options INTERFACE)
+target_compile_features(candela_options INTERFACE cxx_std_20)
+target_compile_options(candela_options INTERFACE -ffp-contract=off -fno-math-errno)
+
+add_library(candela_warnings INTERFACE)
+target_compile_options(candela_warnings INTERFACE
+  -Wall -Wextra -Wconversion -Wshadow -Werror=switch $<$<BOOL:${CANDELA_WERROR}>:-Werror>)
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()

@@ -1,0 +1,44 @@
+# Everything candela stands on, from the distribution's packages (tools/setup installs them).
+
+find_package(Threads REQUIRED)
+find_package(fmt REQUIRED)
+find_package(glm REQUIRED)
+find_package(TBB REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(yaml-cpp REQUIRED)
+find_package(nlohmann_json REQUIRED)
+
+# Embree 4 where the distribution has it (Debian 13, Ubuntu 24.04), else Embree 3.
+# renderer/accel/embree_api.h hides the difference.
+find_package(embree 4 QUIET)
+if(NOT embree_FOUND)
+  find_package(embree 3.13 REQUIRED)
+endif()
+add_library(candela_embree INTERFACE)
+target_link_libraries(candela_embree INTERFACE embree)
+message(STATUS "Embree ${embree_VERSION}")
+
+find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
+add_library(candela_xxhash INTERFACE)
+target_include_directories(candela_xxhash SYSTEM INTERFACE ${XXHASH_INCLUDE_DIR})
+target_compile_definitions(candela_xxhash INTERFACE XXH_INLINE_ALL)
+
+find_path(CLI11_INCLUDE_DIR CLI/CLI.hpp REQUIRED)
+add_library(candela_cli11 INTERFACE)
+target_include_directories(candela_cli11 SYSTEM INTERFACE ${CLI11_INCLUDE_DIR})
+
+if(NOT TARGET glm::glm)
+  add_library(glm::glm ALIAS glm)
+endif()
+
+# By hand: the distribution's OpenImageIOConfig.cmake asks for Imath's Python binding, which the
+# development package does not bring.
+find_path(OpenImageIO_INCLUDE_DIR OpenImageIO/imageio.h REQUIRED)
+find_library(OpenImageIO_LIBRARY OpenImageIO REQUIRED)
+find_library(OpenImageIO_Util_LIBRARY OpenImageIO_Util REQUIRED)
+find_path(Imath_INCLUDE_DIR ImathVec.h PATH_SUFFIXES Imath REQUIRED)
+add_library(candela_openimageio INTERFACE)
+target_include_directories(candela_openimageio SYSTEM INTERFACE
+  ${OpenImageIO_INCLUDE_DIR} ${Imath_INCLUDE_DIR})
+target_link_libraries(candela_openimageio INTERFACE
+  ${OpenImageIO_LIBRARY} ${OpenImageIO_Util_LIBRARY})

@@ -1,0 +1,2 @@
+# The library for others: find_package(candela) gives candela::renderer, ::scene_io, ::integrators.
+include(CMakePackageConfigHelpers)

@@ -1,0 +1,90 @@
+// Scene + accelerator -> film. The fourth of the five doors.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "renderer/accel/any_accel.h"
+#include "renderer/base/progress.h"
+#include "renderer/film/film.h"
+#include "renderer/film/filter.h"
+#include "renderer/scene/scene.h"
+
+namespace candela {
+
+enum class IntegratorKind : std::uint8_t { Path };
+
+struct RenderOptions {
+  IntegratorKind integrator = IntegratorKind::Path;
+  int width = 512;
+  int height = 512;
+  int samples_per_pixel = 64;
+  // Bounces as pbrt counts them: 0 sees emission only, 1 direct light, ...; none: no limit.
+  std::optional<int> max_depth;
+  std::uint64_t seed = 0;
+  std::size_t camera = 0;
+  std::optional<PixelRect> crop;  // none: everything
+  FilterKind filter = FilterKind::BlackmanHarris;
+  std::optional<float> filter_radius;
+  AovSet aovs = 0;
+  bool transparent = false;         // camera rays that leave the scene are black with alpha 0
+  bool use_general_kernel = false;  // whatever the scene's features are
+  int tile_size = 16;
+};
+
+struct RayCounts {
+  std::uint64_t camera = 0;
+  std::uint64_t indirect = 0;
+  std::uint64_t shadow = 0;
+};
+
+// What was not done because it could not matter.
+struct SkippedCounts {
+  std::uint64_t shadow_rays = 0;  // the unoccluded contribution was zero
+};
+
+struct InvalidSample {
+  int x = 0;
+  int y = 0;
+  std::uint32_t sample = 0;
+};
+
+struct RenderStatistics {
+  RayCounts rays;
+  SkippedCounts skipped;
+  std::uint64_t invalid_samples = 0;
+  std::optional<InvalidSample> first_invalid;
+  std::string kernel;  // the instance that ran
+  bool was_cancelled = false;
+};
+
+struct RenderResult {
+  Film film;
+  RenderStatistics statistics;
+};
+
+// Runs on the current arena's threads (base/parallel.h: with_threads). `progress` and `cancel` may
+// be null. When `cancel` becomes true the running tiles end and the film so far is returned.
+[[nodiscard]] RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
+                                  const RenderOptions& options, ProgressSink* progress,
+                                  const CancelFlag* cancel);
+
+// The name of the kernel that render() would run.
+[[nodiscard]] std::string kernel_name(const Scene& scene, const RenderOptions& options);
+
+// CPU seconds of rendering a fixed share of the tiles, against replaying their rays through bare
+// backend calls (`--ray-limit`).
+struct RayLimit {
+  double render_seconds = 0;
+  double rays_seconds = 0;
+  std::uint64_t rays = 0;
+  [[nodiscard]] double ratio() const {
+    return rays_seconds > 0 ? render_seconds / rays_seconds : 0;
+  }
+};
+[[nodiscard]] RayLimit measure_ray_limit(const Scene& scene, const AnyAccelerator& accelerator,
+                                         const RenderOptions& options);
+
+}  // namespace candela

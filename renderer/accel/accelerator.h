@@ -1,0 +1,30 @@
+// The concept that integrators trace rays with, and the one choke point before it.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+
+#include "renderer/geometry/geometry.h"
+#include "renderer/math/ray.h"
+
+namespace candela {
+
+// intersect: the nearest hit with 0 < t < ray.t_max, cut-outs seen through. occluded: whether there
+// is any. Both are pure and thread-safe.
+template <class A>
+concept Accelerator = requires(const A& accelerator, const Ray& ray) {
+  { accelerator.intersect(ray) } -> std::same_as<Hit>;
+  { accelerator.occluded(ray) } -> std::same_as<bool>;
+  { accelerator.memory_bytes() } -> std::same_as<std::size_t>;
+};
+
+// Debian's Embree is built with asserts: a NaN, a component near 1e19 or a negative range would
+// abort the process. Every ray passes here first; a ray that fails is counted as invalid.
+[[nodiscard]] inline bool is_traceable(const Ray& ray) {
+  const float origin = std::abs(ray.origin.x) + std::abs(ray.origin.y) + std::abs(ray.origin.z);
+  const float direction =
+      std::abs(ray.direction.x) + std::abs(ray.direction.y) + std::abs(ray.direction.z);
+  return origin < 1e15f && direction < 1e15f && direction > 0 && ray.t_max > 0;
+}
+
+}  // namespace candela

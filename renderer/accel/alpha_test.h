@@ -1,0 +1,21 @@
+// Visibility of triangles with partial coverage: alpha is the probability of a hit, decided by a
+// hash of the ray and the primitive, so that both accelerators, any order of traversal and repeated
+// calls for one primitive agree.
+#pragma once
+
+#include "renderer/geometry/geometry.h"
+#include "renderer/math/ray.h"
+#include "renderer/scene/scene.h"
+
+namespace candela {
+
+// Coverage of a material at uv, in [0,1]; lab3's thresholds applied where the material asks.
+[[nodiscard]] float opacity_at(const Scene& scene, const Material& material, Vec2f uv);
+
+// Whether the ray passes through `triangle` of `geometry` at the barycentrics (u, v).
+// `instance`: as in Hit. Ray in world space, as given to the accelerator.
+[[nodiscard]] bool is_transparent_at(const Scene& scene, std::uint32_t geometry,
+                                     std::uint32_t triangle, std::uint32_t instance, float u,
+                                     float v, const Vec3f& ray_origin, const Vec3f& ray_direction);
+
+}  // namespace candela

@@ -1,0 +1,27 @@
+// The accelerator a render uses, chosen once.
+#pragma once
+
+#include <string_view>
+#include <variant>
+
+#include "renderer/accel/bvh_accel.h"
+#include "renderer/accel/embree_accel.h"
+
+namespace candela {
+
+enum class AcceleratorKind : std::uint8_t { Embree, Bvh };
+
+using AnyAccelerator = std::variant<EmbreeAccel, BvhAccel>;
+
+// Only the one that is asked for is built.
+[[nodiscard]] inline AnyAccelerator build_accelerator(const Scene& scene, AcceleratorKind kind,
+                                                      EmbreeOptions embree = {}) {
+  if (kind == AcceleratorKind::Bvh) return BvhAccel(scene);
+  return EmbreeAccel(scene, embree);
+}
+
+[[nodiscard]] inline std::size_t memory_bytes(const AnyAccelerator& accelerator) {
+  return std::visit([](const auto& a) { return a.memory_bytes(); }, accelerator);
+}
+
+}  // namespace candela

@@ -1,0 +1,111 @@
+#include "renderer/base/diagnostic.h"
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace candela {
+namespace {
+
+std::string_view word_of(Severity severity) {
+  switch (severity) {
+    case Severity::Note:
+      return "note";
+    case Severity::Warning:
+      return "warning";
+    case Severity::Error:
+      return "error";
+  }
+  return "";
+}
+
+std::string place_of(const SourceSpan& span) {
+  if (!span.file) return "";
+  if (span.line == 0) return fmt::format("{}: ", *span.file);
+  if (span.column == 0) return fmt::format("{}:{}: ", *span.file, span.line);
+  return fmt::format("{}:{}:{}: ", *span.file, span.line, span.column);
+}
+
+char lower(char c) {
+  return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+}
+
+// Levenshtein's distance, one row at a time.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t substituted = diagonal + (lower(a[i]) == lower(b[j]) ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({substituted, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string to_string(const Diagnostic& diagnostic) {
+  std::string text = fmt::format("{}{}: {}", place_of(diagnostic.span),
+                                 word_of(diagnostic.severity), diagnostic.message);
+  if (!diagnostic.excerpt.empty()) text += '\n' + diagnostic.excerpt;
+  return text;
+}
+
+void Diagnostics::add(Diagnostic diagnostic) {
+  const bool is_error = diagnostic.severity == Severity::Error;
+  const bool is_warning = diagnostic.severity == Severity::Warning;
+  const std::size_t earlier = is_error ? error_count_ : is_warning ? warning_count_ : 0;
+  if (is_error) ++error_count_;
+  if (is_warning) ++warning_count_;
+  if (earlier < limit) list_.push_back(std::move(diagnostic));
+}
+
+void Diagnostics::error(SourceSpan span, std::string message) {
+  add({Severity::Error, std::move(span), std::move(message), {}});
+}
+
+void Diagnostics::warning(SourceSpan span, std::string message) {
+  add({Severity::Warning, std::move(span), std::move(message), {}});
+}
+
+void Diagnostics::note(SourceSpan span, std::string message) {
+  add({Severity::Note, std::move(span), std::move(message), {}});
+}
+
+void Diagnostics::append(const Diagnostics& other) {
+  const std::size_t errors = error_count_ + other.error_count_;
+  const std::size_t warnings = warning_count_ + other.warning_count_;
+  for (const Diagnostic& diagnostic : other.list_) add(diagnostic);
+  error_count_ = errors;
+  warning_count_ = warnings;
+}
+
+std::string_view nearest_name(std::string_view word,
+                              const std::vector<std::string_view>& candidates) {
+  std::string_view best;
+  std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
+  for (const std::string_view candidate : candidates) {
+    const std::size_t length_gap = candidate.size() > word.size() ? candidate.size() - word.size()
+                                                                  : word.size() - candidate.size();
+    if (length_gap >= best_distance) continue;
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance < best_distance) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
+  const std::string_view name = nearest_name(word, candidates);
+  return name.empty() ? "" : fmt::format(", did you mean '{}'?", name);
+}
+
+}  // namespace candela

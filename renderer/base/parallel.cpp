@@ -1,0 +1,62 @@
+#include "renderer/base/parallel.h"
+
+#include <algorithm>
+
+#if defined(__SSE2__)
+#include <pmmintrin.h>
+#include <xmmintrin.h>
+#endif
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_scheduler_observer.h>
+
+namespace candela {
+namespace {
+
+void flush_denormals_to_zero() {
+#if defined(__SSE2__)
+  _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
+  _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
+#endif
+}
+
+class FlushDenormalsOnEntry : public tbb::task_scheduler_observer {
+ public:
+  explicit FlushDenormalsOnEntry(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) {
+    observe(true);
+  }
+  ~FlushDenormalsOnEntry() override { observe(false); }
+  void on_scheduler_entry(bool) override { flush_denormals_to_zero(); }
+};
+
+}  // namespace
+
+void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
+  tbb::parallel_for(std::size_t{0}, count, body);
+}
+
+void parallel_for_chunks(std::size_t count, std::size_t grain,
+                         const std::function<void(std::size_t, std::size_t)>& body) {
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, count, grain),
+      [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
+}
+
+void with_threads(int threads, const std::function<void()>& work) {
+  const int count = threads > 0 ? threads : available_threads();
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(std::max(count, 1)));
+  tbb::task_arena arena(count);
+  const FlushDenormalsOnEntry observer(arena);
+  arena.execute(work);
+}
+
+int available_threads() {
+  return tbb::info::default_concurrency();
+}
+
+}  // namespace candela

@@ -1,0 +1,25 @@
+// Threads: the only door to oneTBB.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace candela {
+
+// Runs `body(i)` for each i in [0, count), spread over the current arena's threads, in no order.
+// Exceptions of a body leave here on the calling thread.
+void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body);
+
+// Runs `body(begin, end)` over chunks of [0, count) of at least `grain` items.
+void parallel_for_chunks(std::size_t count, std::size_t grain,
+                         const std::function<void(std::size_t, std::size_t)>& body);
+
+// Runs `work` in an arena of `threads` threads (0: as many as the process may use). What `work`
+// starts through parallel_for stays in that arena. FTZ/DAZ are set on every worker of the arena,
+// as Embree asks for.
+void with_threads(int threads, const std::function<void()>& work);
+
+// The number of processors this process may run on.
+[[nodiscard]] int available_threads();
+
+}  // namespace candela

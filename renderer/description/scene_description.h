@@ -1,0 +1,209 @@
+// The scene as written: in double, in the file's units, with names and source spans.
+// Readers (scene_io) fill it; compile() (renderer/scene) turns it into what is rendered.
+// Nothing here knows a file format, and nothing here was rounded, merged or dropped.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "renderer/base/diagnostic.h"
+#include "renderer/base/handle.h"
+#include "renderer/math/transform.h"
+#include "renderer/math/vec.h"
+
+namespace candela::description {
+
+struct Image;
+struct Material;
+struct Mesh;
+using ImageHandle = Handle<Image>;
+using MaterialHandle = Handle<Material>;
+using MeshHandle = Handle<Mesh>;
+
+// How stored numbers become linear ones.
+enum class Encoding : std::uint8_t {
+  Linear,    // as stored (masks, heights, HDR)
+  Srgb,      // IEC 61966-2-1 a texel, before filtering
+  LabGamma,  // pow(v, 2.2) after filtering, as lab3's framework does (LAB3 section 4)
+};
+
+enum class Wrap : std::uint8_t { Repeat, Clamp, Mirror, Black };
+
+// An image file, not opened yet. Equal files with equal settings are one entry.
+struct Image {
+  std::string path;
+  Encoding encoding = Encoding::Linear;
+  Wrap wrap = Wrap::Repeat;
+  SourceSpan span;  // where the scene names it
+};
+
+// A factor, or a map that replaces it.
+struct ColourInput {
+  Vec3d factor{1.0};
+  ImageHandle map;
+};
+struct ScalarInput {
+  double factor = 1.0;
+  ImageHandle map;
+  int channel = 0;  // of the map
+};
+
+// lab3's Blinn-Phong material as LAB3.md sections 1-4 define it; `whitted` shades it as it stands,
+// the path tracer by section 8. Colours are as written (before pow 2.2).
+struct LabMaterial {
+  ColourInput diffuse;                   // image encoding LabGamma
+  double alpha = 1.0;                    // used where there is no diffuse map; else the map's alpha
+  ColourInput specular{Vec3d{0.0}, {}};  // image encoding Linear; RGBA: alpha * 256 is the exponent
+  double shininess = 0.0;                // exponent (0..256) where there is no specular map
+};
+
+enum class FresnelModel : std::uint8_t { Schlick, Exact };
+enum class GeometryModel : std::uint8_t { SchlickGgx, Smith };
+
+// kd/pi + ks F G D / (4 cos cos), as REPORT.md's normative section fixes it.
+struct CookTorranceMaterial {
+  ColourInput diffuse{Vec3d{0.5}, {}};        // kd
+  ColourInput specular{Vec3d{0.5}, {}};       // ks
+  ScalarInput roughness{0.3, {}, 0};          // the GGX width a itself
+  Vec3d f0{0.04};                             // reflectance at normal incidence
+  std::optional<double> ior;                  // gives f0 and the exact dielectric Fresnel term
+  std::optional<std::array<Vec3d, 2>> eta_k;  // conductor: gives f0 and the exact conductor term
+  FresnelModel fresnel = FresnelModel::Schlick;
+  GeometryModel geometry = GeometryModel::SchlickGgx;
+};
+
+struct DiffuseMaterial {
+  ColourInput reflectance{Vec3d{0.5}, {}};
+};
+
+struct MirrorMaterial {
+  ColourInput reflectance{Vec3d{1.0}, {}};
+};
+
+struct ConductorMaterial {
+  Vec3d eta{0.2, 0.92, 1.1};
+  Vec3d k{3.9, 2.45, 2.14};
+  ScalarInput roughness{0.0, {}, 0};  // GGX width; 0 is a mirror
+};
+
+struct DielectricMaterial {
+  double ior = 1.5;
+  ScalarInput roughness{0.0, {}, 0};  // GGX width; 0 is smooth
+  Vec3d transmittance{1.0};           // factor of each refraction (MTL's Tf)
+  bool is_thin = false;               // straight through, both interfaces at once
+};
+
+struct Material {
+  std::string name;
+  SourceSpan span;
+  std::variant<LabMaterial, CookTorranceMaterial, DiffuseMaterial, MirrorMaterial,
+               ConductorMaterial, DielectricMaterial>
+      model;
+  Vec3d emission{0.0};  // radiance; the geometric normal's side, or both
+  bool emits_both_sides = false;
+  ScalarInput opacity{1.0, {}, 0};  // coverage in [0,1]: the probability of a hit
+  ImageHandle height;               // bump map: grey heights
+  double height_scale = 1.0;  // height of white, in units of the uv square's edge on the surface
+  ImageHandle normal_map;     // tangent-space normals, encoded (n+1)/2
+};
+
+// An indexed triangle mesh. `normals` and `uvs` are empty or as many as `positions`.
+struct Mesh {
+  std::string name;
+  SourceSpan span;
+  std::vector<Vec3d> positions;
+  std::vector<Vec3f> normals;  // any length; zero means "none here"
+  std::vector<Vec2f> uvs;      // v = 0 is the image's bottom row
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<MaterialHandle> materials;  // size 1: one for all; else one a triangle
+};
+
+// A mesh placed in the world. Several instances may share a mesh.
+struct Instance {
+  MeshHandle mesh;
+  Transform object_to_world;
+  MaterialHandle material_override;  // invalid: the mesh's own
+  SourceSpan span;
+};
+
+// For the path tracer, in physical units (LAB3 section 8); whitted divides by pi again.
+struct PointLight {
+  Vec3d position{0.0};
+  Vec3d intensity{1.0};  // radiant intensity, W/sr
+};
+struct SpotLight {
+  Vec3d position{0.0};
+  Vec3d axis{0.0, 0.0, -1.0};        // unit, from the light outwards
+  Vec3d intensity{1.0};              // on the axis
+  double inner_angle_radians = 0.0;  // full within, smooth to 0 at the outer angle
+  double outer_angle_radians = 0.0;
+};
+struct DirectionalLight {
+  Vec3d to_light{0.0, 1.0, 0.0};  // unit
+  Vec3d irradiance{1.0};          // on a surface that faces it
+};
+// A triangle that emits but may have no counterpart among the meshes: it is a surface of its own.
+struct TriangleLight {
+  std::array<Vec3d, 3> vertices{};
+  Vec3d radiance{1.0};
+  bool emits_both_sides = false;  // else on the side of (v1-v0) x (v2-v0)
+};
+struct ConstantEnvironment {
+  Vec3d radiance{0.0};
+  bool is_seen_by_camera = true;  // false: lab3's ambient term
+};
+// Six square faces in the order +X -X +Y -Y +Z -Z, each as OpenGL's cube maps lay them.
+struct CubeEnvironment {
+  std::array<ImageHandle, 6> faces;
+};
+// Latitude-longitude; row 0 is +y, the centre column looks along `world_from_map` * -z.
+struct LatLongEnvironment {
+  ImageHandle image;
+  Vec3d scale{1.0};
+  Mat3d world_from_map{1.0};
+};
+
+struct Light {
+  SourceSpan span;
+  std::variant<PointLight, SpotLight, DirectionalLight, TriangleLight, ConstantEnvironment,
+               CubeEnvironment, LatLongEnvironment>
+      kind;
+};
+
+struct Camera {
+  SourceSpan span;
+  Vec3d eye{0.0, 0.0, 1.0};
+  Vec3d target{0.0};
+  Vec3d up{0.0, 1.0, 0.0};
+  double fovy_degrees = 60.0;   // vertical
+  double lens_radius = 0.0;     // 0: pinhole
+  double focus_distance = 0.0;  // along the axis; 0: at the target
+};
+
+// What the scene asks for; the command line overrides.
+struct RenderDefaults {
+  std::optional<int> width, height, samples_per_pixel, max_depth;
+  std::optional<std::string> integrator, filter;
+  std::optional<std::uint64_t> seed;
+  std::optional<double> exposure;
+};
+
+struct SceneDescription {
+  std::string path;  // the scene file, as given
+  std::vector<Image> images;
+  std::vector<Material> materials;
+  std::vector<Mesh> meshes;
+  std::vector<Instance> instances;
+  std::vector<Light> lights;
+  std::vector<Camera> cameras;
+  RenderDefaults defaults;
+  Vec3d lab_ambient{0.0};          // AmbientIntensity, for whitted; {0} elsewhere
+  std::vector<std::string> files;  // every file that was read, for scene_hash; images are
+                                   // listed in `images`
+};
+
+}  // namespace candela::description

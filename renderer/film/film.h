@@ -1,0 +1,90 @@
+// Where samples are summed: double sums a pixel, folded in the order of the sample index.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/image/image.h"
+#include "renderer/math/vec.h"
+
+namespace candela {
+
+// Half-open rectangle of pixels, y from the top.
+struct PixelRect {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  [[nodiscard]] int width() const { return x1 - x0; }
+  [[nodiscard]] int height() const { return y1 - y0; }
+  [[nodiscard]] bool is_empty() const { return x1 <= x0 || y1 <= y0; }
+  friend bool operator==(const PixelRect&, const PixelRect&) = default;
+};
+
+// Layers beside the picture, all from the first hit of camera rays, averaged over the samples that
+// hit (material_id: of sample 0). File units.
+enum class Aov : std::uint8_t { Albedo, Normal, Depth, Position, MaterialId, Samples };
+using AovSet = std::uint32_t;
+constexpr AovSet aov_bit(Aov aov) {
+  return 1u << static_cast<unsigned>(aov);
+}
+
+// What one camera sample brings.
+struct FilmSample {
+  Rgb radiance{0};
+  float alpha = 1;       // 0 where the camera ray left the scene
+  bool has_hit = false;  // the rest counts only then
+  Rgb albedo{0};
+  Vec3f normal{0};      // world space, unit, towards the camera
+  Vec3d position{0.0};  // file units
+  double depth = 0;     // distance from the camera, file units
+  std::uint32_t material = 0;
+};
+
+class Film {
+ public:
+  Film() = default;
+  Film(int full_width, int full_height, PixelRect crop, AovSet aovs);
+
+  // Adds the next sample of a pixel; calls for one pixel come in order of the sample index and from
+  // one thread at a time. Coordinates of the full picture. Non-finite or negative radiance must not
+  // come here: the caller counts it (invariant 4).
+  void add(int x, int y, const FilmSample& sample);
+  // A sample that was invalid: it counts as black so that sums of others stand.
+  void add_invalid(int x, int y);
+
+  [[nodiscard]] const PixelRect& crop() const { return crop_; }
+  [[nodiscard]] int full_width() const { return full_width_; }
+  [[nodiscard]] int full_height() const { return full_height_; }
+  [[nodiscard]] AovSet aovs() const { return aovs_; }
+  // Samples a pixel: the fewest and the most over the crop.
+  [[nodiscard]] std::uint32_t min_samples() const;
+  [[nodiscard]] std::uint32_t max_samples() const;
+
+  // The means as an image of the crop's size: channels R G B, then A where `with_alpha`, then
+  // layers under the names that Blender, tev and OIDN read: albedo.R .G .B, normal.X .Y .Z,
+  // depth.Z, position.X .Y .Z, material_id.V, samples.V. Pixels without samples are 0.
+  [[nodiscard]] Image to_image(bool with_alpha) const;
+
+ private:
+  struct Pixel {
+    Vec3d radiance{0.0};
+    double alpha = 0;
+    std::uint32_t samples = 0;
+  };
+  struct AovPixel {
+    Vec3d albedo{0.0};
+    Vec3d normal{0.0};
+    Vec3d position{0.0};
+    double depth = 0;
+    std::uint32_t hits = 0;
+    std::uint32_t material = 0;  // + 1; 0: none
+  };
+  [[nodiscard]] std::size_t index(int x, int y) const;
+
+  int full_width_ = 0;
+  int full_height_ = 0;
+  PixelRect crop_;
+  AovSet aovs_ = 0;
+  std::vector<Pixel> pixels_;
+  std::vector<AovPixel> aov_pixels_;
+};
+
+}  // namespace candela

@@ -1,0 +1,80 @@
+// The compiled scene's surfaces: flat arrays of triangles in normalised space.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "renderer/base/handle.h"
+#include "renderer/math/bounds.h"
+#include "renderer/math/vec.h"
+
+namespace candela {
+
+struct Geometry;
+struct Object;
+struct Instance;
+struct Material;
+using GeometryHandle = Handle<Geometry>;
+using ObjectHandle = Handle<Object>;
+using InstanceHandle = Handle<Instance>;
+using MaterialHandle = Handle<Material>;
+
+// Triangles that share one material and one kind of visibility. What is absent is empty.
+struct Geometry {
+  std::vector<Vec3f> positions;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Vec3f> normals;  // empty, or one a vertex; zero: "use the triangle's"
+  std::vector<Vec2f> uvs;      // empty, or one a vertex
+  MaterialHandle material;
+  // Some triangles are neither wholly opaque nor wholly clear: visibility asks alpha_test.h.
+  bool has_cutouts = false;
+  // Index into the light table of triangle 0's light; triangle i has first_light + i. none: dark.
+  std::uint32_t first_light = std::numeric_limits<std::uint32_t>::max();
+
+  [[nodiscard]] bool is_emissive() const {
+    return first_light != std::numeric_limits<std::uint32_t>::max();
+  }
+};
+
+// Geometries that are placed together.
+struct Object {
+  std::vector<GeometryHandle> geometries;
+};
+
+// An affine placement of an object, float, in normalised space. p' = x*p.x + y*p.y + z*p.z + t.
+struct Instance {
+  ObjectHandle object;
+  Vec3f x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, translation{0};
+  // Rows of the inverse linear map's transpose: normals transform by these columns.
+  Vec3f normal_x{1, 0, 0}, normal_y{0, 1, 0}, normal_z{0, 0, 1};
+
+  [[nodiscard]] Vec3f point(const Vec3f& p) const {
+    return x * p.x + y * p.y + z * p.z + translation;
+  }
+  [[nodiscard]] Vec3f vector(const Vec3f& v) const { return x * v.x + y * v.y + z * v.z; }
+  [[nodiscard]] Vec3f normal(const Vec3f& n) const {
+    return normal_x * n.x + normal_y * n.y + normal_z * n.z;
+  }
+};
+
+// What an accelerator returns. (u, v) are the barycentric weights of vertices 1 and 2.
+struct Hit {
+  float t = std::numeric_limits<float>::infinity();
+  float u = 0;
+  float v = 0;
+  std::uint32_t geometry =
+      std::numeric_limits<std::uint32_t>::max();  // index into Scene::geometries
+  std::uint32_t triangle = 0;
+  std::uint32_t instance = std::numeric_limits<std::uint32_t>::max();  // none: of the world itself
+
+  [[nodiscard]] bool is_hit() const {
+    return geometry != std::numeric_limits<std::uint32_t>::max();
+  }
+  [[nodiscard]] bool is_instanced() const {
+    return instance != std::numeric_limits<std::uint32_t>::max();
+  }
+};
+
+}  // namespace candela

@@ -1,0 +1,60 @@
+// Compiled materials: constants in linear colour and handles of textures, one flat struct.
+#pragma once
+
+#include <cstdint>
+
+#include "renderer/geometry/geometry.h"
+#include "renderer/math/vec.h"
+#include "renderer/texture/texture.h"
+
+namespace candela {
+
+using description::FresnelModel;
+using description::GeometryModel;
+
+enum class MaterialModel : std::uint8_t {
+  Diffuse,         // kd / pi
+  CookTorrance,    // kd / pi + ks F G D / (4 cos cos)                         [REPORT 2.2]
+  Lab,             // Blinn-Phong as GGX with a reciprocally coupled diffuse   [LAB3 section 8]
+  Mirror,          // delta reflection, constant reflectance
+  Conductor,       // smooth (delta) or rough GGX with eta and k
+  Dielectric,      // smooth (delta) or rough GGX, reflection and refraction
+  ThinDielectric,  // both interfaces at once, straight through
+};
+
+// A texture replaces its constant.
+struct ColourParameter {
+  Rgb constant{1};
+  TextureHandle texture;
+};
+struct ScalarParameter {
+  float constant = 1;
+  TextureHandle texture;
+  int channel = 0;
+};
+
+struct Material {
+  MaterialModel model = MaterialModel::Diffuse;
+  FresnelModel fresnel = FresnelModel::Schlick;
+  GeometryModel geometry = GeometryModel::SchlickGgx;
+  bool emits_both_sides = false;
+  bool fresnel_is_conductor = false;  // CookTorrance: exact Fresnel by eta, k (else by ior)
+
+  ColourParameter diffuse{Rgb{0}, {}};   // kd; Mirror: reflectance
+  ColourParameter specular{Rgb{0}, {}};  // ks; Lab with a map: alpha * 256 is the exponent
+  ScalarParameter roughness{0, {}, 0};   // GGX width a; Lab: from the exponent at compile time
+  Rgb f0{0.04f};
+  Rgb eta{1.5f};  // Dielectric: all channels alike
+  Rgb k{0};
+  Rgb transmittance{1};
+  Rgb emission{0};                    // radiance
+  ScalarParameter opacity{1, {}, 3};  // in [0,1]
+  bool lab_opacity = false;           // thresholds 0.2 and 0.9 of LAB3 section 8
+  TextureHandle height;               // bump
+  float height_scale = 1;             // see description::Material
+  TextureHandle normal_map;
+
+  [[nodiscard]] bool is_emissive() const { return !is_black(emission); }
+};
+
+}  // namespace candela

@@ -1,0 +1,17 @@
+// A ray in the compiled scene's space.
+#pragma once
+
+#include "renderer/math/constants.h"
+#include "renderer/math/vec.h"
+
+namespace candela {
+
+// Points origin + t * direction with 0 < t < t_max. The direction has unit length for rays that the
+// integrators make, so that t is a distance.
+struct Ray {
+  Vec3f origin{0};
+  Vec3f direction{0, 0, 1};
+  float t_max = infinity;
+};
+
+}  // namespace candela

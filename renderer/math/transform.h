@@ -1,0 +1,36 @@
+// Affine maps in double: p' = linear * p + translation.
+#pragma once
+
+#include "renderer/math/vec.h"
+
+namespace candela {
+
+struct Transform {
+  Mat3d linear{1.0};
+  Vec3d translation{0.0};
+
+  [[nodiscard]] Vec3d point(const Vec3d& p) const { return linear * p + translation; }
+  [[nodiscard]] Vec3d vector(const Vec3d& v) const { return linear * v; }
+  // Not normalised. Adjugate-transposed in place of inverse-transposed: right up to a positive
+  // factor, also for singular maps; a mirroring map keeps the normal on its side.
+  [[nodiscard]] Vec3d normal(const Vec3d& n) const {
+    const Mat3d cofactor(cross(linear[1], linear[2]), cross(linear[2], linear[0]),
+                         cross(linear[0], linear[1]));
+    return (determinant() < 0 ? -1.0 : 1.0) * (cofactor * n);
+  }
+  [[nodiscard]] double determinant() const { return dot(linear[0], cross(linear[1], linear[2])); }
+  [[nodiscard]] bool is_identity() const {
+    return linear == Mat3d(1.0) && translation == Vec3d(0.0);
+  }
+};
+
+[[nodiscard]] inline Transform operator*(const Transform& a, const Transform& b) {
+  return {a.linear * b.linear, a.linear * b.translation + a.translation};
+}
+
+[[nodiscard]] inline Transform inverse(const Transform& t) {
+  const Mat3d linear = glm::inverse(t.linear);
+  return {linear, -(linear * t.translation)};
+}
+
+}  // namespace candela

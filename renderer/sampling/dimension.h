@@ -1,0 +1,22 @@
+// The named random dimensions. Every random number of a render is a function of
+// (seed, pixel, sample, bounce, dimension): no generator is passed, stored or thread-local, so work
+// that is skipped shifts no stream (invariant 1).
+#pragma once
+
+#include <cstdint>
+
+namespace candela {
+
+enum class Dimension : std::uint8_t {
+  // once a camera sample (bounce 0)
+  Filter,  // 2D: where in the pixel's filter
+  Lens,    // 2D
+  // once a bounce
+  LightChoice,  // 1D: which light
+  LightPoint,   // 2D: where on it
+  LobeChoice,   // 1D: which lobe of the BSDF
+  Direction,    // 2D: direction within the lobe
+  Roulette,     // 1D
+};
+
+}  // namespace candela

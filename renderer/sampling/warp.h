@@ -1,0 +1,59 @@
+// Maps from the unit square to directions and points, with their densities.
+#pragma once
+
+#include "renderer/math/constants.h"
+#include "renderer/math/transcendental.h"
+#include "renderer/math/vec.h"
+
+namespace candela {
+
+// Uniform on the unit disk, area-preserving and continuous [Shirley97].
+[[nodiscard]] inline Vec2f square_to_disk(Vec2f u) {
+  const float a = 2 * u.x - 1;
+  const float b = 2 * u.y - 1;
+  if (a == 0 && b == 0) return {0, 0};
+  if (a * a > b * b) {
+    const SinCos angle = sin_cos((pi / 4) * (b / a));
+    return {a * angle.cos, a * angle.sin};
+  }
+  const SinCos angle = sin_cos((pi / 2) - (pi / 4) * (a / b));
+  return {b * angle.cos, b * angle.sin};
+}
+
+// Density cos(theta) / pi over the hemisphere about z [Malley].
+[[nodiscard]] inline Vec3f square_to_cosine_hemisphere(Vec2f u) {
+  const Vec2f d = square_to_disk(u);
+  return {d.x, d.y, std::sqrt(std::max(0.0f, 1 - d.x * d.x - d.y * d.y))};
+}
+[[nodiscard]] inline float cosine_hemisphere_pdf(float cos_theta) {
+  return cos_theta > 0 ? cos_theta * inverse_pi : 0;
+}
+
+// Density 1 / (2 pi) over the hemisphere about z.
+[[nodiscard]] inline Vec3f square_to_uniform_hemisphere(Vec2f u) {
+  const float z = u.x;
+  const float r = std::sqrt(std::max(0.0f, 1 - z * z));
+  const SinCos phi = sin_cos(two_pi * u.y);
+  return {r * phi.cos, r * phi.sin, z};
+}
+
+// Density 1 / (4 pi) over the sphere.
+[[nodiscard]] inline Vec3f square_to_uniform_sphere(Vec2f u) {
+  const float z = 1 - 2 * u.x;
+  const float r = std::sqrt(std::max(0.0f, 1 - z * z));
+  const SinCos phi = sin_cos(two_pi * u.y);
+  return {r * phi.cos, r * phi.sin, z};
+}
+
+// Barycentric weights of vertices 1 and 2 of a point uniform on a triangle; continuous, and closer
+// in shape to the square than the square-root map [Heitz19].
+[[nodiscard]] inline Vec2f square_to_triangle(Vec2f u) {
+  if (u.y > u.x) {
+    const float b1 = u.x * 0.5f;
+    return {b1, u.y - b1};
+  }
+  const float b2 = u.y * 0.5f;
+  return {u.x - b2, b2};
+}
+
+}  // namespace candela

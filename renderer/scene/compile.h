@@ -1,0 +1,21 @@
+// SceneDescription -> Scene: named pure steps, each in its own file of this folder.
+#pragma once
+
+#include "renderer/base/result.h"
+#include "renderer/description/scene_description.h"
+#include "renderer/scene/scene.h"
+
+namespace candela {
+
+struct CompileOptions {
+  int width = 512;  // the cameras' aspect
+  int height = 512;
+  // Factors of lab materials rounded to n/255, as the lab stores them (whitted, raster).
+  bool lab_quantised = false;
+};
+
+// Validates, then compiles. Errors name the file and line of what cannot be rendered.
+[[nodiscard]] Result<Scene> compile(const description::SceneDescription& description,
+                                    const CompileOptions& options);
+
+}  // namespace candela

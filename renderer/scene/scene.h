@@ -1,0 +1,74 @@
+// The compiled Scene: immutable, shared by all threads without locks; tables and handles, no
+// strings in what kernels read, no pointer graphs.
+//
+// Space: the file's coordinates, moved to the scene's own centre and scaled by a power of two to
+// unit size ("normalised space"). Radiance is as in the file; what has a length in its unit was
+// scaled along.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/base/diagnostic.h"
+#include "renderer/camera/camera.h"
+#include "renderer/geometry/geometry.h"
+#include "renderer/light/environment.h"
+#include "renderer/light/light.h"
+#include "renderer/light/light_sampler.h"
+#include "renderer/material/material.h"
+#include "renderer/math/bounds.h"
+#include "renderer/texture/texture.h"
+
+namespace candela {
+
+// normalised = (file - centre) * scale, with scale a power of two.
+struct Normalisation {
+  Vec3d centre{0.0};
+  double scale = 1.0;
+
+  [[nodiscard]] Vec3d to_file(const Vec3f& p) const { return Vec3d(p) / scale + centre; }
+};
+
+// What the scene needs of a kernel.
+struct SceneFeatures {
+  bool textures = false;  // any texture at all that shading reads
+  bool bump = false;      // height or normal maps
+  bool cutouts = false;
+  bool delta_lights = false;
+  bool area_lights = false;
+  bool environment = false;
+  bool instances = false;
+  bool thin_lens = false;
+  std::uint32_t bsdf_models = 0;  // ModelSet
+
+  friend bool operator==(const SceneFeatures&, const SceneFeatures&) = default;
+};
+
+// What compiling left out and why, for `candela info`.
+struct Dropped {
+  std::string what;
+  std::uint64_t count = 0;
+};
+
+struct Scene {
+  std::vector<Geometry> geometries;
+  std::vector<Object> objects;
+  Object world;  // what is not instanced
+  std::vector<Instance> instances;
+  std::vector<Material> materials;
+  std::vector<Light> lights;
+  LightSampler light_sampler;
+  std::optional<Environment> environment;
+  TextureStore textures;
+  std::vector<Camera> cameras;
+
+  Normalisation normalisation;
+  Bounds3f bounds;  // of everything that rays can hit
+  SceneFeatures features;
+  std::vector<Dropped> dropped;
+  std::vector<std::string> material_names;  // by material, for reports
+};
+
+}  // namespace candela

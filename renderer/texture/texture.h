@@ -1,0 +1,79 @@
+// Textures: image files kept in their own bit depth, decoded when a ray first needs them, looked up
+// bilinearly.
+//
+// uv: v = 0 is the image's bottom row, texel centres lie at (i + 0.5) / size.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/base/diagnostic.h"
+#include "renderer/base/handle.h"
+#include "renderer/description/scene_description.h"
+#include "renderer/math/vec.h"
+
+namespace candela {
+
+class Texture;
+using TextureHandle = Handle<Texture>;
+
+using description::Encoding;
+using description::Wrap;
+
+// What the file's header says; read without decoding a pixel.
+struct TextureInfo {
+  int width = 0;
+  int height = 0;
+  int channels = 0;  // 1..4
+  bool has_alpha = false;
+  std::size_t bytes = 0;  // in memory once decoded
+};
+
+// The scene's textures. Immutable but for this: a texture decodes itself once, on first touch, from
+// whichever thread comes first. A texture whose file is missing or broken is magenta (1, 0, 1) with
+// alpha 1.
+class TextureStore {
+ public:
+  TextureStore();
+  TextureStore(TextureStore&&) noexcept;
+  TextureStore& operator=(TextureStore&&) noexcept;
+  ~TextureStore();
+
+  // Checks the file's header; a missing, forbidden or unreadable file is a warning and a magenta
+  // texture, never an error. Equal (path, encoding, wrap) give equal handles, and equal paths share
+  // their pixels.
+  TextureHandle add(const description::Image& image, Diagnostics& diagnostics);
+
+  // Bilinear, decoded to linear by the texture's encoding (alpha is never decoded). Greyscale files
+  // repeat their value in r, g, b; files without alpha have alpha 1. Values above 1 pass (HDR).
+  [[nodiscard]] Vec4f lookup(TextureHandle texture, Vec2f uv) const;
+
+  // The smallest and largest stored value of `channel` (3: alpha) over all texels that a bilinear
+  // lookup within the triangle of uvs can touch; decodes. Conservative: may be wider than exact.
+  struct Range {
+    float low = 0;
+    float high = 1;
+  };
+  [[nodiscard]] Range range_in_triangle(TextureHandle texture, const Vec2f (&uv)[3],
+                                        int channel) const;
+
+  [[nodiscard]] const TextureInfo& info(TextureHandle texture) const;
+  [[nodiscard]] const std::string& path(TextureHandle texture) const;
+  [[nodiscard]] std::size_t size() const;
+  // Which have been decoded so far, and the bytes they hold.
+  [[nodiscard]] bool is_decoded(TextureHandle texture) const;
+  [[nodiscard]] std::size_t decoded_bytes() const;
+  // Warnings met while decoding (a file whose header was fine and whose pixels were not).
+  [[nodiscard]] Diagnostics decoding_diagnostics() const;
+
+ private:
+  std::vector<std::unique_ptr<Texture>> textures_;
+  struct Pixels;
+  struct PixelTable;
+  std::unique_ptr<PixelTable> pixels_;
+};
+
+}  // namespace candela

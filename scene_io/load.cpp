@@ -1,0 +1,1 @@
+#include "scene_io/load.h"

@@ -1,0 +1,31 @@
+#include "renderer/base/diagnostic.h"
+
+#include <gtest/gtest.h>
+
+namespace candela {
+namespace {
+
+TEST(Unit_Diagnostic, NamesThePlaceThatIsKnown) {
+  const auto file = std::make_shared<const std::string>("a.yaml");
+  EXPECT_EQ(to_string({Severity::Error, {file, 3, 7}, "no", ""}), "a.yaml:3:7: error: no");
+  EXPECT_EQ(to_string({Severity::Warning, {file, 0, 0}, "no", ""}), "a.yaml: warning: no");
+  EXPECT_EQ(to_string({Severity::Note, {}, "no", "x\n^"}), "note: no\nx\n^");
+}
+
+TEST(Unit_Diagnostic, KeepsAtMostTwentyErrorsAndCountsTheRest) {
+  Diagnostics diagnostics;
+  for (int i = 0; i < 50; ++i) diagnostics.error({}, "again");
+  diagnostics.warning({}, "still kept");
+  EXPECT_EQ(diagnostics.error_count(), 50u);
+  EXPECT_EQ(diagnostics.list().size(), Diagnostics::limit + 1);
+  EXPECT_TRUE(diagnostics.is_full());
+}
+
+TEST(Unit_Diagnostic, SuggestsOnlyNearNames) {
+  EXPECT_EQ(nearest_name("Difuse", {"Diffuse", "Specular"}), "Diffuse");
+  EXPECT_EQ(nearest_name("diffuse", {"Diffuse", "Specular"}), "Diffuse");
+  EXPECT_EQ(nearest_name("Banana", {"Diffuse", "Specular"}), "");
+}
+
+}  // namespace
+}  // namespace candela
