@@ -1,0 +1,29 @@
+// Whole files into memory: regular files only, within limits, gzip'ed where the name ends in .gz.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "renderer/base/result.h"
+
+namespace candela::text {
+
+struct FileLimits {
+  std::uint64_t bytes = std::uint64_t{8} << 30;           // of the file itself
+  std::uint64_t inflated_bytes = std::uint64_t{2} << 30;  // of what a .gz holds
+};
+
+// The bytes of `path`. One error where it is missing, unreadable, no regular file (a FIFO or a
+// device is never waited for), too large, or a broken gzip file.
+[[nodiscard]] Result<std::string> read_file(const std::string& path, const FileLimits& limits = {});
+
+// The bytes that a gzip file in memory holds.
+[[nodiscard]] Result<std::string> inflate_gzip(std::string_view bytes, const std::string& name,
+                                               std::uint64_t max_bytes);
+
+// `path` ends in .gz, in any letter case.
+[[nodiscard]] bool has_gzip_name(std::string_view path);
+
+}  // namespace candela::text

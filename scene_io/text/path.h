@@ -1,0 +1,24 @@
+// Names of files inside files: relative to the folder of the file that names them, written on
+// another system.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace candela::text {
+
+struct ResolvedPath {
+  std::string path;             // '/' between parts; where nothing was found, the name as written
+  bool is_found = false;        // something exists there
+  bool has_other_case = false;  // found only with letter case ignored
+};
+
+// The file that `name`, written in the file `referrer`, means: back-slashes separate folders, an
+// absolute name that does not exist here is looked for by its last part beside `referrer`, and
+// where letter case alone keeps a part from being found the first such entry (by name) is taken.
+[[nodiscard]] ResolvedPath resolve_path(const std::string& referrer, std::string_view name);
+
+// The folder of a file with its last '/', or "".
+[[nodiscard]] std::string folder_of(std::string_view path);
+
+}  // namespace candela::text

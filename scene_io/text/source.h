@@ -1,0 +1,37 @@
+// A text in memory and places in it, for every reader of text formats.
+// Places are byte offsets while reading; lines and columns are found only when something is said
+// about one, so that nothing is counted on the fast path.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "renderer/base/diagnostic.h"
+
+namespace candela::text {
+
+// A named text that outlives what reads it.
+struct Source {
+  std::shared_ptr<const std::string> name;  // as users see it
+  std::string_view text;
+};
+
+[[nodiscard]] Source make_source(const std::string& name, std::string_view text);
+
+// Line and column (characters of UTF-8, from 1) of a byte of the text.
+[[nodiscard]] SourceSpan span_at(const Source& source, std::size_t offset);
+
+// The line around `offset` with a caret below that byte: at most 100 characters of it, control
+// characters as blanks, so that it is safe on a terminal.
+[[nodiscard]] std::string excerpt_at(const Source& source, std::size_t offset);
+
+// A diagnostic with span and excerpt.
+[[nodiscard]] Diagnostic diagnose(const Source& source, std::size_t offset, Severity severity,
+                                  std::string message);
+
+// `word` in quotes, shortened to 40 characters, control characters as '?'.
+[[nodiscard]] std::string quoted(std::string_view word);
+
+}  // namespace candela::text
