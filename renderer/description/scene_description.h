@@ -46,10 +46,11 @@ struct ColourInput {
   Vec3d factor{1.0};
   ImageHandle map;
 };
+inline constexpr int alpha_or_first = -1;
 struct ScalarInput {
   double factor = 1.0;
   ImageHandle map;
-  int channel = 0;  // of the map
+  int channel = 0;  // of the map; alpha_or_first: alpha where the file has one, else channel 0
 };
 
 // lab3's Blinn-Phong material as LAB3.md sections 1-4 define it; `whitted` shades it as it stands,
@@ -165,6 +166,7 @@ struct LatLongEnvironment {
   ImageHandle image;
   Vec3d scale{1.0};
   Mat3d world_from_map{1.0};
+  bool is_seen_by_camera = true;
 };
 
 struct Light {

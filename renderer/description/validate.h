@@ -1,0 +1,19 @@
+// What is wrong with a scene as written, whatever format it came from.
+#pragma once
+
+#include "renderer/base/diagnostic.h"
+#include "renderer/description/scene_description.h"
+
+namespace candela::description {
+
+// Errors for what cannot be rendered (handles out of range, numbers that are not finite, eye at
+// target, singular transforms, ...) and warnings for what will be but surprises (no light at all,
+// kd + ks above 1, cameras in the wrong place). compile() may rely on all that this calls an error.
+// Touches no file; linear in the size of the scene.
+[[nodiscard]] Diagnostics validate(const SceneDescription& scene);
+
+// What does no harm but is probably not meant (unused materials, black lights, missing textures),
+// as warnings, for `candela check`. Looks whether the image files exist.
+[[nodiscard]] Diagnostics lint(const SceneDescription& scene);
+
+}  // namespace candela::description
