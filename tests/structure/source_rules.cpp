@@ -1,0 +1,174 @@
+#include "tests/structure/source_rules.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <regex>
+#include <sstream>
+
+namespace candela::structure {
+namespace {
+
+struct Room {
+  std::string_view folder;
+  int level;
+};
+
+// A file includes its own room and rooms of a lower level. Longer names come first.
+constexpr std::array rooms = {
+    Room{"renderer/base/", 0},
+    Room{"renderer/math/", 1},
+    Room{"renderer/sampling/", 2},
+    Room{"renderer/image/", 2},
+    Room{"renderer/geometry/", 3},
+    Room{"renderer/texture/", 3},
+    Room{"renderer/description/", 2},
+    Room{"renderer/bsdf/", 3},
+    Room{"renderer/camera/", 3},
+    Room{"renderer/film/", 3},
+    Room{"renderer/material/", 4},
+    Room{"renderer/light/", 4},
+    Room{"renderer/medium/", 4},
+    Room{"renderer/scene/", 5},
+    Room{"renderer/accel/", 6},
+    Room{"scene_io/", 3},
+    Room{"integrators/", 7},
+    Room{"tools/", 8},
+    Room{"tests/", 9},
+};
+
+const Room* room_of(std::string_view path) {
+  const auto found = std::find_if(rooms.begin(), rooms.end(),
+                                  [&](const Room& room) { return path.starts_with(room.folder); });
+  return found == rooms.end() ? nullptr : &*found;
+}
+
+// Beside the levels: the readers see the description and what it is made of, no more; and nobody
+// but the tools and the tests sees the readers.
+bool may_include(const Room& from, const Room& to) {
+  if (from.folder == to.folder) return true;
+  if (to.folder == "scene_io/") return from.level >= 8;
+  if (from.folder == "scene_io/") return to.folder == "renderer/description/" || to.level < 2;
+  return to.level < from.level;
+}
+
+struct Library {
+  std::string_view prefix;   // of the included name
+  std::string_view allowed;  // pattern of the paths that may include it
+};
+
+constexpr std::array libraries = {
+    Library{"tbb/", R"(renderer/base/parallel\.cpp)"},
+    Library{"oneapi/", R"(renderer/base/parallel\.cpp)"},
+    Library{"embree", R"(renderer/accel/embree_[^/]*)"},
+    Library{"glm/", R"(renderer/math/vec\.h)"},
+    Library{"OpenImageIO/", R"(renderer/(image|texture)/[^/]*\.cpp|tests/.*\.cpp)"},
+    Library{"CLI/", R"(tools/candela/[^/]*\.cpp)"},
+    Library{"nlohmann/", R"((tools/candela|tests)/.*\.cpp)"},
+    Library{"yaml-cpp/", R"((scene_io|tests)/.*\.cpp)"},
+    Library{"zlib.h", R"((scene_io|tests)/.*\.cpp)"},
+    Library{"xxhash.h", R"(.*\.cpp)"},
+    Library{"tiny_obj_loader.h", R"(tests/.*\.cpp)"},
+    Library{"gtest/", R"(tests/.*)"},
+};
+
+// One concept each, and longer than a file should be.
+constexpr std::array<std::string_view, 0> long_files = {};
+constexpr std::size_t longest_file = 400;
+
+std::string sentence(const SourceFile& file, int line, const std::string& what) {
+  return file.path + ":" + std::to_string(line) + ": " + what;
+}
+
+}  // namespace
+
+std::vector<Include> includes_of(const SourceFile& file) {
+  static const std::regex pattern(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"])");
+  std::vector<Include> found;
+  std::istringstream lines(file.text);
+  std::string text;
+  for (int line = 1; std::getline(lines, text); ++line) {
+    std::smatch match;
+    if (std::regex_search(text, match, pattern))
+      found.push_back({match[2].str(), line, match[1].str() == "\""});
+  }
+  return found;
+}
+
+std::vector<std::string> upward_includes(const SourceFile& file) {
+  std::vector<std::string> wrong;
+  const Room* from = room_of(file.path);
+  if (from == nullptr) return {sentence(file, 1, "lies in no room that the order of rooms names")};
+  for (const Include& include : includes_of(file)) {
+    if (!include.is_quoted) continue;
+    const Room* to = room_of(include.target);
+    if (to == nullptr)
+      wrong.push_back(sentence(file, include.line,
+                               "\"" + include.target + "\" does not start at the project's root"));
+    else if (!may_include(*from, *to))
+      wrong.push_back(sentence(file, include.line,
+                               "\"" + include.target + "\" lies above or beside this room"));
+  }
+  return wrong;
+}
+
+std::vector<std::string> misplaced_libraries(const SourceFile& file) {
+  std::vector<std::string> wrong;
+  for (const Include& include : includes_of(file)) {
+    if (include.is_quoted) continue;
+    for (const Library& library : libraries) {
+      if (!include.target.starts_with(library.prefix)) continue;
+      if (!std::regex_match(file.path, std::regex(std::string(library.allowed))))
+        wrong.push_back(sentence(
+            file, include.line,
+            "<" + include.target + "> belongs to " + std::string(library.allowed) + " alone"));
+    }
+  }
+  return wrong;
+}
+
+std::vector<std::string> broken_conventions(const SourceFile& file) {
+  std::vector<std::string> wrong;
+  const bool is_header = file.path.ends_with(".h");
+  if (is_header && !file.text.starts_with("//"))
+    wrong.push_back(sentence(file, 1, "a header opens with a few lines about what lives in it"));
+  if (is_header && file.text.find("\n#pragma once\n") == std::string::npos)
+    wrong.push_back(sentence(file, 1, "a header has #pragma once"));
+  static const std::regex promise(
+      "\\b(TO"
+      "DO|FIX"
+      "ME|XX"
+      "X|HA"
+      "CK)\\b");
+  if (std::regex_search(file.text, promise))
+    wrong.push_back(sentence(file, 1, "promises work instead of being done"));
+  const auto lines = static_cast<std::size_t>(std::count(file.text.begin(), file.text.end(), '\n'));
+  const bool may_be_long =
+      std::find(long_files.begin(), long_files.end(), file.path) != long_files.end();
+  if (lines > longest_file && !may_be_long)
+    wrong.push_back(sentence(file, static_cast<int>(lines), "has more than 400 lines"));
+  return wrong;
+}
+
+std::vector<SourceFile> read_sources(const std::string& root) {
+  namespace fs = std::filesystem;
+  std::vector<SourceFile> files;
+  for (const char* top : {"renderer", "scene_io", "integrators", "tools", "tests"}) {
+    for (const fs::directory_entry& entry :
+         fs::recursive_directory_iterator(fs::path(root) / top)) {
+      const std::string extension = entry.path().extension().string();
+      if (!entry.is_regular_file() || (extension != ".h" && extension != ".cpp")) continue;
+      std::ifstream stream(entry.path(), std::ios::binary);
+      files.push_back({fs::relative(entry.path(), root).generic_string(),
+                       {std::istreambuf_iterator<char>(stream), {}}});
+    }
+  }
+  std::sort(files.begin(), files.end(),
+            [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
+  return files;
+}
+
+}  // namespace candela::structure
