@@ -1,4 +1,5 @@
-# Everything candela stands on, from the distribution's packages (tools/setup installs them).
+# What the rooms' libraries stand on, from the distribution's packages (tools/setup installs them).
+# Installed with the package too: whoever links the static libraries needs the same.
 
 find_package(Threads REQUIRED)
 find_package(fmt REQUIRED)
@@ -6,7 +7,10 @@ find_package(glm REQUIRED)
 find_package(TBB REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(yaml-cpp REQUIRED)
-find_package(nlohmann_json REQUIRED)
+
+if(NOT TARGET glm::glm)
+  add_library(glm::glm ALIAS glm)
+endif()
 
 # Embree 4 where the distribution has it (Debian 13, Ubuntu 24.04), else Embree 3.
 # renderer/accel/embree_api.h hides the difference.
@@ -14,22 +18,8 @@ find_package(embree 4 QUIET)
 if(NOT embree_FOUND)
   find_package(embree 3.13 REQUIRED)
 endif()
-add_library(candela_embree INTERFACE)
+add_library(candela_embree INTERFACE IMPORTED)
 target_link_libraries(candela_embree INTERFACE embree)
-message(STATUS "Embree ${embree_VERSION}")
-
-find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
-add_library(candela_xxhash INTERFACE)
-target_include_directories(candela_xxhash SYSTEM INTERFACE ${XXHASH_INCLUDE_DIR})
-target_compile_definitions(candela_xxhash INTERFACE XXH_INLINE_ALL)
-
-find_path(CLI11_INCLUDE_DIR CLI/CLI.hpp REQUIRED)
-add_library(candela_cli11 INTERFACE)
-target_include_directories(candela_cli11 SYSTEM INTERFACE ${CLI11_INCLUDE_DIR})
-
-if(NOT TARGET glm::glm)
-  add_library(glm::glm ALIAS glm)
-endif()
 
 # By hand: the distribution's OpenImageIOConfig.cmake asks for Imath's Python binding, which the
 # development package does not bring.
@@ -37,7 +27,9 @@ find_path(OpenImageIO_INCLUDE_DIR OpenImageIO/imageio.h REQUIRED)
 find_library(OpenImageIO_LIBRARY OpenImageIO REQUIRED)
 find_library(OpenImageIO_Util_LIBRARY OpenImageIO_Util REQUIRED)
 find_path(Imath_INCLUDE_DIR ImathVec.h PATH_SUFFIXES Imath REQUIRED)
-add_library(candela_openimageio INTERFACE)
+mark_as_advanced(
+  OpenImageIO_INCLUDE_DIR OpenImageIO_LIBRARY OpenImageIO_Util_LIBRARY Imath_INCLUDE_DIR)
+add_library(candela_openimageio INTERFACE IMPORTED)
 target_include_directories(candela_openimageio SYSTEM INTERFACE
   ${OpenImageIO_INCLUDE_DIR} ${Imath_INCLUDE_DIR})
 target_link_libraries(candela_openimageio INTERFACE

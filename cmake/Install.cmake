@@ -1,2 +1,26 @@
 # The library for others: find_package(candela) gives candela::renderer, ::scene_io, ::integrators.
 include(CMakePackageConfigHelpers)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/candela)
+
+set_target_properties(candela_options PROPERTIES EXPORT_NAME options)
+install(TARGETS candela_options candela_renderer candela_scene_io candela_integrators candela
+  EXPORT candelaTargets)
+install(EXPORT candelaTargets NAMESPACE candela:: DESTINATION ${package_folder})
+
+# Include paths start at the root of the sources, and below include/candela.
+foreach(room renderer scene_io integrators)
+  install(DIRECTORY ${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/candela
+    FILES_MATCHING PATTERN "*.h")
+endforeach()
+
+configure_package_config_file(
+  cmake/candelaConfig.cmake.in ${PROJECT_BINARY_DIR}/candelaConfig.cmake
+  INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(
+  ${PROJECT_BINARY_DIR}/candelaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES
+  ${PROJECT_BINARY_DIR}/candelaConfig.cmake ${PROJECT_BINARY_DIR}/candelaConfigVersion.cmake
+  DESTINATION ${package_folder})
+install(FILES cmake/Dependencies.cmake RENAME candelaDependencies.cmake
+  DESTINATION ${package_folder})
+install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
