@@ -1,23 +1,130 @@
 // Light from infinitely far away: a constant, six faces of a cube, or a latitude-longitude map.
+//
+// Directions: unit, world space. Maps are looked up bilinearly, as their textures' encodings say;
+// stored values that are not finite or below 0 count as 0.
+// Cube faces lie as OpenGL's cube maps lay them [OpenGL46, table 8.19], row 0 of the file at t = 0.
+// Latitude-longitude: row 0 is +y of the map, the centre column looks along -z, and columns to the
+// right of it turn towards +x: what a viewer with +y up sees. u = 1/2 + atan2(x, -z) / (2 pi).
+//
+// Sampling follows the luminance of the map on a grid of its own texels (coarser for large maps);
+// a constant is sampled uniformly. Made by build_environment.h.
 #pragma once
 
 #include <array>
-#include <vector>
+#include <cstdint>
 
+#include "renderer/light/cube_map.h"
+#include "renderer/light/lat_long_map.h"
+#include "renderer/math/constants.h"
 #include "renderer/math/vec.h"
+#include "renderer/sampling/distribution.h"
+#include "renderer/sampling/warp.h"
 #include "renderer/texture/texture.h"
 
 namespace candela {
 
 enum class EnvironmentMapping : std::uint8_t { Constant, Cube, LatLong };
 
-// The density is proportional to the map's filtered luminance; a constant is sampled uniformly.
 struct Environment {
   EnvironmentMapping mapping = EnvironmentMapping::Constant;
   bool is_seen_by_camera = true;
   Rgb scale{0};                        // the constant's radiance; a factor of maps
   std::array<TextureHandle, 6> faces;  // Cube: +X -X +Y -Y +Z -Z; LatLong: only [0]
-  std::array<Vec3f, 3> map_from_world{Vec3f{1, 0, 0}, Vec3f{0, 1, 0}, Vec3f{0, 0, 1}};  // rows
+  // Rows of an orthonormal matrix (a mirroring one is fine).
+  std::array<Vec3f, 3> map_from_world{Vec3f{1, 0, 0}, Vec3f{0, 1, 0}, Vec3f{0, 0, 1}};
+
+  // Maps. Half a texel in uv, by face: lookups stay this far from the ends that do not wrap.
+  std::array<Vec2f, 6> half_texel{};
+  // Cells of the map; Cube: the faces' rows one below the other. Empty: black everywhere.
+  GridDistribution distribution;
+  double mean_luminance = 0;  // over the sphere
+
+  // A black environment is no light; it may still be what camera rays end in.
+  [[nodiscard]] bool is_black() const { return !(mean_luminance > 0); }
 };
+
+struct EnvironmentSample {
+  Vec3f direction{0};
+  float pdf = 0;  // solid angle; 0: no sample
+};
+
+namespace environment_detail {
+
+[[nodiscard]] inline Vec3f to_map(const Environment& e, const Vec3f& d) {
+  return {dot(e.map_from_world[0], d), dot(e.map_from_world[1], d), dot(e.map_from_world[2], d)};
+}
+[[nodiscard]] inline Vec3f to_world(const Environment& e, const Vec3f& d) {
+  return e.map_from_world[0] * d.x + e.map_from_world[1] * d.y + e.map_from_world[2] * d.z;
+}
+// Rows of files count from the top, v from the bottom.
+[[nodiscard]] inline Vec2f uv_of(Vec2f st) {
+  return {st.x, 1 - st.y};
+}
+[[nodiscard]] inline float valid_radiance(float x) {
+  return x > 0 && x <= std::numeric_limits<float>::max() ? x : 0.0f;
+}
+[[nodiscard]] inline Rgb look_up(const Environment& e, const TextureStore& textures, int face,
+                                 Vec2f st) {
+  const Vec4f texel = textures.lookup(e.faces[static_cast<std::size_t>(face)], uv_of(st));
+  return e.scale * Rgb(valid_radiance(texel.x), valid_radiance(texel.y), valid_radiance(texel.z));
+}
+
+}  // namespace environment_detail
+
+// Radiance arriving from `direction`.
+[[nodiscard]] inline Rgb environment_radiance(const Environment& environment,
+                                              const TextureStore& textures,
+                                              const Vec3f& direction) {
+  using namespace environment_detail;
+  switch (environment.mapping) {
+    case EnvironmentMapping::Constant:
+      return environment.scale;
+    case EnvironmentMapping::Cube: {
+      const CubePoint point = cube_point(to_map(environment, direction));
+      const Vec2f inset = environment.half_texel[static_cast<std::size_t>(point.face)];
+      return look_up(environment, textures, point.face,
+                     glm::clamp(point.st, inset, Vec2f(1) - inset));
+    }
+    case EnvironmentMapping::LatLong: {
+      const Vec2f st = lat_long_point(to_map(environment, direction));
+      const float inset = environment.half_texel[0].y;  // columns wrap, rows do not
+      return look_up(environment, textures, 0, {st.x, glm::clamp(st.y, inset, 1 - inset)});
+    }
+  }
+  return Rgb(0);
+}
+
+// The density of sample_environment() at `direction`.
+[[nodiscard]] inline float environment_pdf(const Environment& environment, const Vec3f& direction) {
+  using namespace environment_detail;
+  if (environment.is_black()) return 0;
+  switch (environment.mapping) {
+    case EnvironmentMapping::Constant:
+      return inverse_pi * 0.25f;
+    case EnvironmentMapping::Cube:
+      return cube_pdf(environment.distribution, to_map(environment, direction));
+    case EnvironmentMapping::LatLong:
+      return lat_long_pdf(environment.distribution, to_map(environment, direction));
+  }
+  return 0;
+}
+
+[[nodiscard]] inline EnvironmentSample sample_environment(const Environment& environment, Vec2f u) {
+  using namespace environment_detail;
+  if (environment.is_black()) return {};
+  switch (environment.mapping) {
+    case EnvironmentMapping::Constant:
+      return {square_to_uniform_sphere(u), inverse_pi * 0.25f};
+    case EnvironmentMapping::Cube: {
+      const MapSample s = sample_cube(environment.distribution, u);
+      return {to_world(environment, s.direction), s.pdf};
+    }
+    case EnvironmentMapping::LatLong: {
+      const MapSample s = sample_lat_long(environment.distribution, u);
+      return {to_world(environment, s.direction), s.pdf};
+    }
+  }
+  return {};
+}
 
 }  // namespace candela

@@ -1,5 +1,6 @@
-// Compiled lights in normalised space. One file a kind beside this one; the table that picks among
-// them is light_sampler.h.
+// Compiled lights in normalised space, and what sampling one of them gives.
+// One file a kind beside this one; sample_light.h switches over them, light_sampler.h picks among
+// them, make_light.h makes them.
 #pragma once
 
 #include <cstdint>
@@ -11,28 +12,31 @@ namespace candela {
 
 enum class LightKind : std::uint8_t { Point, Spot, Directional, Triangle, Environment };
 
-// Delta lights have no area: only next-event estimation sees them.
 struct Light {
+  static constexpr std::uint32_t none = 0xffffffffu;
+
   LightKind kind = LightKind::Point;
-  bool emits_both_sides = false;  // Triangle
+  bool emits_both_sides = false;  // Triangle; else only the side of edge1 x edge2
   // Point, Spot: position; Directional: unit direction towards the light; Triangle: vertex 0
   Vec3f position{0};
   Vec3f edge1{0};  // Triangle: v1 - v0;  Spot: unit axis outwards
   Vec3f edge2{0};  // Triangle: v2 - v0
   // Point, Spot: radiant intensity; Directional: irradiance; Triangle: radiance
   Rgb emission{0};
-  float cos_inner = 1;  // Spot
-  float cos_outer = 1;
-  float area = 0;                        // Triangle
-  std::uint32_t geometry = 0xffffffffu;  // Triangle: where it lies, for its shadow ray's end
+  // Spot: 1 - cos of the angles, which narrow cones need: 1 - cos(0.01 degrees) is half an ulp of 1
+  float versine_inner = 0;
+  float versine_outer = 0;
+  float area = 0;                 // Triangle; > 0
+  std::uint32_t geometry = none;  // Triangle: where it lies, for its shadow ray's end
   std::uint32_t triangle = 0;
 
+  // Delta lights have no area: only next-event estimation sees them.
   [[nodiscard]] bool is_delta() const {
     return kind == LightKind::Point || kind == LightKind::Spot || kind == LightKind::Directional;
   }
 };
 
-// A direction towards a light from a point.
+// A direction towards a light from a point. pdf 0: there is none, and nothing is lost by that.
 struct LightSample {
   Vec3f wi{0};      // unit
   Rgb radiance{0};  // arriving along wi if nothing is in the way; delta lights: irradiance
@@ -42,7 +46,9 @@ struct LightSample {
   bool is_infinite = false;  // directional, environment: no end point
   Vec3f point{0};            // where the shadow ray ends, unless is_infinite
   Vec3f point_error{0};      // bound of its rounding error, per axis
-  Vec3f normal{0};           // geometric normal there; zero for point lights
+  Vec3f normal{0};           // geometric normal there, unit; zero for point and spot lights
+
+  [[nodiscard]] bool is_valid() const { return pdf > 0; }
 };
 
 }  // namespace candela

@@ -26,6 +26,10 @@ class Sampler {
   [[nodiscard]] float sample_1d(std::uint32_t bounce, Dimension dimension) const {
     return owen_sobol_1d(sample_, key(bounce, dimension));
   }
+  // All 32 bits: for choices among so many things that 24 bits are too coarse.
+  [[nodiscard]] std::uint32_t sample_1d_bits(std::uint32_t bounce, Dimension dimension) const {
+    return owen_sobol_1d_bits(sample_, key(bounce, dimension));
+  }
   [[nodiscard]] std::uint32_t sample_index() const { return sample_; }
 
  private:

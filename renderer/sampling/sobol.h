@@ -49,10 +49,12 @@ namespace candela {
 
 // The first dimension is van der Corput's, whose bit-reversed point is the index itself, so the
 // shuffle's last reversal and the scramble's first cancel.
-[[nodiscard]] constexpr float owen_sobol_1d(std::uint32_t index, std::uint64_t key) {
+[[nodiscard]] constexpr std::uint32_t owen_sobol_1d_bits(std::uint32_t index, std::uint64_t key) {
   const std::uint32_t shuffled = shuffle_index(index, static_cast<std::uint32_t>(key));
-  return unit_float(
-      reverse_bits(laine_karras_permutation(shuffled, static_cast<std::uint32_t>(key >> 32))));
+  return reverse_bits(laine_karras_permutation(shuffled, static_cast<std::uint32_t>(key >> 32)));
+}
+[[nodiscard]] constexpr float owen_sobol_1d(std::uint32_t index, std::uint64_t key) {
+  return unit_float(owen_sobol_1d_bits(index, key));
 }
 
 [[nodiscard]] inline Vec2f owen_sobol_2d(std::uint32_t index, std::uint64_t key) {

@@ -1,0 +1,30 @@
+// Environments from what a scene says.
+#pragma once
+
+#include <span>
+
+#include "renderer/base/diagnostic.h"
+#include "renderer/description/scene_description.h"
+#include "renderer/light/environment.h"
+#include "renderer/texture/texture.h"
+
+namespace candela {
+
+// A grid for sampling has a cell a texel, or about this many in all where there are more texels.
+inline constexpr std::size_t default_environment_cells = std::size_t{2048} * 1024;
+
+[[nodiscard]] Environment build_environment(const description::ConstantEnvironment& constant);
+
+// `images` are the description's. Textures are added to the store with the wrap mode that the map
+// needs, whatever the image says, and decoded: sampling needs their luminance. Values that are not
+// finite or below 0 count as 0, and a warning says how many there are.
+[[nodiscard]] Environment build_environment(const description::CubeEnvironment& cube,
+                                            std::span<const description::Image> images,
+                                            TextureStore& textures, Diagnostics& diagnostics,
+                                            std::size_t max_cells = default_environment_cells);
+[[nodiscard]] Environment build_environment(const description::LatLongEnvironment& map,
+                                            std::span<const description::Image> images,
+                                            TextureStore& textures, Diagnostics& diagnostics,
+                                            std::size_t max_cells = default_environment_cells);
+
+}  // namespace candela

@@ -1,0 +1,38 @@
+#include "renderer/light/light_power.h"
+
+namespace candela {
+namespace {
+
+double double_luminance(const Rgb& c) {
+  return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
+}
+
+// The solid angle of the cone, weighted by the falloff: the smooth part counts half, since
+// 3t^2 - 2t^3 of the cosine has the mean 1/2.
+double spot_solid_angle(const Light& light) {
+  const double inner = light.versine_inner;
+  const double outer = light.versine_outer;
+  return 2 * pi_double * (inner + 0.5 * (outer - inner));
+}
+
+}  // namespace
+
+double light_power(const Light& light, const Environment* environment, double scene_radius) {
+  const double disc = pi_double * square(scene_radius);
+  const double emission = double_luminance(light.emission);
+  switch (light.kind) {
+    case LightKind::Point:
+      return 4 * pi_double * emission;
+    case LightKind::Spot:
+      return spot_solid_angle(light) * emission;
+    case LightKind::Directional:
+      return disc * emission;
+    case LightKind::Triangle:
+      return (light.emits_both_sides ? 2 : 1) * pi_double * light.area * emission;
+    case LightKind::Environment:
+      return 4 * pi_double * disc * environment->mean_luminance;
+  }
+  return 0;
+}
+
+}  // namespace candela

@@ -1,0 +1,64 @@
+#include "renderer/light/make_light.h"
+
+#include <limits>
+
+namespace candela {
+namespace {
+
+// 1 - cos(angle) = 2 sin^2(angle / 2), without cancellation.
+float versine(double angle_radians) {
+  return static_cast<float>(2 * square(std::sin(0.5 * angle_radians)));
+}
+
+}  // namespace
+
+Light make_point_light(const Vec3f& position, const Rgb& intensity) {
+  Light light;
+  light.kind = LightKind::Point;
+  light.position = position;
+  light.emission = intensity;
+  return light;
+}
+
+Light make_spot_light(const Vec3f& position, const Vec3d& axis, const Rgb& intensity,
+                      double inner_angle_radians, double outer_angle_radians) {
+  Light light = make_point_light(position, intensity);
+  light.kind = LightKind::Spot;
+  light.edge1 = Vec3f(normalize(axis));
+  light.versine_inner = versine(inner_angle_radians);
+  light.versine_outer = versine(outer_angle_radians);
+  return light;
+}
+
+Light make_directional_light(const Vec3d& to_light, const Rgb& irradiance) {
+  Light light;
+  light.kind = LightKind::Directional;
+  light.position = Vec3f(normalize(to_light));
+  light.emission = irradiance;
+  return light;
+}
+
+Light make_triangle_light(const std::array<Vec3f, 3>& vertices, const Rgb& radiance,
+                          bool emits_both_sides) {
+  Light light;
+  light.kind = LightKind::Triangle;
+  light.emits_both_sides = emits_both_sides;
+  light.position = vertices[0];
+  light.edge1 = vertices[1] - vertices[0];
+  light.edge2 = vertices[2] - vertices[0];
+  light.emission = radiance;
+  const double area = 0.5 * length(cross(Vec3d(light.edge1), Vec3d(light.edge2)));
+  // Below the normal floats 1 / area overflows or is flushed to 0.
+  const bool is_usable =
+      area >= std::numeric_limits<float>::min() && area <= std::numeric_limits<float>::max();
+  light.area = is_usable ? static_cast<float>(area) : 0.0f;
+  return light;
+}
+
+Light make_environment_light() {
+  Light light;
+  light.kind = LightKind::Environment;
+  return light;
+}
+
+}  // namespace candela

@@ -1,0 +1,26 @@
+// Lights from what a scene says. Lengths are in normalised space.
+#pragma once
+
+#include <array>
+
+#include "renderer/light/light.h"
+
+namespace candela {
+
+[[nodiscard]] Light make_point_light(const Vec3f& position, const Rgb& intensity);
+
+// `axis` of any length, outwards. 0 <= inner <= outer <= pi; equal angles make a hard edge.
+[[nodiscard]] Light make_spot_light(const Vec3f& position, const Vec3d& axis, const Rgb& intensity,
+                                    double inner_angle_radians, double outer_angle_radians);
+
+// `to_light` of any length.
+[[nodiscard]] Light make_directional_light(const Vec3d& to_light, const Rgb& irradiance);
+
+// Emits on the side of (v1 - v0) x (v2 - v0), or on both. Its area is 0 where the triangle has none
+// or one that floats cannot hold: such a light is to be dropped.
+[[nodiscard]] Light make_triangle_light(const std::array<Vec3f, 3>& vertices, const Rgb& radiance,
+                                        bool emits_both_sides);
+
+[[nodiscard]] Light make_environment_light();
+
+}  // namespace candela

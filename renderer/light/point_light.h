@@ -1,0 +1,33 @@
+// Light from one point, in all directions alike or within a cone.
+// Irradiance on a facing surface is I(w) / distance^2, with I the radiant intensity.
+#pragma once
+
+#include "renderer/light/light.h"
+
+namespace candela {
+
+// The share of the axial intensity that a spot light sends towards the unit direction `w`:
+// 1 within the inner angle, 0 outside the outer one, Hermite's 3t^2 - 2t^3 of the cosine between.
+[[nodiscard]] inline float spot_falloff(const Light& light, const Vec3f& w) {
+  // For unit vectors 1 - cos = |a - b|^2 / 2, without the cancellation of 1 - dot(a, b).
+  const Vec3f difference = w - light.edge1;
+  const float versine = 0.5f * dot(difference, difference);
+  if (versine <= light.versine_inner) return 1;
+  if (!(versine < light.versine_outer)) return 0;
+  const float t = (light.versine_outer - versine) / (light.versine_outer - light.versine_inner);
+  return t * t * (3 - 2 * t);
+}
+
+[[nodiscard]] inline LightSample sample_point_light(const Light& light, const Vec3f& p) {
+  const Vec3f to_light = light.position - p;
+  const float distance2 = dot(to_light, to_light);
+  if (!(distance2 > 0)) return {};
+  const Vec3f wi = to_light / std::sqrt(distance2);
+  const float falloff = light.kind == LightKind::Spot ? spot_falloff(light, -wi) : 1.0f;
+  const Rgb irradiance = light.emission * (falloff / distance2);
+  // Nothing outside of the cone; and nearer than floats can tell, the irradiance has no value.
+  if (is_black(irradiance) || !is_finite(irradiance)) return {};
+  return {.wi = wi, .radiance = irradiance, .pdf = 1, .is_delta = true, .point = light.position};
+}
+
+}  // namespace candela

@@ -1,0 +1,72 @@
+// The questions a path asks of a light: one switch over the kinds for each.
+//
+//   sample_light      a direction towards a given light (next-event estimation)
+//   light_pdf         the density with which sample_light would have found what a BSDF sample met
+//   emitted_radiance  what a ray sees that hits an emitting triangle
+// The radiance of rays that leave the scene is environment_radiance (environment.h).
+#pragma once
+
+#include "renderer/light/directional_light.h"
+#include "renderer/light/environment.h"
+#include "renderer/light/light.h"
+#include "renderer/light/point_light.h"
+#include "renderer/light/triangle_light.h"
+
+namespace candela {
+
+// What lights refer to. The environment may be null where no light is one.
+struct LightTables {
+  const Environment* environment = nullptr;
+  const TextureStore* textures = nullptr;
+};
+
+[[nodiscard]] inline LightSample sample_environment_light(const LightTables& tables, Vec2f u) {
+  const EnvironmentSample sample = sample_environment(*tables.environment, u);
+  if (!(sample.pdf > 0)) return {};
+  const Rgb radiance =
+      environment_radiance(*tables.environment, *tables.textures, sample.direction);
+  if (is_black(radiance)) return {};
+  return {.wi = sample.direction, .radiance = radiance, .pdf = sample.pdf, .is_infinite = true};
+}
+
+// Towards `light` from the point p; u in [0, 1)^2. The result is never NaN or Inf.
+[[nodiscard]] inline LightSample sample_light(const LightTables& tables, const Light& light,
+                                              const Vec3f& p, Vec2f u) {
+  switch (light.kind) {
+    case LightKind::Point:
+    case LightKind::Spot:
+      return sample_point_light(light, p);
+    case LightKind::Directional:
+      return sample_directional_light(light);
+    case LightKind::Triangle:
+      return sample_triangle_light(light, p, u);
+    case LightKind::Environment:
+      return sample_environment_light(tables, u);
+  }
+  return {};
+}
+
+// The density in solid angle, given the light was chosen, of a ray from p along the unit wi that
+// met the light at `distance` (ignored for the environment). 0 for delta lights.
+[[nodiscard]] inline float light_pdf(const LightTables& tables, const Light& light,
+                                     const Vec3f& /*p*/, const Vec3f& wi, float distance) {
+  switch (light.kind) {
+    case LightKind::Point:
+    case LightKind::Spot:
+    case LightKind::Directional:
+      return 0;
+    case LightKind::Triangle:
+      return triangle_light_pdf(light, triangle_light_normal(light), wi, distance);
+    case LightKind::Environment:
+      return environment_pdf(*tables.environment, wi);
+  }
+  return 0;
+}
+
+// Radiance that leaves an emitting triangle towards the unit direction wo (away from it). The side
+// is told by the light's own vertices, as in sampling.
+[[nodiscard]] inline Rgb emitted_radiance(const Light& light, const Vec3f& wo) {
+  return triangle_light_radiance(light, triangle_light_normal(light), wo);
+}
+
+}  // namespace candela

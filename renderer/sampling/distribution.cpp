@@ -1,0 +1,124 @@
+#include "renderer/sampling/distribution.h"
+
+#include <bit>
+#include <limits>
+
+namespace candela {
+namespace {
+
+// Finite weights relative to the largest; infinite ones count 1 and finite ones 0 beside them.
+std::vector<double> relative_weights(std::span<const double> weights) {
+  double largest = 0;
+  for (const double w : weights)
+    if (w > largest) largest = w;
+  std::vector<double> relative(weights.size(), 0.0);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (!(weights[i] > 0)) continue;
+    relative[i] = std::isinf(largest) ? (std::isinf(weights[i]) ? 1.0 : 0.0) : weights[i] / largest;
+  }
+  return relative;
+}
+
+// Rounding leaves some steps over, or takes a few too many: the one is spread over the positive
+// weights, the other taken from whoever has most.
+void settle(std::vector<std::uint64_t>& steps, std::uint64_t total) {
+  std::uint64_t sum = 0;
+  for (const std::uint64_t s : steps) sum += s;
+  while (sum > total) {
+    *std::max_element(steps.begin(), steps.end()) -= 1;
+    --sum;
+  }
+  while (sum < total)
+    for (std::size_t i = 0; i < steps.size() && sum < total; ++i)
+      if (steps[i] > 0) {
+        ++steps[i];
+        ++sum;
+      }
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> proportional_steps(std::span<const double> weights,
+                                              std::uint64_t total) {
+  const std::vector<double> relative = relative_weights(weights);
+  std::uint64_t positive_count = 0;
+  double sum = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    positive_count += weights[i] > 0 ? 1 : 0;
+    sum += relative[i];
+  }
+  std::vector<std::uint64_t> steps(weights.size(), 0);
+  if (positive_count == 0) return steps;
+  const double shared = static_cast<double>(total - positive_count);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (weights[i] > 0) steps[i] = 1 + static_cast<std::uint64_t>(relative[i] / sum * shared);
+  settle(steps, total);
+  return steps;
+}
+
+AliasTable::AliasTable(std::span<const double> weights) : probabilities_(weights.size(), 0.0f) {
+  std::vector<std::uint64_t> steps = proportional_steps(weights, std::uint64_t{1} << 32);
+  bool has_any = false;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    probabilities_[i] = static_cast<float>(static_cast<double>(steps[i]) * 0x1p-32);
+    has_any = has_any || steps[i] > 0;
+  }
+  if (has_any) fill_slots(std::move(steps));
+}
+
+// Vose's pairing in whole numbers: it ends exactly, where floating point leaves crumbs.
+void AliasTable::fill_slots(std::vector<std::uint64_t> steps) {
+  const std::size_t slot_count = std::max<std::size_t>(2, std::bit_ceil(steps.size()));
+  remainder_bits_ = 32u - static_cast<std::uint32_t>(std::countr_zero(slot_count));
+  const std::uint64_t capacity = std::uint64_t{1} << remainder_bits_;
+  steps.resize(slot_count, 0);
+  slots_.resize(slot_count);
+  std::vector<std::uint32_t> under, over;
+  for (std::uint32_t i = 0; i < slot_count; ++i) (steps[i] < capacity ? under : over).push_back(i);
+  while (!under.empty()) {
+    const std::uint32_t slot = under.back();
+    under.pop_back();
+    const std::uint32_t donor = over.back();  // the mean is the capacity: somebody has more
+    slots_[slot] = {static_cast<std::uint32_t>(steps[slot]), donor};
+    steps[donor] -= capacity - steps[slot];
+    if (steps[donor] >= capacity) continue;
+    over.pop_back();
+    under.push_back(donor);
+  }
+  for (const std::uint32_t slot : over) slots_[slot] = {static_cast<std::uint32_t>(capacity), slot};
+}
+
+namespace {
+
+void write_cumulative(std::span<const double> weights, float* sums) {
+  const std::vector<std::uint64_t> steps = proportional_steps(weights, std::uint64_t{1} << 24);
+  std::uint64_t sum = 0;
+  sums[0] = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    sum += steps[i];
+    sums[i + 1] = static_cast<float>(sum) * 0x1p-24f;
+  }
+}
+
+}  // namespace
+
+GridDistribution::GridDistribution(std::uint32_t columns, std::uint32_t rows,
+                                   std::span<const double> weights)
+    : columns_(columns), rows_(rows) {
+  std::vector<double> row_weights(rows, 0.0);
+  bool has_any = false;
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    for (const double w : weights.subspan(std::size_t{row} * columns, columns))
+      if (w > 0) row_weights[row] += w;
+    has_any = has_any || row_weights[row] > 0;
+  }
+  if (!has_any) return;
+  marginal_.resize(std::size_t{rows} + 1);
+  conditional_.resize(std::size_t{rows} * (columns + 1));
+  write_cumulative(row_weights, marginal_.data());
+  for (std::uint32_t row = 0; row < rows; ++row)
+    write_cumulative(weights.subspan(std::size_t{row} * columns, columns),
+                     conditional_.data() + std::size_t{row} * (columns + 1));
+}
+
+}  // namespace candela
