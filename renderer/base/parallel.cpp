@@ -14,6 +14,10 @@
 #include <tbb/task_arena.h>
 #include <tbb/task_scheduler_observer.h>
 
+#if defined(CANDELA_THREAD_SANITIZER)
+#include <sanitizer/tsan_interface.h>
+#endif
+
 namespace candela {
 namespace {
 
@@ -33,17 +37,55 @@ class FlushDenormalsOnEntry : public tbb::task_scheduler_observer {
   void on_scheduler_entry(bool) override { flush_denormals_to_zero(); }
 };
 
+// ThreadSanitizer sees nothing of how oneTBB's library hands work over; this tells it. What was
+// done before `begin` is seen by bodies between `enter` and `leave`, and what they did after `end`.
+class Handover {
+ public:
+  void begin() { release(&begun_); }
+  void enter() { acquire(&begun_); }
+  void leave() { release(&done_); }
+  void end() { acquire(&done_); }
+
+ private:
+#if defined(CANDELA_THREAD_SANITIZER)
+  static void acquire(char* place) {
+    __tsan_acquire(place);
+  }
+  static void release(char* place) {
+    __tsan_release(place);
+  }
+#else
+  static void acquire(char*) {}
+  static void release(char*) {}
+#endif
+  char begun_ = 0;
+  char done_ = 0;
+};
+
 }  // namespace
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
-  tbb::parallel_for(std::size_t{0}, count, body);
+  Handover handover;
+  handover.begin();
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    handover.enter();
+    body(i);
+    handover.leave();
+  });
+  handover.end();
 }
 
 void parallel_for_chunks(std::size_t count, std::size_t grain,
                          const std::function<void(std::size_t, std::size_t)>& body) {
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, count, grain),
-      [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
+  Handover handover;
+  handover.begin();
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      handover.enter();
+                      body(range.begin(), range.end());
+                      handover.leave();
+                    });
+  handover.end();
 }
 
 void with_threads(int threads, const std::function<void()>& work) {

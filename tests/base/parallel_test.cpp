@@ -1,0 +1,57 @@
+#include "renderer/base/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <vector>
+
+namespace candela {
+namespace {
+
+std::vector<std::size_t> squares(std::size_t count) {
+  std::vector<std::size_t> values(count);
+  parallel_for(count, [&](std::size_t i) { values[i] += i * i; });
+  return values;
+}
+
+// What workers wrote without locks is seen by the caller afterwards, for any number of threads.
+TEST(Agreement_Parallel, EveryIndexRunsOnceForAnyNumberOfThreads) {
+  std::vector<std::size_t> expected(10'000);
+  for (std::size_t i = 0; i < expected.size(); ++i) expected[i] = i * i;
+  for (const int threads : {1, 2, 3, 7}) {
+    std::vector<std::size_t> values;
+    with_threads(threads, [&] { values = squares(expected.size()); });
+    EXPECT_EQ(values, expected) << threads << " threads";
+  }
+}
+
+TEST(Agreement_Parallel, ChunksCoverTheRangeWithoutOverlap) {
+  std::vector<int> visits(1003);
+  with_threads(3, [&] {
+    parallel_for_chunks(visits.size(), 10, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) ++visits[i];
+    });
+  });
+  EXPECT_EQ(visits, std::vector<int>(1003, 1));
+}
+
+TEST(Unit_Parallel, NothingToDoIsFine) {
+  std::atomic<int> calls = 0;
+  parallel_for(0, [&](std::size_t) { ++calls; });
+  parallel_for_chunks(0, 16, [&](std::size_t, std::size_t) { ++calls; });
+  EXPECT_EQ(calls, 0);
+}
+
+TEST(Unit_Parallel, WorkersFlushDenormalsToZero) {
+  std::atomic<int> kept = 0;
+  with_threads(3, [&] {
+    parallel_for(1000, [&](std::size_t) {
+      volatile float smallest = 1.2e-38f;
+      if (smallest * 0.5f != 0.0f) ++kept;
+    });
+  });
+  EXPECT_EQ(kept, 0);
+}
+
+}  // namespace
+}  // namespace candela
