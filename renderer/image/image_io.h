@@ -51,7 +51,11 @@ struct WriteOptions {
 // Empty where all is well.
 [[nodiscard]] Diagnostics check_writable_image(const std::string& path);
 
-// Bytes to a file, all or nothing. For any output (stats, CSV, images).
+// The same of any output but for the extension.
+[[nodiscard]] Diagnostics check_writable_file(const std::string& path);
+
+// Bytes to a file, all or nothing. For any output (stats, CSV, images). Symbolic links are
+// followed; a pipe or device (/dev/stdout) is written to as it stands.
 [[nodiscard]] Diagnostics write_file_atomically(const std::string& path, const std::string& bytes);
 
 // Reads a whole image as linear floats: 8-bit formats are decoded from sRGB, others are linear.

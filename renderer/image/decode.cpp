@@ -1,0 +1,281 @@
+#include "renderer/image/decode.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <exception>
+#include <mutex>
+#include <new>
+
+#include <fmt/format.h>
+
+#include "renderer/image/guard.h"
+#include "renderer/image/image_format.h"
+#include "renderer/image/openimageio_setup.h"
+#include "renderer/image/tga.h"
+
+namespace candela {
+
+void set_up_openimageio() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    OIIO::attribute("threads", 1);
+    OIIO::attribute("exr_threads", -1);  // -1: OpenEXR's pool stays empty, the caller works
+    OIIO::attribute("try_all_readers", 0);
+  });
+}
+
+namespace {
+
+using OIIO::ImageSpec;
+using OIIO::TypeDesc;
+
+// Rows that are decoded at once: a multiple of every EXR compression's block of lines.
+constexpr int band_rows = 256;
+// Above any ratio of TIFF's compressions but that of blank fax pages.
+constexpr double best_tiff_compression = 2000;
+
+SampleType sample_type_of(TypeDesc type) {
+  if (type == TypeDesc::UINT8) return SampleType::U8;
+  if (type == TypeDesc::UINT16) return SampleType::U16;
+  if (type == TypeDesc::HALF) return SampleType::Half;
+  return SampleType::Float;
+}
+
+TypeDesc type_desc_of(SampleType type) {
+  switch (type) {
+    case SampleType::U8:
+      return TypeDesc::UINT8;
+    case SampleType::U16:
+      return TypeDesc::UINT16;
+    case SampleType::Half:
+      return TypeDesc::HALF;
+    case SampleType::Float:
+      return TypeDesc::FLOAT;
+  }
+  return TypeDesc::FLOAT;
+}
+
+std::string_view reader_of(ImageFormat format) {
+  return format == ImageFormat::Tga ? "targa" : name_of(format);
+}
+
+// One line of what OpenImageIO says, which may be several and may end with the file's bare name.
+std::string first_line(const std::string& text) {
+  return text.empty() ? "its reader gave no reason" : text.substr(0, text.find('\n'));
+}
+
+// An image file that is open in OpenImageIO, and the bytes it lies in.
+struct OpenImage {
+  Bytes bytes;
+  ImageFormat format = ImageFormat::Png;
+  std::unique_ptr<OIIO::Filesystem::IOMemReader> memory;
+  std::unique_ptr<OIIO::ImageInput> input;
+  ImageSpec spec;
+};
+
+std::optional<ImageFormat> format_of(const std::string& name, const Bytes& bytes) {
+  if (const auto found = format_of_bytes(bytes)) return found;
+  if (format_of_extension(name) == ImageFormat::Tga) return ImageFormat::Tga;
+  return std::nullopt;
+}
+
+Diagnostics check_size(double width, double height, double channels, SampleType type,
+                       const DecodeLimits& limits) {
+  const std::size_t sample_bytes = size_of(limits.counts_floats ? SampleType::Float : type);
+  const double kept_channels = std::min(channels, static_cast<double>(limits.max_channels));
+  const double bytes = width * height * kept_channels * static_cast<double>(sample_bytes);
+  if (bytes <= static_cast<double>(limits.max_bytes)) return {};
+  return failure(
+      fmt::format("claims {:.0f} x {:.0f} pixels: {:.0f} MB, where at most {:.0f} are read", width,
+                  height, bytes / 1e6, static_cast<double>(limits.max_bytes) / 1e6));
+}
+
+Diagnostics check_spec(const OpenImage& image, const DecodeLimits& limits) {
+  const ImageSpec& spec = image.spec;
+  if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0)
+    return failure("claims no pixels");
+  if (spec.deep || spec.depth > 1) return failure("is a deep or volume image; flat ones are read");
+  const double raw_bytes = static_cast<double>(spec.image_bytes(true));
+  const double stored_bytes = static_cast<double>(image.bytes.size()) + 1024;
+  if (image.format == ImageFormat::Tiff && raw_bytes > best_tiff_compression * stored_bytes)
+    return failure(fmt::format("claims {} x {} pixels, which its {} bytes cannot hold", spec.width,
+                               spec.height, image.bytes.size()));
+  return check_size(spec.width, spec.height, spec.nchannels, sample_type_of(spec.format), limits);
+}
+
+Result<OpenImage> open_image(ImageFormat format, Bytes bytes, const DecodeLimits& limits) {
+  set_up_openimageio();
+  OpenImage image;
+  image.format = format;
+  image.bytes = std::move(bytes);
+  image.memory =
+      std::make_unique<OIIO::Filesystem::IOMemReader>(image.bytes.data(), image.bytes.size());
+  image.input = OIIO::ImageInput::create(std::string(reader_of(format)));
+  if (!image.input || !image.input->set_ioproxy(image.memory.get()))
+    return failure(fmt::format("needs a {} reader, which OpenImageIO lacks", name_of(format)));
+  ImageSpec hints;
+  hints.attribute("oiio:UnassociatedAlpha", 1);
+  if (!image.input->open(fmt::format("image.{}", name_of(format)), image.spec, hints))
+    return failure(fmt::format("is no {} image that can be read: {}", name_of(format),
+                               first_line(image.input->geterror())));
+  if (Diagnostics found = check_spec(image, limits); found.has_errors()) return found;
+  return image;
+}
+
+ImageHeader header_of(const OpenImage& image, const DecodeLimits& limits) {
+  const ImageSpec& spec = image.spec;
+  ImageHeader header;
+  header.width = spec.width;
+  header.height = spec.height;
+  header.sample_type = sample_type_of(spec.format);
+  header.channels = spec.channelnames;
+  header.channels.resize(std::min<std::size_t>(header.channels.size(), limits.max_channels));
+  const int alpha = spec.alpha_channel;
+  header.alpha_channel = alpha < static_cast<int>(header.channels.size()) ? alpha : -1;
+  header.alpha_is_straight =
+      image.format != ImageFormat::Exr &&
+      (image.format != ImageFormat::Tiff || spec.get_int_attribute("oiio:UnassociatedAlpha") != 0);
+  return header;
+}
+
+void warn_of_inks(const OpenImage& image, Diagnostics& diagnostics) {
+  for (const char* const attribute : {"jpeg:ColorSpace", "tiff:ColorSpace"}) {
+    const std::string space(image.spec.get_string_attribute(attribute));
+    if (space == "CMYK" || space == "YCbCrK" || space == "YCCK" || space == "color separated")
+      diagnostics.warning({}, "holds printing inks (CMYK), converted to RGB without a profile");
+  }
+}
+
+bool read_rows(OpenImage& image, const ImageHeader& header, std::byte* out) {
+  const TypeDesc type = type_desc_of(header.sample_type);
+  const int channels = static_cast<int>(header.channels.size());
+  if (image.spec.tile_width > 0) return image.input->read_image(0, 0, 0, channels, type, out);
+  const std::size_t row_bytes =
+      header.sample_count() / static_cast<std::size_t>(header.height) * size_of(header.sample_type);
+  for (int row = 0; row < header.height; row += band_rows) {
+    const int end = std::min(row + band_rows, header.height);
+    if (!image.input->read_scanlines(0, 0, image.spec.y + row, image.spec.y + end, 0, 0, channels,
+                                     type, out + static_cast<std::size_t>(row) * row_bytes))
+      return false;
+  }
+  return true;
+}
+
+// Some readers fill in what is missing, report success and leave a complaint behind: libtiff's for
+// any damage, libjpeg's for damage that it can pass over too.
+Diagnostics complaint_of(const OpenImage& image, const std::string& text) {
+  if (text.empty()) return {};
+  const bool is_passable =
+      image.format == ImageFormat::Jpeg && text.find("Premature end") == std::string::npos;
+  if (!is_passable) return failure(fmt::format("is damaged: {}", first_line(text)));
+  Diagnostics found;
+  found.warning({}, fmt::format("is damaged but readable: {}", first_line(text)));
+  return found;
+}
+
+Result<DecodedImage> decode_open_image(OpenImage& image, const DecodeLimits& limits) {
+  DecodedImage decoded;
+  decoded.header = header_of(image, limits);
+  decoded.samples = std::make_unique_for_overwrite<std::byte[]>(
+      decoded.header.sample_count() * size_of(decoded.header.sample_type));
+  const bool is_read = read_rows(image, decoded.header, decoded.samples.get());
+  const std::string complaint = image.input->geterror();
+  if (!is_read) return failure(fmt::format("is damaged: {}", first_line(complaint)));
+  Diagnostics found = complaint_of(image, complaint);
+  if (found.has_errors()) return found;
+  warn_of_inks(image, found);
+  return {std::move(decoded), std::move(found)};
+}
+
+// Puts the image's name before each message.
+Diagnostics named(const std::string& name, const Diagnostics& found) {
+  Diagnostics result;
+  for (Diagnostic diagnostic : found.list()) {
+    diagnostic.message = fmt::format("'{}' {}", name, diagnostic.message);
+    result.add(std::move(diagnostic));
+  }
+  return result;
+}
+
+template <class T>
+Result<T> named(const std::string& name, Result<T> result) {
+  result.diagnostics = named(name, result.diagnostics);
+  return result;
+}
+
+Result<ImageHeader> checked_tga_header(const Bytes& bytes, const DecodeLimits& limits) {
+  Result<ImageHeader> header = decode_tga_header(bytes);
+  if (!header) return header;
+  Diagnostics found =
+      check_size(header->width, header->height, static_cast<double>(header->channels.size()),
+                 header->sample_type, limits);
+  if (found.has_errors()) return found;
+  return header;
+}
+
+Result<DecodedImage> checked_tga(const Bytes& bytes, const DecodeLimits& limits) {
+  const Result<ImageHeader> header = checked_tga_header(bytes, limits);
+  if (!header) return header.diagnostics;
+  return decode_tga(bytes);
+}
+
+// Recognises, guards and hands on to `decode_tga_file` or, opened, to `decode_other`.
+template <class T, class DecodeTga, class DecodeOther>
+Result<T> dispatch(const std::string& name, Bytes bytes, const DecodeLimits& limits,
+                   DecodeTga&& decode_tga_file, DecodeOther&& decode_other) {
+  if (!format_of_extension(name))
+    return failure(fmt::format("'{}' has no extension of an image; expected one of {}", name,
+                               readable_extensions));
+  const auto format = format_of(name, bytes);
+  if (!format) return failure(fmt::format("'{}' does not begin as any image that is read", name));
+  try {
+    if (*format == ImageFormat::Tga) return named(name, decode_tga_file(bytes));
+    Result<Bytes> guarded = guard_image(*format, std::move(bytes));
+    if (!guarded) return named(name, guarded.diagnostics);
+    Result<OpenImage> image = open_image(*format, std::move(*guarded), limits);
+    if (!image) return named(name, image.diagnostics);
+    return named(name, Result<T>(decode_other(*image)));
+  } catch (const std::bad_alloc&) {
+    return failure(fmt::format("'{}' needs more memory than there is", name));
+  } catch (const std::exception& exception) {
+    return failure(fmt::format("'{}' cannot be decoded: {}", name, exception.what()));
+  }
+}
+
+std::size_t file_limit(const DecodeLimits& limits) {
+  constexpr std::size_t room_for_headers = std::size_t{64} << 20;
+  return limits.max_bytes + room_for_headers;
+}
+
+}  // namespace
+
+Result<ImageHeader> decode_header(const std::string& name, Bytes bytes,
+                                  const DecodeLimits& limits) {
+  return dispatch<ImageHeader>(
+      name, std::move(bytes), limits,
+      [&](const Bytes& tga) { return checked_tga_header(tga, limits); },
+      [&](const OpenImage& image) { return header_of(image, limits); });
+}
+
+Result<DecodedImage> decode_image(const std::string& name, Bytes bytes,
+                                  const DecodeLimits& limits) {
+  return dispatch<DecodedImage>(
+      name, std::move(bytes), limits, [&](const Bytes& tga) { return checked_tga(tga, limits); },
+      [&](OpenImage& image) { return decode_open_image(image, limits); });
+}
+
+Result<ImageHeader> read_image_header(const std::string& path, const DecodeLimits& limits) {
+  Result<Bytes> bytes = read_regular_file(path, file_limit(limits));
+  if (!bytes) return bytes.diagnostics;
+  return decode_header(path, std::move(*bytes), limits);
+}
+
+Result<DecodedImage> read_decoded_image(const std::string& path, const DecodeLimits& limits) {
+  Result<Bytes> bytes = read_regular_file(path, file_limit(limits));
+  if (!bytes) return bytes.diagnostics;
+  return decode_image(path, std::move(*bytes), limits);
+}
+
+}  // namespace candela

@@ -1,0 +1,16 @@
+// A picture as the bytes of an image file, made in memory by OpenImageIO.
+#pragma once
+
+#include "renderer/base/result.h"
+#include "renderer/image/image.h"
+#include "renderer/image/image_format.h"
+#include "renderer/image/image_io.h"
+
+namespace candela {
+
+// What the format cannot hold (a JPEG side over 65500, no channels, ...) is an error without the
+// path, such as "a jpeg can be at most 65500 pixels wide and high, not 70000 x 2".
+[[nodiscard]] Result<std::string> encode_image(ImageFormat format, const Image& image,
+                                               const WriteOptions& options);
+
+}  // namespace candela

@@ -1,0 +1,77 @@
+#include "renderer/image/output_target.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "renderer/base/result.h"
+#include "renderer/image/file_descriptor.h"
+
+namespace candela {
+namespace {
+
+// As many as Linux follows.
+constexpr int max_links = 40;
+
+// Replacing a link by a file would surprise: what it points to is written instead. A path whose end
+// does not exist yet comes back as it is.
+std::string follow_links(const std::string& path) {
+  std::filesystem::path current(path);
+  for (int i = 0; i < max_links; ++i) {
+    std::error_code error;
+    const std::filesystem::path next = std::filesystem::read_symlink(current, error);
+    if (error) return current.string();
+    current = next.is_absolute() ? next : current.parent_path() / next;
+  }
+  return current.string();
+}
+
+std::string folder_of(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+Diagnostics check_folder(const std::string& path, const std::string& folder) {
+  struct stat status {};
+  if (::stat(folder.c_str(), &status) != 0) {
+    const std::string reason = errno == ENOENT ? "does not exist" : system_message(errno);
+    return failure(fmt::format("'{}' cannot be written: folder '{}': {}", path, folder, reason));
+  }
+  if (S_ISDIR(status.st_mode)) return {};
+  return failure(fmt::format("'{}' cannot be written: '{}' is not a folder", path, folder));
+}
+
+}  // namespace
+
+OutputTarget find_output_target(const std::string& path) {
+  OutputTarget target;
+  if (path.empty() || path.back() == '/') {
+    target.diagnostics = failure(fmt::format("'{}' cannot be written: it names no file", path));
+    return target;
+  }
+  target.path = follow_links(path);
+  target.folder = folder_of(target.path);
+  target.diagnostics = check_folder(path, target.folder);
+  if (target.diagnostics.has_errors()) return target;
+  struct stat status {};
+  if (::stat(target.path.c_str(), &status) != 0) {
+    if (errno != ENOENT)
+      target.diagnostics =
+          failure(fmt::format("'{}' cannot be written: {}", path, system_message(errno)));
+    return target;
+  }
+  target.is_stream = !S_ISREG(status.st_mode);
+  if (S_ISDIR(status.st_mode))
+    target.diagnostics = failure(fmt::format("'{}' cannot be written: it is a directory", path));
+  else if (::access(target.path.c_str(), W_OK) != 0)
+    target.diagnostics =
+        failure(fmt::format("'{}' cannot be written: {}", path, system_message(errno)));
+  return target;
+}
+
+}  // namespace candela
