@@ -41,9 +41,7 @@ LuminanceMap decode_luminance(const TextureStore& textures, TextureHandle textur
   parallel_for(map.height, [&](std::size_t y) {
     std::uint64_t invalid = 0;
     for (std::uint32_t x = 0; x < map.width; ++x) {
-      const Vec2f st{(static_cast<float>(x) + 0.5f) / static_cast<float>(map.width),
-                     (static_cast<float>(y) + 0.5f) / static_cast<float>(map.height)};
-      const Rgb texel(textures.lookup(texture, environment_detail::uv_of(st)));
+      const Rgb texel(textures.texel(texture, static_cast<int>(x), static_cast<int>(y)));
       invalid += is_valid(texel) ? 0 : 1;
       map.values[y * map.width + x] = valid_luminance(texel);
     }

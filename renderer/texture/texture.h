@@ -49,7 +49,11 @@ class TextureStore {
 
   // Bilinear, decoded to linear by the texture's encoding (alpha is never decoded). Greyscale files
   // repeat their value in r, g, b; files without alpha have alpha 1. Values above 1 pass (HDR).
+  // Stored values that are not finite count as 0; decoding_diagnostics() says how many there were.
   [[nodiscard]] Vec4f lookup(TextureHandle texture, Vec2f uv) const;
+  // One texel, decoded to linear; row 0 is the file's first, 0 <= x < width, 0 <= y < height. For
+  // tables that are built over all texels (environment maps), not for kernels.
+  [[nodiscard]] Vec4f texel(TextureHandle texture, int x, int y) const;
 
   // The smallest and largest stored value of `channel` (3: alpha) over all texels that a bilinear
   // lookup within the triangle of uvs can touch; decodes. Conservative: may be wider than exact.
