@@ -355,6 +355,8 @@ def make_glass_and_metal(folder):
     icosphere(4).write(folder / "sphere.obj")
     box((-0.5, -0.5, -0.5), (0.5, 0.5, 0.5), "unit cube").write(folder / "cube.obj")
     rectangle((-8, 0, 8), (16, 0, 0), (0, 0, -16), 4, 4, "the floor").write(folder / "ground.obj")
+    rectangle((-0.5, -0.5, 0), (1, 0, 0), (0, 1, 0), 1, 1, "a thin pane, 1 x 1"
+              ).write(folder / "pane.obj")
     rectangle((-1, 0, -1), (2, 0, 0), (0, 0, 2), 1, 1, "2 x 2, facing down"
               ).write(folder / "lamp.obj")
     write_png(folder / "checks.png", 256, 256, ground_checks)
