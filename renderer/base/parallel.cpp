@@ -12,7 +12,6 @@
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-#include <tbb/task_scheduler_observer.h>
 
 #if defined(CANDELA_THREAD_SANITIZER)
 #include <sanitizer/tsan_interface.h>
@@ -21,20 +20,29 @@
 namespace candela {
 namespace {
 
-void flush_denormals_to_zero() {
-#if defined(__SSE2__)
-  _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-  _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
-#endif
-}
-
-class FlushDenormalsOnEntry : public tbb::task_scheduler_observer {
+// FTZ and DAZ on this thread, until the end of the scope. An arena that is made meanwhile hands
+// them to its workers: oneTBB notes the floating-point mode of the thread that makes an arena and
+// sets it before each of the arena's tasks (so an observer that sets it on a worker's entry does
+// nothing).
+class FlushDenormals {
  public:
-  explicit FlushDenormalsOnEntry(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) {
-    observe(true);
+#if defined(__SSE2__)
+  FlushDenormals() : before_(_mm_getcsr()) {
+    _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
+    _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
   }
-  ~FlushDenormalsOnEntry() override { observe(false); }
-  void on_scheduler_entry(bool) override { flush_denormals_to_zero(); }
+  ~FlushDenormals() {
+    _mm_setcsr(before_);
+  }
+#else
+  FlushDenormals() = default;
+  ~FlushDenormals() = default;
+#endif
+  FlushDenormals(const FlushDenormals&) = delete;
+  FlushDenormals& operator=(const FlushDenormals&) = delete;
+
+ private:
+  [[maybe_unused]] unsigned before_ = 0;
 };
 
 // ThreadSanitizer sees nothing of how oneTBB's library hands work over; this tells it. What was
@@ -92,8 +100,8 @@ void with_threads(int threads, const std::function<void()>& work) {
   const int count = threads > 0 ? threads : available_threads();
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(std::max(count, 1)));
+  const FlushDenormals flush;
   tbb::task_arena arena(count);
-  const FlushDenormalsOnEntry observer(arena);
   arena.execute(work);
 }
 

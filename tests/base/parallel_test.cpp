@@ -42,15 +42,27 @@ TEST(Unit_Parallel, NothingToDoIsFine) {
   EXPECT_EQ(calls, 0);
 }
 
+bool keeps_denormals() {
+  volatile float smallest = 1.2e-38f;
+  return smallest * 0.5f != 0.0f;
+}
+
+// Also the first time, when oneTBB makes its threads, and for nested loops; afterwards the caller's
+// own mode is back.
 TEST(Unit_Parallel, WorkersFlushDenormalsToZero) {
-  std::atomic<int> kept = 0;
-  with_threads(3, [&] {
-    parallel_for(1000, [&](std::size_t) {
-      volatile float smallest = 1.2e-38f;
-      if (smallest * 0.5f != 0.0f) ++kept;
+  ASSERT_TRUE(keeps_denormals());
+  for (const int threads : {3, 1, 2}) {
+    std::atomic<int> kept = 0;
+    with_threads(threads, [&] {
+      kept += keeps_denormals();
+      parallel_for(100, [&](std::size_t) {
+        kept += keeps_denormals();
+        parallel_for(10, [&](std::size_t) { kept += keeps_denormals(); });
+      });
     });
-  });
-  EXPECT_EQ(kept, 0);
+    EXPECT_EQ(kept, 0) << threads << " threads";
+    EXPECT_TRUE(keeps_denormals());
+  }
 }
 
 }  // namespace
