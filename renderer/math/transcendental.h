@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace candela {
 
@@ -62,6 +63,41 @@ struct SinCos {
 // the angle is given by sqrt(1 - x^2).
 [[nodiscard]] inline float arc_cosine(float x) {
   return arc_tangent(std::sqrt(std::max(0.0f, (1 - x) * (1 + x))), x);
+}
+
+// The logarithm to base 2 of a normal x > 0, absolute error below 1e-10: x = 2^e m with m in
+// [sqrt(1/2), sqrt(2)), then log m = 2 artanh((m - 1) / (m + 1)) by its series.
+[[nodiscard]] inline double binary_logarithm(double x) {
+  constexpr std::uint64_t sqrt_half_bits = 0x3FE6A09E667F3BCDu;
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto exponent = static_cast<std::int64_t>(bits - sqrt_half_bits) >> 52;
+  const auto m = std::bit_cast<double>(bits - (static_cast<std::uint64_t>(exponent) << 52));
+  const double s = (m - 1) / (m + 1);
+  const double z = s * s;
+  const double series =
+      1 + z * (1.0 / 3 + z * (1.0 / 5 + z * (1.0 / 7 + z * (1.0 / 9 + z * (1.0 / 11)))));
+  return static_cast<double>(exponent) + s * series * 2.88539008177792681472;  // 2 / ln 2
+}
+
+// 2^x for |x| < 1000, relative error below 1e-9: 2^x = 2^k e^t with |t| <= ln(2) / 2 by its series.
+[[nodiscard]] inline double binary_exponential(double x) {
+  const auto k = static_cast<std::int64_t>(x + (x < 0 ? -0.5 : 0.5));
+  const double t = (x - static_cast<double>(k)) * 0.693147180559945309417;  // ln 2
+  const double upper =
+      1.0 / 24 + t * (1.0 / 120 + t * (1.0 / 720 + t * (1.0 / 5040 + t * (1.0 / 40320))));
+  const double series = 1 + t * (1 + t * (1.0 / 2 + t * (1.0 / 6 + t * upper)));
+  return series * std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52);
+}
+
+// base^exponent for a finite base and 0 < exponent <= 4, relative error below 1e-7; 1 stays 1.
+// Negative bases and NaN count as 0. Results beyond the normal floats are infinity or 0, so that
+// flushing of denormals changes nothing.
+[[nodiscard]] inline float power(float base, double exponent) {
+  if (!(base > 0)) return 0;
+  const double binary = exponent * binary_logarithm(static_cast<double>(base));
+  if (binary < -126) return 0;
+  if (binary >= 128) return std::numeric_limits<float>::infinity();
+  return static_cast<float>(binary_exponential(binary));
 }
 
 }  // namespace candela
