@@ -1,0 +1,81 @@
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "renderer/description/validate.h"
+#include "renderer/description/validate_light.h"
+#include "renderer/description/world_bounds.h"
+
+namespace candela::description {
+namespace {
+
+std::vector<bool> used_materials(const SceneDescription& scene) {
+  std::vector<bool> is_used(scene.materials.size(), false);
+  const auto use = [&](MaterialHandle material) {
+    if (material.index < is_used.size()) is_used[material.index] = true;
+  };
+  for (const Instance& instance : scene.instances) {
+    if (instance.material_override) {
+      use(instance.material_override);
+    } else if (instance.mesh.index < scene.meshes.size()) {
+      for (const MaterialHandle material : scene.meshes[instance.mesh.index].materials)
+        use(material);
+    }
+  }
+  return is_used;
+}
+
+// Of the scene file's own: libraries (MTL) usually hold more than a scene needs.
+void warn_of_unused_materials(const SceneDescription& scene, Diagnostics& diagnostics) {
+  const std::vector<bool> is_used = used_materials(scene);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const Material& material = scene.materials[i];
+    const bool is_own = material.span.file && *material.span.file == scene.path;
+    if (!is_used[i] && is_own)
+      diagnostics.warning(material.span,
+                          fmt::format("material '{}' is used by no model", material.name));
+  }
+}
+
+void warn_of_black_lights(const SceneDescription& scene, Diagnostics& diagnostics) {
+  for (const Light& light : scene.lights)
+    if (is_black(light) && !std::holds_alternative<ConstantEnvironment>(light.kind))
+      diagnostics.warning(light.span, "this light is black");
+}
+
+void warn_of_missing_images(const SceneDescription& scene, Diagnostics& diagnostics) {
+  for (const Image& image : scene.images) {
+    std::error_code failed;
+    if (!std::filesystem::exists(image.path, failed))
+      diagnostics.warning(image.span,
+                          fmt::format("no such image: '{}'; it renders magenta", image.path));
+  }
+}
+
+// All of the scene's box lies behind the camera's plane.
+void warn_of_blind_cameras(const SceneDescription& scene, Diagnostics& diagnostics) {
+  const Bounds3d box = world_bounds(scene);
+  if (box.is_empty()) return;
+  for (const Camera& camera : scene.cameras) {
+    const Vec3d look = camera.target - camera.eye;
+    Vec3d farthest;  // the box's corner that lies most in the direction of sight
+    for (int axis = 0; axis < 3; ++axis)
+      farthest[axis] = look[axis] > 0 ? box.upper[axis] : box.lower[axis];
+    if (dot(farthest - camera.eye, look) <= 0)
+      diagnostics.warning(camera.span, "all of the scene lies behind this camera");
+  }
+}
+
+}  // namespace
+
+Diagnostics lint(const SceneDescription& scene) {
+  Diagnostics diagnostics;
+  warn_of_unused_materials(scene, diagnostics);
+  warn_of_black_lights(scene, diagnostics);
+  warn_of_missing_images(scene, diagnostics);
+  warn_of_blind_cameras(scene, diagnostics);
+  return diagnostics;
+}
+
+}  // namespace candela::description

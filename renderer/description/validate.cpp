@@ -1,0 +1,89 @@
+#include "renderer/description/validate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "renderer/description/validate_camera.h"
+#include "renderer/description/validate_light.h"
+#include "renderer/description/validate_material.h"
+#include "renderer/description/validate_mesh.h"
+
+namespace candela::description {
+namespace {
+
+bool is_singular(const Mat3d& linear) {
+  double largest = 0;
+  for (int c = 0; c < 3; ++c) largest = std::max(largest, max_component(glm::abs(linear[c])));
+  if (largest == 0) return true;
+  Transform scaled{linear / largest, {}};
+  double edges = 1;
+  for (int c = 0; c < 3; ++c) edges *= length(scaled.linear[c]);
+  // The volume of the image of a cube against that of a box with its edges.
+  return !(std::abs(scaled.determinant()) > 1e-12 * edges);
+}
+
+void check_instance(const SceneDescription& scene, const Instance& instance,
+                    Diagnostics& diagnostics) {
+  const Transform& placement = instance.object_to_world;
+  const Mat3d& linear = placement.linear;
+  if (instance.mesh.index >= scene.meshes.size())
+    diagnostics.error(instance.span, "an instance of a mesh that does not exist");
+  const MaterialHandle material = instance.material_override;
+  if (material && material.index >= scene.materials.size())
+    diagnostics.error(instance.span, "an instance has a material that does not exist");
+  if (!is_finite(linear[0]) || !is_finite(linear[1]) || !is_finite(linear[2]) ||
+      !is_finite(placement.translation))
+    diagnostics.error(instance.span,
+                      "the transform of an instance has numbers that are not finite");
+  else if (is_singular(linear))
+    diagnostics.error(instance.span, "the transform of an instance is singular: it flattens it");
+}
+
+void check_images(const SceneDescription& scene, Diagnostics& diagnostics) {
+  for (const Image& image : scene.images)
+    if (image.path.empty()) diagnostics.error(image.span, "an image without a file name");
+}
+
+bool has_triangles(const SceneDescription& scene) {
+  return std::any_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
+    return instance.mesh.index < scene.meshes.size() &&
+           !scene.meshes[instance.mesh.index].triangles.empty();
+  });
+}
+
+bool has_light(const SceneDescription& scene) {
+  const auto shines = [](const Light& light) { return !is_black(light); };
+  const auto glows = [](const Material& material) { return material.emission != Vec3d(0.0); };
+  return std::any_of(scene.lights.begin(), scene.lights.end(), shines) ||
+         std::any_of(scene.materials.begin(), scene.materials.end(), glows);
+}
+
+SourceSpan whole_file(const SceneDescription& scene) {
+  if (scene.path.empty()) return {};
+  return {std::make_shared<const std::string>(scene.path), 0, 0};
+}
+
+void warn_of_nothing_to_see(const SceneDescription& scene, Diagnostics& diagnostics) {
+  if (!has_triangles(scene))
+    diagnostics.warning(whole_file(scene), "the scene has no triangle: there is nothing to see");
+  if (!has_light(scene))
+    diagnostics.warning(whole_file(scene), "the scene has no light: the picture will be black");
+}
+
+}  // namespace
+
+Diagnostics validate(const SceneDescription& scene) {
+  Diagnostics diagnostics;
+  check_images(scene, diagnostics);
+  for (const Material& material : scene.materials) check_material(scene, material, diagnostics);
+  for (const Mesh& mesh : scene.meshes) check_mesh(scene, mesh, diagnostics);
+  for (const Instance& instance : scene.instances) check_instance(scene, instance, diagnostics);
+  check_lights(scene, diagnostics);
+  check_cameras(scene, diagnostics);
+  if (!diagnostics.has_errors()) warn_of_nothing_to_see(scene, diagnostics);
+  return diagnostics;
+}
+
+}  // namespace candela::description

@@ -1,0 +1,51 @@
+#include "renderer/description/validate_camera.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace candela::description {
+namespace {
+
+// Not zero; its squares may underflow.
+Vec3d unit(const Vec3d& v) {
+  return normalize(v / max_component(glm::abs(v)));
+}
+
+void check_axes(const Camera& camera, Diagnostics& diagnostics) {
+  const Vec3d look = camera.target - camera.eye;
+  if (look == Vec3d(0.0))
+    diagnostics.error(camera.span, "a camera's eye and target are the same point");
+  else if (camera.up == Vec3d(0.0))
+    diagnostics.error(camera.span, "a camera's up direction is zero");
+  else if (!(length(cross(unit(look), unit(camera.up))) > 1e-12))
+    diagnostics.error(camera.span, "a camera's up direction is parallel to its line of sight");
+}
+
+void check_camera(const Camera& camera, Diagnostics& diagnostics) {
+  if (!is_finite(camera.eye) || !is_finite(camera.target) || !is_finite(camera.up))
+    diagnostics.error(camera.span, "a camera has numbers that are not finite");
+  else
+    check_axes(camera, diagnostics);
+  if (!(camera.fovy_degrees > 0 && camera.fovy_degrees < 180))
+    diagnostics.error(camera.span,
+                      fmt::format("a camera's vertical angle of view is {} degrees, expected above "
+                                  "0 and below 180",
+                                  camera.fovy_degrees));
+  if (!(camera.lens_radius >= 0 && std::isfinite(camera.lens_radius)))
+    diagnostics.error(camera.span, fmt::format("a camera's lens radius is {}, expected at least 0",
+                                               camera.lens_radius));
+  if (!(camera.focus_distance >= 0 && std::isfinite(camera.focus_distance)))
+    diagnostics.error(
+        camera.span,
+        fmt::format("a camera's focus distance is {}, expected at least 0", camera.focus_distance));
+}
+
+}  // namespace
+
+void check_cameras(const SceneDescription& scene, Diagnostics& diagnostics) {
+  if (scene.cameras.empty()) diagnostics.error({}, "the scene has no camera");
+  for (const Camera& camera : scene.cameras) check_camera(camera, diagnostics);
+}
+
+}  // namespace candela::description

@@ -1,0 +1,116 @@
+#include "renderer/description/validate_material.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace candela::description {
+namespace {
+
+// Says everything about one material.
+class Check {
+ public:
+  Check(const SceneDescription& scene, const Material& material, Diagnostics& diagnostics)
+      : scene_(scene), material_(material), diagnostics_(diagnostics) {}
+
+  void number(double x, double low, double high, std::string_view what) const {
+    if (x >= low && x <= high) return;
+    diagnostics_.error(material_.span, fmt::format("material '{}': {} is {}, expected {} to {}",
+                                                   material_.name, what, x, low, high));
+  }
+  void at_least(double x, double low, std::string_view what) const {
+    if (x >= low && std::isfinite(x)) return;
+    diagnostics_.error(material_.span, fmt::format("material '{}': {} is {}, expected at least {}",
+                                                   material_.name, what, x, low));
+  }
+  void colour(const Vec3d& c, std::string_view what) const {
+    for (int i = 0; i < 3; ++i) number(c[i], 0, 1, what);
+  }
+  void positive_colour(const Vec3d& c, std::string_view what) const {
+    for (int i = 0; i < 3; ++i) at_least(c[i], 0, what);
+  }
+  void image(ImageHandle handle, std::string_view what) const {
+    if (!handle || handle.index < scene_.images.size()) return;
+    diagnostics_.error(material_.span, fmt::format("material '{}': the map of {} does not exist",
+                                                   material_.name, what));
+  }
+  void input(const ColourInput& colour_input, std::string_view what) const {
+    colour(colour_input.factor, what);
+    image(colour_input.map, what);
+  }
+  void input(const ScalarInput& scalar, std::string_view what) const {
+    number(scalar.factor, 0, 1, what);
+    image(scalar.map, what);
+    if (scalar.channel < alpha_or_first || scalar.channel > 3)
+      diagnostics_.error(material_.span,
+                         fmt::format("material '{}': the map of {} has no channel {}",
+                                     material_.name, what, scalar.channel));
+  }
+  void warn(std::string message) const {
+    diagnostics_.warning(material_.span, fmt::format("material '{}': {}", material_.name, message));
+  }
+
+  void operator()(const LabMaterial& lab) const {
+    input(lab.diffuse, "the diffuse colour");
+    input(lab.specular, "the specular colour");
+    number(lab.alpha, 0, 1, "alpha");
+    at_least(lab.shininess, 0, "the shininess");
+  }
+  void operator()(const CookTorranceMaterial& rough) const {
+    input(rough.diffuse, "kd");
+    input(rough.specular, "ks");
+    input(rough.roughness, "the roughness");
+    colour(rough.f0, "F0");
+    if (rough.ior) at_least(*rough.ior, 1, "the refractive index");
+    if (rough.eta_k) positive_colour((*rough.eta_k)[0], "eta");
+    if (rough.eta_k) positive_colour((*rough.eta_k)[1], "k");
+    if (rough.fresnel == FresnelModel::Exact && !rough.ior && !rough.eta_k)
+      diagnostics_.error(material_.span,
+                         fmt::format("material '{}': the exact Fresnel term needs a refractive "
+                                     "index",
+                                     material_.name));
+    const bool is_constant = !rough.diffuse.map && !rough.specular.map;
+    const double most = max_component(rough.diffuse.factor + rough.specular.factor);
+    if (is_constant && most > 1 + 1e-9)  // sums of decimal fractions miss 1 by some 1e-16
+      warn(fmt::format("kd + ks reaches {:.4g} in a channel, more than 1", most));
+  }
+  void operator()(const DiffuseMaterial& diffuse) const {
+    input(diffuse.reflectance, "the reflectance");
+  }
+  void operator()(const MirrorMaterial& mirror) const {
+    input(mirror.reflectance, "the reflectance");
+  }
+  void operator()(const ConductorMaterial& conductor) const {
+    positive_colour(conductor.eta, "eta");
+    positive_colour(conductor.k, "k");
+    input(conductor.roughness, "the roughness");
+  }
+  void operator()(const DielectricMaterial& glass) const {
+    at_least(glass.ior, 1, "the refractive index");
+    input(glass.roughness, "the roughness");
+    colour(glass.transmittance, "the transmittance");
+  }
+
+ private:
+  const SceneDescription& scene_;
+  const Material& material_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void check_material(const SceneDescription& scene, const Material& material,
+                    Diagnostics& diagnostics) {
+  const Check check(scene, material, diagnostics);
+  std::visit(check, material.model);
+  check.positive_colour(material.emission, "the emission");
+  check.input(material.opacity, "the opacity");
+  check.image(material.height, "heights");
+  check.image(material.normal_map, "normals");
+  if (!std::isfinite(material.height_scale))
+    diagnostics.error(material.span, fmt::format("material '{}': the scale of its heights is not "
+                                                 "finite",
+                                                 material.name));
+}
+
+}  // namespace candela::description

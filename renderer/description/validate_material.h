@@ -1,0 +1,14 @@
+// A step of validate(): materials.
+#pragma once
+
+#include "renderer/base/diagnostic.h"
+#include "renderer/description/scene_description.h"
+
+namespace candela::description {
+
+// Handles of images in range, numbers finite and within what the models stand for; a warning for
+// kd + ks above 1, which lets a surface reflect more than it gets.
+void check_material(const SceneDescription& scene, const Material& material,
+                    Diagnostics& diagnostics);
+
+}  // namespace candela::description

@@ -1,0 +1,215 @@
+#include "renderer/description/validate.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "renderer/math/constants.h"
+#include "tests/scenes/description.h"
+
+namespace candela {
+namespace {
+
+using description::lint;
+using description::validate;
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<std::string> messages(const Diagnostics& diagnostics, Severity severity) {
+  std::vector<std::string> found;
+  for (const Diagnostic& diagnostic : diagnostics.list())
+    if (diagnostic.severity == severity) found.push_back(diagnostic.message);
+  return found;
+}
+
+// `spoil` breaks a good scene; what validate() then says, if it says one thing.
+template <class Spoil>
+std::string error_after(Spoil&& spoil) {
+  description::SceneDescription scene = test::small_room();
+  spoil(scene);
+  const auto errors = messages(validate(scene), Severity::Error);
+  return errors.size() == 1 ? errors[0] : fmt::format("{} errors", errors.size());
+}
+
+template <class Kind>
+std::string error_of_light(Kind kind) {
+  return error_after([&](auto& scene) { test::add_light(scene, kind); });
+}
+
+template <class Model>
+std::string error_of_material(Model model) {
+  return error_after([&](auto& scene) { test::add_material(scene, model); });
+}
+
+TEST(Unit_Validate, HasNothingToSayAboutAGoodScene) {
+  EXPECT_TRUE(validate(test::small_room()).list().empty());
+  EXPECT_TRUE(lint(test::small_room()).list().empty());
+}
+
+TEST(Errors_Validate, Meshes) {
+  EXPECT_NE(error_after([](auto& scene) {
+              scene.meshes[0].name = "a";
+              scene.meshes[0].triangles[1] = {0, 1, 4000};
+            }).find("mesh 'a': triangle 1 uses vertex 4000 of "),
+            std::string::npos);
+  EXPECT_NE(error_after([](auto& scene) {
+              scene.meshes[0].positions[2].y = not_a_number;
+            }).find("have numbers that are not finite, the first is number 3"),
+            std::string::npos);
+  EXPECT_NE(error_after([](auto& scene) {
+              scene.meshes[0].uvs.assign(2, Vec2f(0));
+            }).find("has 2 texture coordinates for "),
+            std::string::npos);
+  EXPECT_NE(error_after([](auto& scene) {
+              scene.meshes[0].normals.assign(1, Vec3f(0));
+            }).find("has 1 normals for "),
+            std::string::npos);
+  EXPECT_NE(error_after([](auto& scene) {
+              scene.meshes[0].materials = {description::MaterialHandle(99)};
+            }).find("has a material that does not exist"),
+            std::string::npos);
+  EXPECT_NE(error_after([](auto& scene) {
+              scene.meshes[0].materials.clear();
+            }).find("has 0 materials for "),
+            std::string::npos);
+}
+
+TEST(Errors_Validate, Instances) {
+  EXPECT_EQ(error_after([](auto& scene) { scene.instances[0].mesh = description::MeshHandle(77); }),
+            "an instance of a mesh that does not exist");
+  EXPECT_EQ(error_after([](auto& scene) {
+              scene.instances[0].material_override = description::MaterialHandle(77);
+            }),
+            "an instance has a material that does not exist");
+  EXPECT_EQ(error_after([](auto& scene) {
+              scene.instances[0].object_to_world.translation.x = not_a_number;
+            }),
+            "the transform of an instance has numbers that are not finite");
+  EXPECT_EQ(
+      error_after([](auto& scene) { scene.instances[0].object_to_world.linear[1] = Vec3d(0.0); }),
+      "the transform of an instance is singular: it flattens it");
+  EXPECT_EQ(error_after([](auto& scene) {
+              Mat3d& linear = scene.instances[0].object_to_world.linear;
+              linear[1] = linear[0] * 3.0;
+            }),
+            "the transform of an instance is singular: it flattens it");
+}
+
+TEST(Unit_Validate, AcceptsTransformsOfAnySize) {
+  for (const double scale : {1e-100, 1e-12, 1e12, 1e30}) {
+    description::SceneDescription scene = test::small_room();
+    scene.instances[0].object_to_world.linear = Mat3d(scale);
+    EXPECT_FALSE(validate(scene).has_errors()) << scale;
+  }
+}
+
+TEST(Errors_Validate, Lights) {
+  EXPECT_EQ(error_of_light(description::PointLight{{0, not_a_number, 0}, Vec3d(1)}),
+            "the position of a light is not finite");
+  EXPECT_EQ(error_of_light(description::PointLight{{0, 0, 0}, Vec3d(1, -2, 1)}),
+            "the intensity of a light is -2, expected finite numbers of at least 0");
+  EXPECT_EQ(error_of_light(description::DirectionalLight{{0, 2, 0}, Vec3d(1)}),
+            "the direction of a light is not of length 1");
+  EXPECT_EQ(error_of_light(description::DirectionalLight{{0, not_a_number, 0}, Vec3d(1)}),
+            "the direction of a light is not of length 1");
+  EXPECT_EQ(
+      error_of_light(description::TriangleLight{{Vec3d(0), Vec3d(1), Vec3d(2)}, Vec3d(1), false}),
+      "a triangle light has no area");
+  EXPECT_EQ(error_of_light(description::LatLongEnvironment{}),
+            "the image of an environment does not exist");
+  EXPECT_EQ(error_of_light(description::SpotLight{Vec3d(0), Vec3d(0, -1, 0), Vec3d(1), 0.5, 0.25}),
+            "the half angles of a spot light are 0.5 and 0.25, expected 0 <= inner <= outer <= pi");
+  EXPECT_EQ(error_after([](auto& scene) {
+              test::add_light(scene, description::ConstantEnvironment{});
+              test::add_light(scene, description::ConstantEnvironment{});
+            }),
+            "a second environment, expected at most one");
+}
+
+TEST(Errors_Validate, Materials) {
+  description::CookTorranceMaterial rough;
+  rough.diffuse.factor.y = -0.5;
+  EXPECT_NE(error_of_material(rough).find("kd is -0.5, expected 0 to 1"), std::string::npos);
+  rough = {};
+  rough.roughness.factor = 1.5;
+  EXPECT_NE(error_of_material(rough).find("the roughness is 1.5, expected 0 to 1"),
+            std::string::npos);
+  rough = {};
+  rough.fresnel = description::FresnelModel::Exact;
+  EXPECT_NE(error_of_material(rough).find("the exact Fresnel term needs a refractive index"),
+            std::string::npos);
+  description::DielectricMaterial glass;
+  glass.ior = not_a_number;
+  EXPECT_NE(error_of_material(glass).find("the refractive index is nan, expected at least 1"),
+            std::string::npos);
+  EXPECT_NE(
+      error_of_material(description::DiffuseMaterial{{Vec3d(0.5), description::ImageHandle(5)}})
+          .find("the map of the reflectance does not exist"),
+      std::string::npos);
+  EXPECT_NE(error_after([](auto& scene) {
+              scene.materials[0].emission = Vec3d(0, -1, 0);
+            }).find("the emission is -1, expected at least 0"),
+            std::string::npos);
+}
+
+TEST(Errors_Validate, Cameras) {
+  EXPECT_EQ(error_after([](auto& scene) { scene.cameras.clear(); }), "the scene has no camera");
+  EXPECT_EQ(error_after([](auto& scene) { scene.cameras[0].target = scene.cameras[0].eye; }),
+            "a camera's eye and target are the same point");
+  EXPECT_EQ(error_after([](auto& scene) {
+              scene.cameras[0].up = scene.cameras[0].eye - scene.cameras[0].target;
+            }),
+            "a camera's up direction is parallel to its line of sight");
+  EXPECT_EQ(error_after([](auto& scene) { scene.cameras[0].fovy_degrees = 180; }),
+            "a camera's vertical angle of view is 180 degrees, expected above 0 and below 180");
+  EXPECT_EQ(error_after([](auto& scene) { scene.cameras[0].lens_radius = -1; }),
+            "a camera's lens radius is -1, expected at least 0");
+}
+
+TEST(Unit_Validate, WarnsOfScenesWithNothingInThem) {
+  description::SceneDescription scene = test::empty_scene();
+  test::set_camera(scene, {0, 0, 5}, {0, 0, 0});
+  const auto warnings = messages(validate(scene), Severity::Warning);
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_EQ(warnings[0], "the scene has no triangle: there is nothing to see");
+  EXPECT_EQ(warnings[1], "the scene has no light: the picture will be black");
+}
+
+TEST(Unit_Validate, WarnsOfReflectancesThatAddUpToMoreThanOne) {
+  description::SceneDescription scene = test::small_room();
+  description::CookTorranceMaterial rough;
+  rough.specular.factor = Vec3d(0.75);
+  test::add_material(scene, rough);
+  scene.materials.back().name = "metal";
+  const auto warnings = messages(validate(scene), Severity::Warning);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0], "material 'metal': kd + ks reaches 1.25 in a channel, more than 1");
+}
+
+TEST(Unit_Lint, FindsWhatIsProbablyNotMeant) {
+  description::SceneDescription scene = test::small_room();
+  scene.path = "room.yaml";
+  test::add_material(scene, description::DiffuseMaterial{});
+  scene.materials.back().name = "spare";
+  scene.materials.back().span.file = std::make_shared<const std::string>("room.yaml");
+  test::add_light(scene, description::PointLight{{0, 0, 0}, Vec3d(0)});
+  scene.images.push_back({"no such folder/no such.png", {}, {}, {}});
+  scene.cameras.push_back({{}, {0, 0, 50}, {0, 0, 60}, {0, 1, 0}, 60, 0, 0});
+  const auto warnings = messages(lint(scene), Severity::Warning);
+  ASSERT_EQ(warnings.size(), 4u);
+  EXPECT_EQ(warnings[0], "material 'spare' is used by no model");
+  EXPECT_EQ(warnings[1], "this light is black");
+  EXPECT_EQ(warnings[2], "no such image: 'no such folder/no such.png'; it renders magenta");
+  EXPECT_EQ(warnings[3], "all of the scene lies behind this camera");
+}
+
+TEST(Unit_Lint, LeavesUnusedMaterialsOfLibrariesAlone) {
+  description::SceneDescription scene = test::small_room();
+  scene.path = "room.yaml";
+  test::add_material(scene, description::DiffuseMaterial{});
+  scene.materials.back().span.file = std::make_shared<const std::string>("room.mtl");
+  EXPECT_TRUE(lint(scene).list().empty());
+}
+
+}  // namespace
+}  // namespace candela
