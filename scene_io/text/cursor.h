@@ -1,4 +1,5 @@
-// Words of a text, one after another: blanks, quotes and lines. What a word means is the format's.
+// Words of a text, one after another: blanks, words and lines. What a word means is the format's.
+// A back-slash at the end of a line makes the next line part of it (a continuation).
 #pragma once
 
 #include <cstddef>
@@ -12,15 +13,18 @@ namespace candela::text {
 [[nodiscard]] constexpr bool is_space(char c) {
   return c == '\n' || is_blank(c);
 }
+[[nodiscard]] constexpr bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
 [[nodiscard]] constexpr char to_lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 [[nodiscard]] bool equal_ignoring_case(std::string_view a, std::string_view b);
 
-// Blanks off both ends.
+// Blanks and lines' ends off both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-// A place in [begin, end) that only moves forward. Copying it is a look ahead.
+// A place in a text that only moves forward. A copy of it is a look ahead.
 class Cursor {
  public:
   constexpr Cursor() = default;
@@ -35,16 +39,40 @@ class Cursor {
   }
   constexpr void skip(std::size_t count) { at_ += count; }
 
-  // Past blanks; a back-slash at the end of a line (a continuation) is one with the line's end.
-  void skip_blanks();
-  // Past blanks and lines' ends.
-  void skip_spaces();
-  // The next word of the line after blanks: up to a blank or the line's end. Empty at its end.
-  std::string_view next_word();
-  // The next line without its '\n', from here on; continuations are part of it.
-  std::string_view next_logical_line();
+  // Past blanks and continuations, not past the line's end.
+  constexpr void skip_blanks() {
+    while (at_ != end_) {
+      if (is_blank(*at_)) {
+        ++at_;
+      } else if (const std::size_t length = continuation_length(at_); length > 0) {
+        at_ += length;
+      } else {
+        return;
+      }
+    }
+  }
+
+  // The next word of the line after blanks; empty at the line's end.
+  constexpr std::string_view next_word() {
+    skip_blanks();
+    const char* const begin = at_;
+    while (at_ != end_ && !is_space(*at_) && continuation_length(at_) == 0) ++at_;
+    return {begin, static_cast<std::size_t>(at_ - begin)};
+  }
+
+  // From here to the line's end, continued lines with it, and past its '\n'. Comments, lines that
+  // begin with '#', do not continue: their last character may be the end of a folder's name.
+  [[nodiscard]] std::string_view next_logical_line();
 
  private:
+  // Length of the back-slash, '\r' and '\n' at `at`; 0 where there is no continuation.
+  [[nodiscard]] constexpr std::size_t continuation_length(const char* at) const {
+    if (*at != '\\') return 0;
+    const std::size_t left = static_cast<std::size_t>(end_ - at);
+    if (left > 1 && at[1] == '\n') return 2;
+    return left > 2 && at[1] == '\r' && at[2] == '\n' ? 3 : 0;
+  }
+
   const char* at_ = nullptr;
   const char* end_ = nullptr;
 };

@@ -25,7 +25,7 @@ struct Number {
 [[nodiscard]] Number<double> parse_double(std::string_view word);
 [[nodiscard]] Number<std::int64_t> parse_integer(std::string_view word);
 
-// "expected a number" and its like, for a sentence that begins with what was found.
+// "is not a number" and its like, for a sentence that begins with the word.
 [[nodiscard]] std::string_view describe(NumberFault fault);
 
 }  // namespace candela::text

@@ -8,7 +8,7 @@
 namespace candela::text {
 
 struct ResolvedPath {
-  std::string path;             // '/' between parts; where nothing was found, the name as written
+  std::string path;             // '/' between parts; where nothing was found, where it was expected
   bool is_found = false;        // something exists there
   bool has_other_case = false;  // found only with letter case ignored
 };

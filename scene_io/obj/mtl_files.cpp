@@ -1,0 +1,81 @@
+#include "scene_io/obj/mtl_files.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "scene_io/obj/map_images.h"
+#include "scene_io/obj/read_mtl.h"
+#include "scene_io/text/cursor.h"
+#include "scene_io/text/file.h"
+#include "scene_io/text/path.h"
+
+namespace candela::obj {
+namespace {
+
+using text::ResolvedPath;
+using text::Source;
+
+// MTLs are small; what is larger is something else.
+constexpr text::FileLimits limits{std::uint64_t{256} << 20, std::uint64_t{256} << 20};
+
+void say(const Source& source, std::string_view name, Severity severity, std::string message,
+         Diagnostics& diagnostics) {
+  const auto offset = static_cast<std::size_t>(name.data() - source.text.data());
+  diagnostics.add(text::diagnose(source, offset, severity, std::move(message)));
+}
+
+void add_library(MtlLibrary&& library, ObjModel& model) {
+  const std::size_t first_image = model.images.size();
+  for (description::Material& material : library.materials) {
+    for_each_image(material, [&](description::ImageHandle& image) {
+      if (image) image = description::ImageHandle(image.index + first_image);
+    });
+  }
+  std::move(library.materials.begin(), library.materials.end(),
+            std::back_inserter(model.materials));
+  std::move(library.images.begin(), library.images.end(), std::back_inserter(model.images));
+}
+
+void read_library(const Source& source, std::string_view name, const ResolvedPath& resolved,
+                  MtlUse use, ObjModel& model, Diagnostics& diagnostics) {
+  if (std::find(model.files.begin(), model.files.end(), resolved.path) != model.files.end()) return;
+  const Result<std::string> text = text::read_file(resolved.path, limits);
+  if (!text) {
+    const std::string reason =
+        text.diagnostics.list().empty() ? "" : text.diagnostics.list().front().message;
+    return say(source, name, Severity::Warning,
+               fmt::format("MTL file {} {}; faces that use its materials have none",
+                           text::quoted(resolved.path), reason),
+               diagnostics);
+  }
+  if (resolved.has_other_case) {
+    say(source, name, Severity::Note,
+        fmt::format("{} is spelled {} on disk", text::quoted(name), text::quoted(resolved.path)),
+        diagnostics);
+  }
+  model.files.push_back(resolved.path);
+  add_library(parse_mtl(resolved.path, *text, use, diagnostics), model);
+}
+
+}  // namespace
+
+void read_libraries(const std::string& path, const Source& source, const ObjData& data, MtlUse use,
+                    ObjModel& model, Diagnostics& diagnostics) {
+  for (const Chunk& chunk : data.chunks) {
+    for (const MtlReference& reference : chunk.libraries) {
+      const ResolvedPath whole = text::resolve_path(path, reference.names);
+      if (whole.is_found || reference.names.find_first_of(" \t") == std::string_view::npos) {
+        read_library(source, reference.names, whole, use, model, diagnostics);
+        continue;
+      }
+      text::Cursor names(reference.names);
+      for (std::string_view name = names.next_word(); !name.empty(); name = names.next_word()) {
+        read_library(source, name, text::resolve_path(path, name), use, model, diagnostics);
+      }
+    }
+  }
+}
+
+}  // namespace candela::obj

@@ -1,0 +1,76 @@
+// What the lines of an OBJ file say, before meshes are made of it.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "renderer/base/diagnostic.h"
+#include "renderer/math/vec.h"
+#include "scene_io/text/source.h"
+
+namespace candela::obj {
+
+// Indices from 0 into ObjData's tables; -1 where the file gives none.
+struct Corner {
+  std::int32_t position = -1;
+  std::int32_t uv = -1;
+  std::int32_t normal = -1;
+  friend bool operator==(const Corner&, const Corner&) = default;
+};
+
+struct Face {
+  std::uint32_t corner_count = 0;
+  std::uint32_t offset = 0;  // of its line, from the chunk's begin
+};
+
+// `usemtl`, or a `g` or `o`, between two faces.
+struct Switch {
+  enum class Kind : std::uint8_t { Shape, Material };
+  Kind kind = Kind::Shape;
+  std::uint32_t face = 0;    // the first one behind it
+  std::uint32_t corner = 0;  // that face's first
+  std::string_view name;     // a material's
+};
+
+// Something to say about a place; lines are counted only if it is said.
+struct Finding {
+  Severity severity = Severity::Error;
+  std::size_t offset = 0;
+  std::string message;
+};
+
+// A kind of statement that is left out, where it first occurs.
+struct LeftOut {
+  std::string_view keyword;
+  std::size_t offset = 0;
+};
+
+struct MtlReference {
+  std::string_view names;  // the rest of the line
+  std::size_t offset = 0;
+};
+
+// The faces of one stretch of the file, in order.
+struct Chunk {
+  std::size_t begin = 0;  // offset in the text
+  std::vector<Face> faces;
+  std::vector<Corner> corners;  // of all faces, one after another
+  std::vector<Switch> switches;
+  std::vector<MtlReference> libraries;
+  std::vector<LeftOut> left_out;  // one a keyword
+  std::vector<Finding> findings;
+};
+
+struct ObjData {
+  std::vector<Vec3d> positions;
+  std::vector<Vec2f> uvs;
+  std::vector<Vec3f> normals;  // as in the file, but scaled where float would lose them
+  std::vector<Chunk> chunks;   // in the order of the file
+};
+
+// Reads all lines, in parallel. Views into `source.text` stay in the result; all its indices are
+// valid, also after errors.
+[[nodiscard]] ObjData parse_lines(const text::Source& source, Diagnostics& diagnostics);
+
+}  // namespace candela::obj

@@ -1,0 +1,221 @@
+#include "scene_io/obj/read_obj.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
+#include <fmt/format.h>
+
+#include "renderer/base/parallel.h"
+#include "scene_io/obj/build_meshes.h"
+#include "scene_io/obj/mtl_files.h"
+#include "scene_io/obj/obj_data.h"
+#include "scene_io/text/file.h"
+#include "scene_io/text/source.h"
+
+namespace candela::obj {
+namespace {
+
+using description::MaterialHandle;
+using description::Mesh;
+using text::Source;
+
+// Offsets of a text of at most this size fit Face::offset.
+constexpr std::uint64_t max_bytes = UINT32_MAX;
+
+void warn(const Source& source, std::size_t offset, std::string message, Diagnostics& diagnostics) {
+  diagnostics.add(text::diagnose(source, offset, Severity::Warning, std::move(message)));
+}
+
+std::string left_out_message(std::string_view keyword) {
+  static const std::unordered_set<std::string_view> free_form{
+      "vp",        "deg",   "bmat",     "step",     "cstype", "curv",   "curv2",
+      "surf",      "parm",  "trim",     "hole",     "scrv",   "sp",     "end",
+      "con",       "mg",    "bzp",      "bsp",      "cdc",    "cdp",    "res",
+      "bevel",     "lod",   "c_interp", "d_interp", "usemap", "maplib", "shadow_obj",
+      "trace_obj", "ctech", "stech",    "call",     "csh"};
+  if (keyword == "l") return "lines ('l') are left out: only faces are rendered";
+  if (keyword == "p") return "points ('p') are left out: only faces are rendered";
+  if (free_form.contains(keyword)) {
+    return fmt::format("{} is left out: curves, surfaces and display settings are not supported",
+                       text::quoted(keyword));
+  }
+  return fmt::format(
+      "unknown statement {} is left out{}", text::quoted(keyword),
+      did_you_mean(keyword, {"v", "vt", "vn", "f", "g", "o", "s", "usemtl", "mtllib"}));
+}
+
+void warn_of_left_out(const Source& source, const ObjData& data, Diagnostics& diagnostics) {
+  std::unordered_set<std::string_view> said;
+  bool is_free_form_said = false;
+  for (const Chunk& chunk : data.chunks) {
+    for (const LeftOut& statement : chunk.left_out) {
+      if (!said.insert(statement.keyword).second) continue;
+      const std::string message = left_out_message(statement.keyword);
+      const bool is_free_form = message.ends_with("not supported");
+      if (is_free_form && is_free_form_said) continue;
+      is_free_form_said = is_free_form_said || is_free_form;
+      warn(source, statement.offset, message, diagnostics);
+    }
+  }
+}
+
+// Names to indices of materials. Each unknown name is said once.
+class MaterialNames {
+ public:
+  MaterialNames(const Source& source, const std::vector<description::Material>& materials,
+                Diagnostics& diagnostics)
+      : source_(source), diagnostics_(diagnostics) {
+    for (std::uint32_t i = 0; i < materials.size(); ++i) {
+      indices_.emplace(materials[i].name, i);  // the first of a name stays
+      names_.emplace_back(materials[i].name);
+    }
+  }
+
+  std::optional<std::uint32_t> operator()(std::string_view name) {
+    const auto found = indices_.find(name);
+    if (found != indices_.end()) return found->second;
+    // Without any material the missing MTL has been said already.
+    if (!names_.empty() && !name.empty() && unknown_.insert(name).second) {
+      const auto offset = static_cast<std::size_t>(name.data() - source_.text.data());
+      warn(source_, offset,
+           fmt::format("material {} is not in the MTL{}", text::quoted(name),
+                       did_you_mean(name.substr(0, 200), names_)),
+           diagnostics_);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  const Source& source_;
+  Diagnostics& diagnostics_;
+  std::unordered_map<std::string_view, std::uint32_t> indices_;
+  std::vector<std::string_view> names_;
+  std::unordered_set<std::string_view> unknown_;
+};
+
+void warn_of_bows(const Source& source, const std::vector<BuiltMesh>& built,
+                  Diagnostics& diagnostics) {
+  std::size_t count = 0;
+  std::size_t offset = SIZE_MAX;
+  for (const BuiltMesh& mesh : built) {
+    count += mesh.bow_count;
+    if (mesh.bow_count > 0) offset = std::min(offset, mesh.first_bow_offset);
+  }
+  if (count == 0) return;
+  warn(source, offset,
+       fmt::format("{} quad{} edges cross; the corners are taken in the order in which they do not",
+                   count, count == 1 ? "'s" : "s'"),
+       diagnostics);
+}
+
+std::string name_of(const std::string& path, const ObjModel& model, const MeshPlan& plan) {
+  return plan.material ? model.materials[*plan.material].name : path;
+}
+
+void build_meshes(const std::string& path, const Source& source, const ObjData& data,
+                  const std::vector<MeshPlan>& plans, bool smooth_missing_normals, ObjModel& model,
+                  Diagnostics& diagnostics) {
+  std::vector<BuiltMesh> built(plans.size());
+  parallel_for(plans.size(), [&](std::size_t i) {
+    built[i] = build_mesh(data, plans[i], smooth_missing_normals);
+  });
+  warn_of_bows(source, built, diagnostics);
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    Mesh& mesh = built[i].mesh;
+    mesh.name = name_of(path, model, plans[i]);
+    mesh.span = text::span_at(source, first_offset(plans[i]));
+    if (plans[i].material) mesh.materials = {MaterialHandle(*plans[i].material)};
+    model.meshes.push_back(std::move(mesh));
+  }
+}
+
+void warn_of_dropped(const Source& source, const MeshPlan& plan, Diagnostics& diagnostics) {
+  if (plan.face_count == 0) return;
+  warn(source, first_offset(plan),
+       fmt::format("{} face{} without a material {} dropped, from here on; expected 'usemtl' with "
+                   "a material of the MTL before",
+                   plan.face_count, plan.face_count == 1 ? "" : "s",
+                   plan.face_count == 1 ? "is" : "are"),
+       diagnostics);
+}
+
+// A material for the faces that have none.
+void add_grey(const Source& source, ObjModel& model, MeshPlan& plan) {
+  description::Material grey;
+  grey.name = "(no material)";
+  grey.span = {source.name, 0, 0};
+  grey.model = description::DiffuseMaterial{};
+  plan.material = static_cast<std::uint32_t>(model.materials.size());
+  model.materials.push_back(std::move(grey));
+}
+
+std::vector<MeshPlan> plan_meshes(const Source& source, const ObjData& data,
+                                  const ObjOptions& options, ObjModel& model,
+                                  Diagnostics& diagnostics) {
+  if (options.materials == MtlUse::Ignore) return {plan_whole(data)};
+  MaterialNames names(source, model.materials, diagnostics);
+  std::vector<MeshPlan> plans = plan_by_material(data, model.materials.size(), std::ref(names));
+  if (options.materials == MtlUse::Lab) {
+    warn_of_dropped(source, plans.back(), diagnostics);
+    plans.pop_back();
+  } else if (plans.back().face_count > 0 && !options.material) {
+    add_grey(source, model, plans.back());
+  }
+  return plans;
+}
+
+bool has_faces(const ObjData& data) {
+  return std::any_of(data.chunks.begin(), data.chunks.end(),
+                     [](const Chunk& chunk) { return !chunk.faces.empty(); });
+}
+
+ObjModel parse_sound_text(const std::string& path, std::string_view text, const ObjOptions& options,
+                          Diagnostics& diagnostics) {
+  const Source source = text::make_source(path, text);
+  ObjModel model;
+  model.files.push_back(path);
+  const std::size_t errors_before = diagnostics.error_count();
+  const ObjData data = parse_lines(source, diagnostics);
+  warn_of_left_out(source, data, diagnostics);
+  if (!has_faces(data) && diagnostics.error_count() == errors_before) {
+    diagnostics.error({source.name, 0, 0}, "holds no faces ('f')");
+  }
+  if (options.materials != MtlUse::Ignore) {
+    read_libraries(path, source, data, options.materials, model, diagnostics);
+  }
+  std::vector<MeshPlan> plans = plan_meshes(source, data, options, model, diagnostics);
+  std::erase_if(plans, [](const MeshPlan& plan) { return plan.face_count == 0; });
+  build_meshes(path, source, data, plans, options.smooth_missing_normals, model, diagnostics);
+  return model;
+}
+
+}  // namespace
+
+ObjModel parse_obj(const std::string& path, std::string_view text, const ObjOptions& options,
+                   Diagnostics& diagnostics) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+    diagnostics.error({std::make_shared<const std::string>(path), 1, 1},
+                      "is in UTF-16; expected ASCII or UTF-8");
+    return {};
+  }
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  if (text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos) {
+    std::string lines(text);  // as old Macs ended them
+    std::replace(lines.begin(), lines.end(), '\r', '\n');
+    return parse_sound_text(path, lines, options, diagnostics);
+  }
+  return parse_sound_text(path, text, options, diagnostics);
+}
+
+ObjModel read_obj(const std::string& path, const ObjOptions& options, Diagnostics& diagnostics) {
+  text::FileLimits limits;
+  limits.bytes = std::min(limits.bytes, max_bytes);
+  limits.inflated_bytes = std::min(limits.inflated_bytes, max_bytes);
+  const Result<std::string> text = text::read_file(path, limits);
+  diagnostics.append(text.diagnostics);
+  if (!text) return {};
+  return parse_obj(path, *text, options, diagnostics);
+}
+
+}  // namespace candela::obj

@@ -1,0 +1,53 @@
+#include "scene_io/text/cursor.h"
+
+#include <cstring>
+
+namespace candela::text {
+namespace {
+
+bool is_comment(const char* line, const char* end) {
+  while (line != end && is_blank(*line)) ++line;
+  return line != end && *line == '#';
+}
+
+// Whether the '\n' at `end` of the line from `begin` is behind a back-slash.
+bool is_continued(const char* begin, const char* end) {
+  if (end != begin && end[-1] == '\r') --end;
+  return end != begin && end[-1] == '\\';
+}
+
+}  // namespace
+
+bool equal_ignoring_case(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (to_lower(a[i]) != to_lower(b[i])) return false;
+  }
+  return true;
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::string_view Cursor::next_logical_line() {
+  const char* const begin = at_;
+  const char* part = begin;
+  while (true) {
+    const auto* newline = static_cast<const char*>(
+        part == end_ ? nullptr : std::memchr(part, '\n', static_cast<std::size_t>(end_ - part)));
+    if (newline == nullptr) {
+      at_ = end_;
+      return {begin, static_cast<std::size_t>(end_ - begin)};
+    }
+    if (!is_continued(part, newline) || is_comment(begin, newline)) {
+      at_ = newline + 1;
+      return {begin, static_cast<std::size_t>(newline - begin)};
+    }
+    part = newline + 1;
+  }
+}
+
+}  // namespace candela::text

@@ -1,0 +1,89 @@
+// The only include of zlib.
+#include <zlib.h>
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "scene_io/text/file.h"
+
+namespace candela::text {
+namespace {
+
+Diagnostics fault(const std::string& name, std::string message) {
+  Diagnostics diagnostics;
+  diagnostics.error({std::make_shared<const std::string>(name), 0, 0}, std::move(message));
+  return diagnostics;
+}
+
+class Inflater {
+ public:
+  explicit Inflater(std::string_view bytes) {
+    constexpr int gzip_only = 16;
+    is_ready_ = inflateInit2(&stream_, MAX_WBITS + gzip_only) == Z_OK;
+    // zlib does not write through next_in; its type only predates const.
+    stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    left_ = bytes.size();
+  }
+  ~Inflater() {
+    if (is_ready_) inflateEnd(&stream_);
+  }
+  Inflater(const Inflater&) = delete;
+  Inflater& operator=(const Inflater&) = delete;
+
+  [[nodiscard]] bool is_ready() const { return is_ready_; }
+  [[nodiscard]] bool is_at_end() const { return left_ == 0; }
+  // Fills as much of [out, out + size) as it can; adds to `filled`. zlib counts in 32 bits.
+  int step(char* out, std::size_t size, std::size_t& filled) {
+    constexpr std::size_t most = std::numeric_limits<uInt>::max();
+    stream_.avail_in = static_cast<uInt>(std::min(left_, most));
+    stream_.avail_out = static_cast<uInt>(std::min(size, most));
+    stream_.next_out = reinterpret_cast<Bytef*>(out);
+    const uInt given_in = stream_.avail_in;
+    const uInt given_out = stream_.avail_out;
+    const int status = inflate(&stream_, Z_NO_FLUSH);
+    left_ -= given_in - stream_.avail_in;
+    filled += given_out - stream_.avail_out;
+    return status;
+  }
+  void restart() { inflateReset(&stream_); }
+
+ private:
+  z_stream stream_{};
+  std::size_t left_ = 0;
+  bool is_ready_ = false;
+};
+
+}  // namespace
+
+Result<std::string> inflate_gzip(std::string_view bytes, const std::string& name,
+                                 std::uint64_t max_bytes) {
+  Inflater inflater(bytes);
+  if (!inflater.is_ready()) return fault(name, "cannot be inflated: out of memory");
+  std::string out;
+  std::size_t filled = 0;
+  while (true) {
+    if (filled == out.size()) {
+      const std::uint64_t wanted = std::max<std::uint64_t>({bytes.size() * 4, filled * 2, 4096});
+      // One byte more than allowed, so that what fits exactly is told from what does not.
+      out.resize(static_cast<std::size_t>(std::min(wanted, max_bytes + 1)));
+    }
+    const std::size_t before = filled;
+    const int status = inflater.step(out.data() + filled, out.size() - filled, filled);
+    if (filled > max_bytes) {
+      return fault(name, fmt::format("inflates to more than {} bytes; no more is read", max_bytes));
+    }
+    if (status == Z_STREAM_END && inflater.is_at_end()) break;
+    if (status == Z_STREAM_END) {
+      inflater.restart();  // files may be put behind one another
+    } else if (status != Z_OK || (filled == before && inflater.is_at_end())) {
+      return fault(name, inflater.is_at_end() ? "ends in the middle of its gzip data"
+                                              : "is not a sound gzip file");
+    }
+  }
+  out.resize(filled);
+  return out;
+}
+
+}  // namespace candela::text

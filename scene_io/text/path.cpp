@@ -1,0 +1,88 @@
+#include "scene_io/text/path.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <vector>
+
+#include "scene_io/text/cursor.h"
+
+namespace candela::text {
+namespace {
+
+std::string cleaned(std::string_view name) {
+  name = trimmed(name);
+  if (name.size() >= 2 && name.front() == '"' && name.back() == '"') {
+    name = trimmed(name.substr(1, name.size() - 2));
+  }
+  std::string path(name);
+  std::replace(path.begin(), path.end(), '\\', '/');
+  return path;
+}
+
+bool is_absolute(std::string_view path) {
+  return path.starts_with('/') || (path.size() > 1 && path[1] == ':');
+}
+
+// Names with a zero byte would be cut short by the system and name another file.
+bool exists(const std::string& path) {
+  std::error_code error;
+  return path.find('\0') == std::string::npos && std::filesystem::exists(path, error);
+}
+
+std::optional<std::string> entry_ignoring_case(const std::string& folder, std::string_view part) {
+  std::error_code error;
+  std::optional<std::string> best;
+  std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    std::string name = entry->path().filename().string();
+    if (equal_ignoring_case(name, part) && (!best || name < *best)) best = std::move(name);
+  }
+  return best;
+}
+
+// Goes down part by part; where a part is not there, takes the entry of another letter case.
+std::optional<std::string> find_ignoring_case(std::string path, std::string_view name) {
+  while (!name.empty()) {
+    const std::size_t slash = std::min(name.find('/'), name.size());
+    const std::string_view part = name.substr(0, slash);
+    name.remove_prefix(std::min(slash + 1, name.size()));
+    if (part.empty()) continue;
+    std::string next = path + std::string(part);
+    if (!exists(next)) {
+      const std::optional<std::string> entry = entry_ignoring_case(path, part);
+      if (!entry) return std::nullopt;
+      next = path + *entry;
+    }
+    path = std::move(next);
+    if (!name.empty()) path += '/';
+  }
+  return path;
+}
+
+}  // namespace
+
+std::string folder_of(std::string_view path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string_view::npos ? "" : std::string(path.substr(0, slash + 1));
+}
+
+ResolvedPath resolve_path(const std::string& referrer, std::string_view name) {
+  const std::string folder = folder_of(referrer);
+  const std::string relative = cleaned(name);
+  if (relative.empty()) return {folder, false, false};
+  const std::string expected = is_absolute(relative) ? relative : folder + relative;
+  if (exists(expected)) return {expected, true, false};
+  const std::string sought =
+      is_absolute(relative) ? relative.substr(relative.rfind('/') + 1) : relative;
+  if (is_absolute(relative) && exists(folder + sought) && !sought.empty()) {
+    return {folder + sought, true, false};
+  }
+  if (const auto found = find_ignoring_case(folder, sought); found && !sought.empty()) {
+    return {*found, true, true};
+  }
+  return {expected, false, false};
+}
+
+}  // namespace candela::text

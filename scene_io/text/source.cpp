@@ -1,0 +1,85 @@
+#include "scene_io/text/source.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "scene_io/text/cursor.h"
+
+namespace candela::text {
+namespace {
+
+constexpr std::size_t excerpt_width = 100;
+constexpr std::size_t quote_width = 40;
+
+bool is_control(char c) {
+  return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+}
+bool is_utf8_continuation(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
+}
+
+std::uint32_t count_characters(std::string_view text) {
+  const auto continuations = std::count_if(text.begin(), text.end(), is_utf8_continuation);
+  return static_cast<std::uint32_t>(text.size() - static_cast<std::size_t>(continuations));
+}
+
+std::size_t line_begin(std::string_view text, std::size_t offset) {
+  const std::size_t newline = offset == 0 ? std::string_view::npos : text.rfind('\n', offset - 1);
+  return newline == std::string_view::npos ? 0 : newline + 1;
+}
+
+// Moves a cut off the middle of a character.
+std::size_t character_begin(std::string_view text, std::size_t offset) {
+  for (int step = 0; step < 3 && offset > 0 && offset < text.size(); ++step) {
+    if (!is_utf8_continuation(text[offset])) break;
+    --offset;
+  }
+  return offset;
+}
+
+std::string without_controls(std::string_view text, char replacement) {
+  std::string clean(text);
+  std::replace_if(clean.begin(), clean.end(), is_control, replacement);
+  return clean;
+}
+
+}  // namespace
+
+Source make_source(const std::string& name, std::string_view text) {
+  return {std::make_shared<const std::string>(name), text};
+}
+
+SourceSpan span_at(const Source& source, std::size_t offset) {
+  const std::string_view before = source.text.substr(0, std::min(offset, source.text.size()));
+  const auto newlines = std::count(before.begin(), before.end(), '\n');
+  const std::size_t begin = line_begin(source.text, before.size());
+  return {source.name, static_cast<std::uint32_t>(newlines + 1),
+          count_characters(before.substr(begin)) + 1};
+}
+
+std::string excerpt_at(const Source& source, std::size_t offset) {
+  const std::string_view text = source.text;
+  offset = std::min(offset, text.size());
+  std::size_t begin = line_begin(text, offset);
+  if (offset - begin > excerpt_width * 3 / 4) {
+    begin = character_begin(text, offset - excerpt_width / 2);
+  }
+  std::size_t end = std::min(text.find('\n', offset), text.size());
+  end = character_begin(text, std::min(end, begin + excerpt_width));
+  std::string line = without_controls(text.substr(begin, end - begin), ' ');
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + '\n' + std::string(count_characters(text.substr(begin, offset - begin)), ' ') + '^';
+}
+
+Diagnostic diagnose(const Source& source, std::size_t offset, Severity severity,
+                    std::string message) {
+  return {severity, span_at(source, offset), std::move(message), excerpt_at(source, offset)};
+}
+
+std::string quoted(std::string_view word) {
+  const bool is_long = word.size() > quote_width;
+  const std::size_t end = is_long ? character_begin(word, quote_width) : word.size();
+  return '\'' + without_controls(word.substr(0, end), '?') + (is_long ? "...'" : "'");
+}
+
+}  // namespace candela::text
