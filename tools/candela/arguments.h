@@ -1,0 +1,90 @@
+// What the command line asks for, as plain structs: parse_arguments fills them, commands read them.
+// An empty optional means "not said": the scene's own default counts, then the program's.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "integrators/render.h"
+#include "renderer/accel/any_accel.h"
+#include "renderer/image/image_io.h"
+#include "scene_io/load.h"
+
+namespace candela::cli {
+
+struct Size {
+  int width = 0;
+  int height = 0;
+  friend bool operator==(const Size&, const Size&) = default;
+};
+
+// --max-depth: `none` is said, too.
+struct DepthLimit {
+  std::optional<int> depth;
+  friend bool operator==(const DepthLimit&, const DepthLimit&) = default;
+};
+
+// What every command that reads a scene takes.
+struct SceneArguments {
+  std::string path;
+  LoadOptions load;
+  bool is_strict = false;  // warnings become errors
+};
+
+struct RenderArguments {
+  SceneArguments scene;
+  std::vector<std::string> outputs;  // empty: SCENE-stem.exr in the current folder
+  std::optional<std::string> stats_path;
+  std::optional<IntegratorKind> integrator;
+  std::optional<int> samples_per_pixel;
+  std::optional<Size> size;
+  double scale = 1.0;  // of the size
+  std::size_t camera = 0;
+  std::optional<PixelRect> crop;
+  std::optional<DepthLimit> max_depth;
+  std::optional<std::uint64_t> seed;
+  int threads = 0;  // 0: as many as there are
+  AcceleratorKind accelerator = AcceleratorKind::Embree;
+  EmbreeOptions embree;
+  std::optional<FilterKind> filter;
+  std::optional<double> exposure;
+  ToneMap tone_map = ToneMap::Srgb;
+  AovSet aovs = 0;
+  bool is_transparent = false;
+  bool measures_ray_limit = false;
+  bool is_quiet = false;
+  std::string command_line;  // as typed, for outputs that tell how they were made
+};
+
+struct InfoArguments {
+  SceneArguments scene;
+  std::optional<AcceleratorKind> accelerator;  // built only when asked for
+  bool as_json = false;
+};
+
+struct CheckArguments {
+  SceneArguments scene;
+};
+
+struct CompareArguments {
+  std::string image;
+  std::string reference;
+  std::optional<std::string> heatmap;
+  std::optional<double> max_relmse;
+  bool as_json = false;
+};
+
+struct BenchArguments {
+  SceneArguments scene;
+  int threads = 0;
+  bool as_json = false;
+};
+
+using Arguments =
+    std::variant<RenderArguments, InfoArguments, CheckArguments, CompareArguments, BenchArguments>;
+
+}  // namespace candela::cli

@@ -1,0 +1,41 @@
+// candela check SCENE: a lint
+#include <fmt/format.h>
+
+#include "renderer/description/validate.h"
+#include "tools/candela/commands.h"
+#include "tools/candela/console.h"
+#include "tools/candela/decode_textures.h"
+#include "tools/candela/read_scene.h"
+
+namespace candela::cli {
+namespace {
+
+std::string counted(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+ExitCode run_check(const CheckArguments& arguments) {
+  Console console(false);
+  SceneArguments lenient = arguments.scene;
+  lenient.is_strict = false;  // warnings are counted below, after all is looked at
+  ReadScene read = read_scene(lenient, console);
+  if (read.is_usable()) {
+    decode_all_textures(read.scene->textures);
+    Diagnostics found = description::lint(*read.description);
+    found.append(read.scene->textures.decoding_diagnostics());
+    console.print(found);
+    read.error_count += found.error_count();
+    read.warning_count += found.warning_count();
+  }
+  const bool is_refused =
+      read.error_count > 0 || (arguments.scene.is_strict && read.warning_count > 0);
+  const ExitCode printed = print_result(
+      fmt::format("{}: {}, {}\n", arguments.scene.path, counted(read.error_count, "error"),
+                  counted(read.warning_count, "warning")),
+      console);
+  return is_refused ? ExitCode::Scene : printed;
+}
+
+}  // namespace candela::cli

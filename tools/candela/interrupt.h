@@ -1,0 +1,34 @@
+// What SIGINT (Ctrl-C) and SIGTERM do at each stage of a run.
+//
+//   EndAtOnce  the process ends with 130, nothing was written (loading, compiling, building)
+//   Cancel     the first sets the flag that render() polls, so that the image so far is written;
+//              the second ends the process at once
+//   Finish     files are being written: the first is kept for later, the second ends the process at
+//              once and takes half-written temporary files along
+//
+// The state is the process's (a signal handler can reach nothing else); everything that the handler
+// does is async-signal-safe.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderer/base/progress.h"
+
+namespace candela::cli {
+
+enum class InterruptMode : int { EndAtOnce, Cancel, Finish };
+
+// Installs the handlers and ignores SIGPIPE, so that a closed pipe is a write error like any other.
+// A signal that the parent had ignored (nohup, a shell's background job) stays ignored.
+void install_signal_handlers();
+
+void set_interrupt_mode(InterruptMode mode);
+
+[[nodiscard]] CancelFlag& cancel_flag();
+[[nodiscard]] bool was_interrupted();
+
+// Files that the handler removes when it ends the process; empty forgets them.
+void set_temporary_files(const std::vector<std::string>& paths);
+
+}  // namespace candela::cli

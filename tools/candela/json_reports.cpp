@@ -1,0 +1,125 @@
+#include "tools/candela/json_reports.h"
+
+#include <nlohmann/json.hpp>
+
+#include "tools/candela/option_values.h"
+
+namespace candela::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Paths may be any bytes; what is not UTF-8 is replaced and never an exception.
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json vec_json(const Vec3d& v) {
+  return Json::array({v.x, v.y, v.z});
+}
+
+Json seconds_json(const StageSeconds& seconds) {
+  return {{"load", seconds.load},
+          {"compile", seconds.compile},
+          {"build", seconds.build},
+          {"render", seconds.render},
+          {"write", seconds.write}};
+}
+
+Json first_invalid_json(const std::optional<InvalidSample>& first) {
+  if (!first) return nullptr;
+  return {{"x", first->x}, {"y", first->y}, {"sample", first->sample}};
+}
+
+Json crop_json(const RenderOptions& options) {
+  const PixelRect crop = options.crop.value_or(PixelRect{0, 0, options.width, options.height});
+  return Json::array({crop.x0, crop.y0, crop.x1, crop.y1});
+}
+
+void add_options(Json& json, const RenderReport& report) {
+  const RenderOptions& options = report.options;
+  json["integrator"] = name_of(options.integrator, integrator_choices());
+  json["width"] = options.width;
+  json["height"] = options.height;
+  json["crop"] = crop_json(options);
+  json["camera"] = options.camera;
+  json["spp"] = options.samples_per_pixel;
+  json["min_samples"] = report.min_samples;
+  json["max_samples"] = report.max_samples;
+  json["interrupted"] = report.statistics.was_cancelled;
+  json["max_depth"] = options.max_depth ? Json(*options.max_depth) : Json(nullptr);
+  json["filter"] = name_of(options.filter, filter_choices());
+  json["transparent"] = options.transparent;
+  json["seed"] = options.seed;
+  json["threads"] = report.threads;
+  json["accel"] = name_of(report.accelerator, accelerator_choices());
+  json["robust"] = report.is_robust;
+  json["kernel"] = report.statistics.kernel;
+}
+
+void add_results(Json& json, const RenderReport& report) {
+  const RenderStatistics& statistics = report.statistics;
+  json["seconds"] = seconds_json(report.seconds);
+  json["rays"] = {{"camera", statistics.rays.camera},
+                  {"indirect", statistics.rays.indirect},
+                  {"shadow", statistics.rays.shadow}};
+  json["skipped"] = {{"shadow_rays", statistics.skipped.shadow_rays},
+                     {"textures", report.skipped_textures}};
+  json["invalid_samples"] = statistics.invalid_samples;
+  json["first_invalid_sample"] = first_invalid_json(statistics.first_invalid);
+  json["triangles"] = report.triangles;
+  json["peak_memory_bytes"] = report.peak_memory_bytes;
+  if (report.ray_limit) {
+    json["limit_ratio"] = report.ray_limit->ratio();
+    json["ray_limit"] = {{"render_cpu_seconds", report.ray_limit->render_seconds},
+                         {"rays_cpu_seconds", report.ray_limit->rays_seconds},
+                         {"rays", report.ray_limit->rays}};
+  }
+  json["warnings"] = report.warnings;
+  json["outputs"] = report.outputs;
+}
+
+Json texture_json(const TextureRow& row) {
+  return {{"path", row.path},         {"width", row.width}, {"height", row.height},
+          {"channels", row.channels}, {"bytes", row.bytes}, {"used", row.is_used},
+          {"decoded", row.is_decoded}};
+}
+
+}  // namespace
+
+std::string to_json(const RenderReport& report) {
+  Json json;
+  json["version"] = CANDELA_VERSION;
+  json["command"] = report.command;
+  json["scene"] = report.scene;
+  json["scene_hash"] = report.scene_hash;
+  add_options(json, report);
+  add_results(json, report);
+  return text_of(json);
+}
+
+std::string to_json(const SceneInfo& info) {
+  Json json;
+  json["version"] = CANDELA_VERSION;
+  json["scene"] = info.path;
+  json["scene_hash"] = info.scene_hash;
+  json["triangles"] = info.triangles;
+  json["instanced_triangles"] = info.instanced_triangles;
+  json["geometries"] = info.geometries;
+  json["instances"] = info.instances;
+  json["cameras"] = info.cameras;
+  json["materials"] = info.materials;
+  json["textures"] = Json::array();
+  for (const TextureRow& row : info.textures) json["textures"].push_back(texture_json(row));
+  json["lights"] = info.lights;
+  json["bounds"] = {{"min", vec_json(info.bounds_min)}, {"max", vec_json(info.bounds_max)}};
+  json["memory_bytes"] = {{"meshes", info.mesh_bytes}, {"textures", info.texture_bytes}};
+  if (info.accelerator_bytes) json["memory_bytes"][info.accelerator] = *info.accelerator_bytes;
+  json["dropped"] = Json::array();
+  for (const Dropped& dropped : info.dropped)
+    json["dropped"].push_back({{"what", dropped.what}, {"count", dropped.count}});
+  json["kernel"] = info.kernel;
+  return text_of(json);
+}
+
+}  // namespace candela::cli

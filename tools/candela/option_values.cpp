@@ -1,0 +1,176 @@
+#include "tools/candela/option_values.h"
+
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace candela::cli {
+namespace {
+
+constexpr Choice<IntegratorKind> integrators[] = {{"path", IntegratorKind::Path}};
+constexpr Choice<FilterKind> filters[] = {{"box", FilterKind::Box},
+                                          {"gaussian", FilterKind::Gaussian},
+                                          {"blackman_harris", FilterKind::BlackmanHarris}};
+constexpr Choice<AcceleratorKind> accelerators[] = {{"embree", AcceleratorKind::Embree},
+                                                    {"bvh", AcceleratorKind::Bvh}};
+constexpr Choice<ToneMap> tone_maps[] = {
+    {"srgb", ToneMap::Srgb}, {"aces", ToneMap::Aces}, {"lab3", ToneMap::Lab3}};
+constexpr Choice<Aov> aovs[] = {
+    {"albedo", Aov::Albedo},     {"normal", Aov::Normal},          {"depth", Aov::Depth},
+    {"position", Aov::Position}, {"material_id", Aov::MaterialId}, {"samples", Aov::Samples}};
+constexpr Choice<bool> switches[] = {{"on", true}, {"off", false}};
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+template <class T>
+std::optional<T> whole(std::string_view text) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<double> finite(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  const std::optional<double> value = whole<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+}  // namespace
+
+std::span<const Choice<IntegratorKind>> integrator_choices() {
+  return integrators;
+}
+std::span<const Choice<FilterKind>> filter_choices() {
+  return filters;
+}
+std::span<const Choice<AcceleratorKind>> accelerator_choices() {
+  return accelerators;
+}
+std::span<const Choice<ToneMap>> tone_map_choices() {
+  return tone_maps;
+}
+std::span<const Choice<Aov>> aov_choices() {
+  return aovs;
+}
+
+std::string unknown_choice(std::string_view kind, std::string_view word,
+                           const std::vector<std::string_view>& known) {
+  const std::string guess = did_you_mean(word, known);
+  return fmt::format("unknown {} '{}'{} Known: {}", kind, word, guess.empty() ? "." : guess,
+                     fmt::join(known, ", "));
+}
+
+Result<std::int64_t> parse_integer(std::string_view text, std::int64_t low, std::int64_t high) {
+  const std::optional<std::int64_t> value = whole<std::int64_t>(text);
+  if (!value || *value < low || *value > high)
+    return failure(
+        fmt::format("expected a whole number from {} to {}, found '{}'", low, high, text));
+  return std::int64_t(*value);
+}
+
+Result<std::uint64_t> parse_seed(std::string_view text) {
+  const std::optional<std::uint64_t> value = whole<std::uint64_t>(text);
+  if (!value)
+    return failure(fmt::format("expected a whole number from 0 to 2^64-1, found '{}'", text));
+  return std::uint64_t(*value);
+}
+
+Result<double> parse_number(std::string_view text) {
+  const std::optional<double> value = finite(text);
+  if (!value) return failure(fmt::format("expected a number, found '{}'", text));
+  return double(*value);
+}
+
+Result<double> parse_non_negative_number(std::string_view text) {
+  const std::optional<double> value = finite(text);
+  if (!value || *value < 0)
+    return failure(fmt::format("expected a number of at least 0, found '{}'", text));
+  return double(*value);
+}
+
+Result<double> parse_positive_number(std::string_view text) {
+  const std::optional<double> value = finite(text);
+  if (!value || *value <= 0)
+    return failure(fmt::format("expected a number above 0, found '{}'", text));
+  return double(*value);
+}
+
+Result<Size> parse_size(std::string_view text) {
+  const auto parts = split(text, 'x');
+  const auto width = whole<int>(parts[0]);
+  const auto height = parts.size() == 2 ? whole<int>(parts[1]) : std::nullopt;
+  if (!width || !height)
+    return failure(fmt::format("expected WIDTHxHEIGHT such as 640x480, found '{}'", text));
+  if (*width < 1 || *height < 1 || *width > max_side || *height > max_side)
+    return failure(fmt::format("each side must be 1 to {} pixels, found '{}'", max_side, text));
+  return Size{*width, *height};
+}
+
+Result<PixelRect> parse_crop(std::string_view text) {
+  const auto parts = split(text, ',');
+  std::array<int, 4> edges{};
+  bool is_whole = parts.size() == 4;
+  for (std::size_t i = 0; is_whole && i < 4; ++i) {
+    const auto edge = whole<int>(parts[i]);
+    is_whole = edge.has_value();
+    edges[i] = edge.value_or(0);
+  }
+  if (!is_whole)
+    return failure(
+        fmt::format("expected X0,Y0,X1,Y1 in pixels such as 0,0,64,64, found '{}'", text));
+  const PixelRect crop{edges[0], edges[1], edges[2], edges[3]};
+  if (crop.x0 < 0 || crop.y0 < 0 || crop.is_empty())
+    return failure(fmt::format("expected 0 <= X0 < X1 and 0 <= Y0 < Y1, found '{}'", text));
+  return PixelRect(crop);
+}
+
+Result<DepthLimit> parse_depth_limit(std::string_view text) {
+  if (text == "none") return DepthLimit{};
+  const auto depth = whole<int>(text);
+  if (!depth || *depth < 0)
+    return failure(
+        fmt::format("expected a whole number of at least 0 or 'none', found '{}'", text));
+  return DepthLimit{depth};
+}
+
+Result<Vec3d> parse_rgb(std::string_view text) {
+  const auto parts = split(text, ',');
+  Vec3d colour{0.0};
+  bool is_colour = parts.size() == 3;
+  for (std::size_t i = 0; is_colour && i < 3; ++i) {
+    const auto value = finite(parts[i]);
+    is_colour = value && *value >= 0;
+    colour[static_cast<int>(i)] = value.value_or(0);
+  }
+  if (!is_colour)
+    return failure(fmt::format(
+        "expected three numbers R,G,B of at least 0 such as .1,.1,.1, found '{}'", text));
+  return Vec3d(colour);
+}
+
+Result<AovSet> parse_aovs(std::string_view text) {
+  AovSet set = 0;
+  for (const std::string_view name : split(text, ',')) {
+    const Result<Aov> aov = choose("layer", name, aov_choices());
+    if (!aov) return Diagnostics(aov.diagnostics);
+    set |= aov_bit(*aov);
+  }
+  return AovSet(set);
+}
+
+Result<bool> parse_switch(std::string_view text) {
+  return choose("setting", text, std::span<const Choice<bool>>(switches));
+}
+
+}  // namespace candela::cli

@@ -1,0 +1,73 @@
+// The texts of option values -> values. A failure is half a sentence that follows "--option: ".
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "renderer/base/result.h"
+#include "tools/candela/arguments.h"
+
+namespace candela::cli {
+
+// A name that users write and what it stands for.
+template <class T>
+struct Choice {
+  std::string_view name;
+  T value;
+};
+
+[[nodiscard]] std::span<const Choice<IntegratorKind>> integrator_choices();
+[[nodiscard]] std::span<const Choice<FilterKind>> filter_choices();
+[[nodiscard]] std::span<const Choice<AcceleratorKind>> accelerator_choices();
+[[nodiscard]] std::span<const Choice<ToneMap>> tone_map_choices();
+[[nodiscard]] std::span<const Choice<Aov>> aov_choices();
+
+// "unknown integrator 'pth', did you mean 'path'? Known: path".
+[[nodiscard]] std::string unknown_choice(std::string_view kind, std::string_view word,
+                                         const std::vector<std::string_view>& known);
+
+template <class T>
+[[nodiscard]] Result<T> choose(std::string_view kind, std::string_view word,
+                               std::span<const Choice<T>> choices) {
+  std::vector<std::string_view> known;
+  for (const Choice<T>& choice : choices) {
+    if (choice.name == word) return T(choice.value);
+    known.push_back(choice.name);
+  }
+  return failure(unknown_choice(kind, word, known));
+}
+
+template <class T>
+[[nodiscard]] std::string_view name_of(T value, std::span<const Choice<T>> choices) {
+  for (const Choice<T>& choice : choices)
+    if (choice.value == value) return choice.name;
+  return "";
+}
+
+// A whole number within [low, high].
+[[nodiscard]] Result<std::int64_t> parse_integer(std::string_view text, std::int64_t low,
+                                                 std::int64_t high);
+[[nodiscard]] Result<std::uint64_t> parse_seed(std::string_view text);
+// A finite number.
+[[nodiscard]] Result<double> parse_number(std::string_view text);
+[[nodiscard]] Result<double> parse_non_negative_number(std::string_view text);
+[[nodiscard]] Result<double> parse_positive_number(std::string_view text);
+// "640x480", each side 1..max_side.
+[[nodiscard]] Result<Size> parse_size(std::string_view text);
+// "X0,Y0,X1,Y1", half-open, not empty, not negative.
+[[nodiscard]] Result<PixelRect> parse_crop(std::string_view text);
+// "5" or "none".
+[[nodiscard]] Result<DepthLimit> parse_depth_limit(std::string_view text);
+// "R,G,B", non-negative.
+[[nodiscard]] Result<Vec3d> parse_rgb(std::string_view text);
+// "albedo,normal".
+[[nodiscard]] Result<AovSet> parse_aovs(std::string_view text);
+// "on" or "off".
+[[nodiscard]] Result<bool> parse_switch(std::string_view text);
+
+inline constexpr int max_side = 65536;
+inline constexpr int max_samples_per_pixel = 1 << 30;
+
+}  // namespace candela::cli

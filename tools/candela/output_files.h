@@ -1,0 +1,37 @@
+// The files a command is to write: checked before any work, protected while they are written.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderer/base/diagnostic.h"
+#include "renderer/description/scene_description.h"
+#include "tools/candela/exit_code.h"
+
+namespace candela::cli {
+
+// Images by the extension, others (`stats`, may be empty) by folder and permission; no file twice.
+struct OutputCheck {
+  Diagnostics diagnostics;
+  ExitCode exit_code = ExitCode::Done;
+};
+[[nodiscard]] OutputCheck check_outputs(const std::vector<std::string>& images,
+                                        const std::string& stats);
+
+// An error for each output that is one of the files the scene reads.
+[[nodiscard]] Diagnostics check_scene_is_spared(const std::vector<std::string>& outputs,
+                                                const description::SceneDescription& description);
+
+// While it stands a first signal lets the writing end, and a second removes what is half-written.
+class WritingGuard {
+ public:
+  explicit WritingGuard(const std::vector<std::string>& outputs);
+  ~WritingGuard();
+  WritingGuard(const WritingGuard&) = delete;
+  WritingGuard& operator=(const WritingGuard&) = delete;
+};
+
+// What renderer/image calls the files that it fills beside their targets (tested against it).
+[[nodiscard]] std::string temporary_file_name(int process, unsigned count);
+
+}  // namespace candela::cli

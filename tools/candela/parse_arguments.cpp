@@ -1,0 +1,298 @@
+#include "tools/candela/parse_arguments.h"
+
+#include <algorithm>
+
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
+#include "tools/candela/option_values.h"
+
+namespace candela::cli {
+namespace {
+
+std::string joined_names(const auto& choices) {
+  std::string text;
+  for (const auto& choice : choices) text += (text.empty() ? "" : "|") + std::string(choice.name);
+  return text;
+}
+
+// An option with a value that `parse` turns into a Result; the last one given counts.
+template <class Target, class Parse>
+void add_value(CLI::App& command, const std::string& names, const std::string& type, Target& target,
+               Parse parse, const std::string& help) {
+  const std::string name = names.substr(names.find("--"));
+  command
+      .add_option_function<std::string>(
+          names,
+          [name, &target, parse](const std::string& text) {
+            auto value = parse(text);
+            if (!value) throw CLI::ValidationError(name, value.diagnostics.list()[0].message);
+            target = static_cast<Target>(*value);
+          },
+          help)
+      ->type_name(type)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
+template <class Target, class T>
+void add_choice(CLI::App& command, const std::string& names, const std::string& kind,
+                Target& target, std::span<const Choice<T>> choices, const std::string& help) {
+  add_value(
+      command, names, joined_names(choices), target,
+      [kind, choices](const std::string& text) { return choose(kind, text, choices); }, help);
+}
+
+auto integer_between(std::int64_t low, std::int64_t high) {
+  return [low, high](const std::string& text) { return parse_integer(text, low, high); };
+}
+
+void add_scene(CLI::App& command, SceneArguments& scene) {
+  command.add_option("SCENE", scene.path, "The scene file")->required()->type_name("");
+}
+
+void add_reading(CLI::App& command, SceneArguments& scene) {
+  add_value(
+      command, "--materials", "lab|mtl", scene.load.use_mtl_materials,
+      [](const std::string& text) {
+        static constexpr Choice<bool> kinds[] = {{"lab", false}, {"mtl", true}};
+        return choose("kind of materials", text, std::span<const Choice<bool>>(kinds));
+      },
+      "What of an OBJ's MTL file counts: what the lab reads, or all of it [lab]");
+  command
+      .add_option_function<std::string>(
+          "--lab3-ground", [&scene](const std::string& path) { scene.load.lab3_ground = path; },
+          "Add the textured ground plane that the lab adds to sports_car and white_oak")
+      ->type_name("IMAGE")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  add_value(command, "--ambient", "R,G,B", scene.load.ambient, parse_rgb,
+            "Radiance of the constant environment in place of the scene's AmbientIntensity");
+  command.add_flag("--strict", scene.is_strict, "Treat warnings as errors (exit 3)");
+}
+
+void add_threads(CLI::App& command, int& threads) {
+  add_value(command, "-t,--threads", "N", threads, integer_between(1, 4096),
+            "Threads to use [all processors]");
+}
+
+void add_json(CLI::App& command, bool& as_json) {
+  command.add_flag("--json", as_json, "Print JSON");
+}
+
+void add_render_outputs(CLI::App& command, RenderArguments& render) {
+  command
+      .add_option("-o,--output", render.outputs,
+                  "Image to write, by extension: exr png jpg hdr tif; may be given several "
+                  "times [SCENE-stem.exr in the current folder]")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  command
+      .add_option_function<std::string>(
+          "--stats", [&render](const std::string& path) { render.stats_path = path; },
+          "Write what was done, how long it took and what it cost as JSON")
+      ->type_name("FILE.json")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  add_value(command, "--exposure", "STOPS", render.exposure, parse_number,
+            "Multiply by 2^STOPS in 8-bit outputs [the scene's, else 0]");
+  add_choice(command, "--tonemap", "tone map", render.tone_map, tone_map_choices(),
+             "How radiance becomes 8 bits [srgb]");
+  add_value(command, "--aov", "LIST", render.aovs, parse_aovs,
+            "Further EXR layers, by comma: " + joined_names(aov_choices()));
+  command.add_flag("--transparent", render.is_transparent, "Alpha in place of the background");
+  command.add_flag("-q,--quiet", render.is_quiet, "Print warnings and errors only");
+}
+
+void add_render_picture(CLI::App& command, RenderArguments& render) {
+  add_choice(command, "--integrator", "integrator", render.integrator, integrator_choices(),
+             "How light is followed [the scene's, else path]");
+  add_value(command, "--spp", "N", render.samples_per_pixel,
+            integer_between(1, max_samples_per_pixel), "Samples a pixel [the scene's, else 64]");
+  add_value(command, "--size", "WxH", render.size, parse_size,
+            "Pixels [the scene's, else 512x512]");
+  add_value(command, "--scale", "F", render.scale, parse_positive_number, "Multiply the size by F");
+  add_value(command, "--camera", "N", render.camera, integer_between(0, 1'000'000),
+            "The scene's N-th camera, from 0 [0]");
+  add_value(command, "--crop", "X0,Y0,X1,Y1", render.crop, parse_crop,
+            "Render these pixels only, the same bits as in the whole picture");
+  add_value(command, "--max-depth", "N|none", render.max_depth, parse_depth_limit,
+            "Longest path in bounces: 0 sees lights only, 1 direct light [the scene's, else none]");
+  add_choice(command, "--filter", "filter", render.filter, filter_choices(),
+             "Pixel filter [the scene's, else blackman_harris]");
+  add_value(command, "--seed", "N", render.seed, parse_seed,
+            "Another seed, another noise [the scene's, else 0]");
+}
+
+void add_render_machinery(CLI::App& command, RenderArguments& render) {
+  add_threads(command, render.threads);
+  add_choice(command, "--accel", "accelerator", render.accelerator, accelerator_choices(),
+             "Who traces rays [embree]");
+  add_value(command, "--robust", "on|off", render.embree.robust, parse_switch,
+            "Embree's robust mode: watertight, a little slower [off]");
+  command.add_flag("--ray-limit", render.measures_ray_limit,
+                   "Also measure CPU time over that of the rays alone");
+}
+
+struct CommandLine {
+  RenderArguments render;
+  InfoArguments info;
+  CheckArguments check;
+  CompareArguments compare;
+  BenchArguments bench;
+  CLI::App app{"candela renders scenes by path tracing.", "candela"};
+
+  CommandLine() {
+    app.require_subcommand(1);
+    app.set_version_flag("--version", "candela " CANDELA_VERSION, "Print the version and exit");
+    app.footer("candela COMMAND --help lists the options of a command.");
+    add_render();
+    add_info();
+    add_check();
+    add_compare();
+    add_bench();
+    for (CLI::App* command : app.get_subcommands({}))
+      command->set_version_flag("--version", "candela " CANDELA_VERSION,
+                                "Print the version and exit");
+  }
+
+  void add_render() {
+    CLI::App& command = *app.add_subcommand("render", "Render a scene to image files");
+    add_scene(command, render.scene);
+    add_render_outputs(command, render);
+    add_render_picture(command, render);
+    add_render_machinery(command, render);
+    add_reading(command, render.scene);
+  }
+
+  void add_info() {
+    CLI::App& command = *app.add_subcommand("info", "Tell what is in a scene");
+    add_scene(command, info.scene);
+    add_choice(command, "--accel", "accelerator", info.accelerator, accelerator_choices(),
+               "Also build this accelerator and tell its memory");
+    add_json(command, info.as_json);
+    add_reading(command, info.scene);
+  }
+
+  void add_check() {
+    CLI::App& command = *app.add_subcommand("check", "Find all problems of a scene at once");
+    add_scene(command, check.scene);
+    add_reading(command, check.scene);
+  }
+
+  void add_compare() {
+    CLI::App& command = *app.add_subcommand("compare", "Measure an image against a reference");
+    command.add_option("IMAGE", compare.image, "The image")->required()->type_name("");
+    command.add_option("REFERENCE", compare.reference, "What it should be")
+        ->required()
+        ->type_name("");
+    command
+        .add_option_function<std::string>(
+            "--heatmap", [this](const std::string& path) { compare.heatmap = path; },
+            "Write a picture of where the error is")
+        ->type_name("FILE.png")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    add_value(command, "--max-relmse", "X", compare.max_relmse, parse_non_negative_number,
+              "Exit with 6 where relMSE is above X");
+    add_json(command, compare.as_json);
+  }
+
+  void add_bench() {
+    CLI::App& command =
+        *app.add_subcommand("bench", "Measure Embree against the reference BVH on a scene");
+    add_scene(command, bench.scene);
+    add_threads(command, bench.threads);
+    add_json(command, bench.as_json);
+    add_reading(command, bench.scene);
+  }
+
+  [[nodiscard]] Arguments chosen() const {
+    if (app.got_subcommand("render")) return render;
+    if (app.got_subcommand("info")) return info;
+    if (app.got_subcommand("check")) return check;
+    if (app.got_subcommand("compare")) return compare;
+    return bench;
+  }
+};
+
+const CLI::App& selected(const CLI::App& app) {
+  const auto commands = app.get_subcommands();
+  return commands.empty() ? app : *commands.front();
+}
+
+// The words of the command line that nobody took, as one sentence about the first of them.
+std::string unexpected_word(const CLI::App& app) {
+  const std::vector<std::string> words = app.remaining(true);
+  const std::string word = words.empty() ? "" : words.front();
+  if (!word.starts_with('-')) return fmt::format("unexpected '{}'", word);
+  const std::string name = word.substr(0, word.find('='));
+  std::vector<std::string> names;
+  for (const CLI::Option* option : selected(app).get_options())
+    for (const std::string& long_name : option->get_lnames()) names.push_back("--" + long_name);
+  return fmt::format("unknown option '{}'{}", name,
+                     did_you_mean(name, {names.begin(), names.end()}));
+}
+
+std::string sentence_of(const CLI::ParseError& error, const CLI::App& app) {
+  const std::string text = error.what();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error)) return unexpected_word(app);
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))
+    return text.substr(0, text.find(':')) + " needs a value";
+  if (dynamic_cast<const CLI::RequiredError*>(&error) && app.get_subcommands().empty())
+    return fmt::format("expected a command: {}", fmt::join(command_names(), ", "));
+  if (dynamic_cast<const CLI::RequiredError*>(&error))
+    return text.substr(0, text.find(' ')) + " is missing";
+  return text;
+}
+
+ParsedArguments usage_error(const std::string& command, const std::string& sentence) {
+  const std::string program = command.empty() ? "candela" : "candela " + command;
+  return {{},
+          "",
+          fmt::format("{}: {}\n'{} --help' lists what it takes.\n", program, sentence, program),
+          ExitCode::Usage};
+}
+
+}  // namespace
+
+std::vector<std::string_view> command_names() {
+  return {"render", "info", "check", "compare", "bench"};
+}
+
+ParsedArguments parse_arguments(const std::vector<std::string>& words) {
+  if (!words.empty() && !words[0].starts_with('-')) {
+    const auto names = command_names();
+    if (std::find(names.begin(), names.end(), words[0]) == names.end())
+      return usage_error("", unknown_choice("command", words[0], names));
+  }
+  CommandLine line;
+  try {
+    line.app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::CallForHelp&) {
+    return {{}, line.app.help(), "", ExitCode::Done};
+  } catch (const CLI::CallForVersion& version) {
+    return {{}, std::string(version.what()) + "\n", "", ExitCode::Done};
+  } catch (const CLI::ParseError& error) {
+    const CLI::App& command = selected(line.app);
+    return usage_error(&command == &line.app ? "" : command.get_name(),
+                       sentence_of(error, line.app));
+  }
+  line.render.command_line = quoted_command_line(words);
+  return {line.chosen(), "", "", ExitCode::Done};
+}
+
+std::string quoted_command_line(const std::vector<std::string>& words) {
+  std::string line = "candela";
+  for (const std::string& word : words) {
+    const bool is_plain = !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
+      return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("-_./,=:+@%", c);
+    });
+    if (is_plain) {
+      line += ' ' + word;
+      continue;
+    }
+    line += " '";
+    for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    line += '\'';
+  }
+  return line;
+}
+
+}  // namespace candela::cli

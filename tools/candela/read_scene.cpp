@@ -1,0 +1,45 @@
+#include "tools/candela/read_scene.h"
+
+#include <fmt/format.h>
+
+#include "renderer/scene/compile.h"
+#include "scene_io/load.h"
+#include "tools/candela/render_settings.h"
+
+namespace candela::cli {
+namespace {
+
+void report(const Diagnostics& diagnostics, Console& console, ReadScene& read) {
+  console.print(diagnostics);
+  read.error_count += diagnostics.error_count();
+  read.warning_count += diagnostics.warning_count();
+}
+
+}  // namespace
+
+RenderArguments as_the_scene_asks(const SceneArguments& arguments) {
+  RenderArguments render;
+  render.scene = arguments;
+  return render;
+}
+
+ReadScene read_scene(const SceneArguments& arguments, Console& console) {
+  ReadScene read;
+  auto description = load(arguments.path, arguments.load);
+  report(description.diagnostics, console, read);
+  if (!description) return read;
+  const SettledSettings settled = settle_settings(as_the_scene_asks(arguments), *description);
+  if (!settled.settings) {
+    console.error(settled.error);
+    ++read.error_count;
+  }
+  auto scene = compile(*description, settled.settings ? compile_options(settled.settings->options)
+                                                      : CompileOptions{});
+  report(scene.diagnostics, console, read);
+  if (read.error_count > 0 || (arguments.is_strict && read.warning_count > 0)) return read;
+  read.description = std::move(description.value);
+  read.scene = std::move(scene.value);
+  return read;
+}
+
+}  // namespace candela::cli

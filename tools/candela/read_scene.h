@@ -1,0 +1,26 @@
+// Load and compile with messages: what info, check and bench begin with.
+#pragma once
+
+#include <optional>
+
+#include "renderer/description/scene_description.h"
+#include "renderer/scene/scene.h"
+#include "tools/candela/arguments.h"
+#include "tools/candela/console.h"
+
+namespace candela::cli {
+
+// Empty where the scene has errors (or, with --strict, warnings); they are printed.
+struct ReadScene {
+  std::optional<description::SceneDescription> description;
+  std::optional<Scene> scene;
+  std::size_t error_count = 0;
+  std::size_t warning_count = 0;
+  [[nodiscard]] bool is_usable() const { return scene.has_value(); }
+};
+[[nodiscard]] ReadScene read_scene(const SceneArguments& arguments, Console& console);
+
+// As the scene itself asks to be rendered.
+[[nodiscard]] RenderArguments as_the_scene_asks(const SceneArguments& arguments);
+
+}  // namespace candela::cli

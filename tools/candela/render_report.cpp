@@ -1,0 +1,69 @@
+#include "tools/candela/render_report.h"
+
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "tools/candela/option_values.h"
+
+namespace candela::cli {
+namespace {
+
+std::string depth_text(const std::optional<int>& max_depth) {
+  return max_depth ? std::to_string(*max_depth) : "none";
+}
+
+// Everything that decides the pixels, in one line.
+std::string options_text(const RenderReport& report) {
+  const RenderOptions& options = report.options;
+  const PixelRect whole{0, 0, options.width, options.height};
+  const PixelRect crop = options.crop.value_or(whole);
+  return fmt::format(
+      "size={}x{} crop={},{},{},{} camera={} max_depth={} filter={} transparent={} accel={} "
+      "robust={}",
+      options.width, options.height, crop.x0, crop.y0, crop.x1, crop.y1, options.camera,
+      depth_text(options.max_depth), name_of(options.filter, filter_choices()),
+      options.transparent ? "yes" : "no", name_of(report.accelerator, accelerator_choices()),
+      report.is_robust ? "on" : "off");
+}
+
+}  // namespace
+
+std::uint64_t peak_memory_bytes() {
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  while (status >> word) {
+    if (word != "VmHWM:") continue;
+    std::uint64_t kibibytes = 0;
+    status >> kibibytes;
+    return kibibytes * 1024;
+  }
+  return 0;
+}
+
+Metadata metadata_of(const RenderReport& report) {
+  const auto integer = [](std::uint64_t value) { return static_cast<std::int64_t>(value); };
+  const RenderStatistics& statistics = report.statistics;
+  return {
+      {"Software", "candela " CANDELA_VERSION},
+      {"candela:version", CANDELA_VERSION},
+      {"candela:command", report.command},
+      {"candela:scene", report.scene},
+      {"candela:scene_hash", report.scene_hash},
+      {"candela:integrator", std::string(name_of(report.options.integrator, integrator_choices()))},
+      {"candela:options", options_text(report)},
+      {"candela:kernel", statistics.kernel},
+      {"candela:seed", std::to_string(report.options.seed)},
+      {"candela:spp", integer(report.min_samples)},
+      {"candela:spp_max", integer(report.max_samples)},
+      {"candela:interrupted", integer(statistics.was_cancelled ? 1 : 0)},
+      {"candela:invalid_samples", integer(statistics.invalid_samples)},
+      {"candela:threads", std::int64_t{report.threads}},
+      {"candela:seconds_load", report.seconds.load},
+      {"candela:seconds_compile", report.seconds.compile},
+      {"candela:seconds_build", report.seconds.build},
+      {"candela:seconds_render", report.seconds.render},
+  };
+}
+
+}  // namespace candela::cli

@@ -1,0 +1,50 @@
+// What a render was asked, did and cost: the source of --stats and of the images' metadata.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "integrators/render.h"
+#include "renderer/image/image_io.h"
+#include "tools/candela/arguments.h"
+
+namespace candela::cli {
+
+struct StageSeconds {
+  double load = 0;
+  double compile = 0;
+  double build = 0;
+  double render = 0;
+  double write = 0;
+};
+
+struct RenderReport {
+  std::string command;  // the command line
+  std::string scene;    // path, as given
+  std::string scene_hash;
+  RenderOptions options;
+  AcceleratorKind accelerator = AcceleratorKind::Embree;
+  bool is_robust = false;
+  DisplayTransform display;
+  int threads = 0;
+  std::uint32_t min_samples = 0;  // a pixel; less than asked where the render was interrupted
+  std::uint32_t max_samples = 0;
+  StageSeconds seconds;
+  RenderStatistics statistics;
+  std::size_t skipped_textures = 0;  // never decoded since no ray touched them
+  std::uint64_t triangles = 0;
+  std::uint64_t peak_memory_bytes = 0;
+  std::vector<std::string> warnings;
+  std::vector<std::string> outputs;
+  std::optional<RayLimit> ray_limit;
+};
+
+// The process's largest resident memory so far (VmHWM); 0 where the system does not tell.
+[[nodiscard]] std::uint64_t peak_memory_bytes();
+
+// For image files: all but what is known only after they are written.
+[[nodiscard]] Metadata metadata_of(const RenderReport& report);
+
+}  // namespace candela::cli

@@ -1,0 +1,241 @@
+#include "tools/candela/render_run.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "renderer/base/parallel.h"
+#include "tools/candela/decode_textures.h"
+#include "tools/candela/interrupt.h"
+#include "tools/candela/json_reports.h"
+#include "tools/candela/option_values.h"
+#include "tools/candela/output_files.h"
+#include "tools/candela/render_settings.h"
+#include "tools/candela/scene_hash.h"
+
+namespace candela::cli {
+namespace {
+
+std::string samples_text(std::uint32_t low, std::uint32_t high) {
+  return low == high ? fmt::format("{} spp", low) : fmt::format("{} to {} spp", low, high);
+}
+
+bool is_exr(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  return dot != std::string::npos && (path.substr(dot) == ".exr" || path.substr(dot) == ".EXR");
+}
+
+std::uint64_t triangle_count(const Scene& scene) {
+  std::uint64_t count = 0;
+  for (const Geometry& geometry : scene.geometries) count += geometry.triangles.size();
+  return count;
+}
+
+std::size_t undecoded_textures(const TextureStore& textures) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < textures.size(); ++i)
+    if (!textures.is_decoded(TextureHandle(i))) ++count;
+  return count;
+}
+
+}  // namespace
+
+RenderRun::RenderRun(const RenderArguments& arguments)
+    : arguments_(arguments), console_(arguments.is_quiet) {
+  report_.command = arguments.command_line;
+  report_.scene = arguments.scene.path;
+  report_.accelerator = arguments.accelerator;
+  report_.is_robust = arguments.embree.robust;
+  report_.threads = arguments.threads > 0 ? arguments.threads : available_threads();
+}
+
+std::vector<std::string> RenderRun::all_paths() const {
+  std::vector<std::string> paths = output_paths(arguments_);
+  if (arguments_.stats_path) paths.push_back(*arguments_.stats_path);
+  return paths;
+}
+
+bool RenderRun::stop(ExitCode code) {
+  fail(code);
+  return false;
+}
+
+// The first reason to end otherwise than with Done counts.
+void RenderRun::fail(ExitCode code) {
+  if (exit_code_ == ExitCode::Done) exit_code_ = code;
+}
+
+void RenderRun::warn(const std::string& sentence) {
+  console_.warning(sentence);
+  report_.warnings.push_back(sentence);
+}
+
+void RenderRun::record(const Diagnostics& diagnostics) {
+  console_.print(diagnostics);
+  std::size_t kept = 0;
+  for (const Diagnostic& diagnostic : diagnostics.list()) {
+    if (diagnostic.severity != Severity::Warning) continue;
+    report_.warnings.push_back(to_string(diagnostic));
+    ++kept;
+  }
+  if (diagnostics.warning_count() > kept)
+    report_.warnings.push_back(
+        fmt::format("{} further warnings", diagnostics.warning_count() - kept));
+}
+
+bool RenderRun::accepts(const Diagnostics& diagnostics, bool has_value) {
+  record(diagnostics);
+  if (diagnostics.has_errors() || !has_value) return stop(ExitCode::Scene);
+  if (!arguments_.scene.is_strict || diagnostics.warning_count() == 0) return true;
+  console_.error(fmt::format("--strict: {} warning{} about '{}'", diagnostics.warning_count(),
+                             diagnostics.warning_count() == 1 ? "" : "s", report_.scene));
+  return stop(ExitCode::Scene);
+}
+
+bool RenderRun::outputs_are_writable() {
+  const OutputCheck check =
+      check_outputs(output_paths(arguments_), arguments_.stats_path.value_or(""));
+  if (was_interrupted()) return stop(ExitCode::Interrupted);
+  console_.print(check.diagnostics);
+  return check.exit_code == ExitCode::Done || stop(check.exit_code);
+}
+
+bool RenderRun::settles(const description::SceneDescription& description) {
+  const Diagnostics overwritten = check_scene_is_spared(all_paths(), description);
+  console_.print(overwritten);
+  if (overwritten.has_errors()) return stop(ExitCode::Output);
+  const SettledSettings settled = settle_settings(arguments_, description);
+  if (!settled.settings) {
+    console_.error(settled.error);
+    return stop(settled.exit_code);
+  }
+  report_.options = settled.settings->options;
+  report_.display = settled.settings->display;
+  report_.scene_hash = timed(&StageSeconds::load, [&] { return scene_hash(description); });
+  warn_of_useless_options();
+  return true;
+}
+
+void RenderRun::warn_of_useless_options() {
+  const std::vector<std::string> paths = output_paths(arguments_);
+  if (arguments_.aovs != 0 && std::none_of(paths.begin(), paths.end(), is_exr))
+    warn("--aov: only an EXR output can hold further layers, and none is asked for");
+}
+
+// With --strict a texture that cannot be decoded is an error: found now and not after the render.
+bool RenderRun::accepts_textures(const Scene& scene) {
+  if (!arguments_.scene.is_strict) return true;
+  decode_all_textures(scene.textures);
+  return accepts(scene.textures.decoding_diagnostics(), true);
+}
+
+ProgressSink* RenderRun::start_rendering(const Scene& scene) {
+  const PixelRect whole{0, 0, options().width, options().height};
+  const PixelRect crop = options().crop.value_or(whole);
+  report_.triangles = triangle_count(scene);
+  console_.note(fmt::format("{}: {} triangles, {}x{}, {} spp, {}, {} thread{}", report_.scene,
+                            report_.triangles, crop.width(), crop.height(),
+                            options().samples_per_pixel,
+                            name_of(options().integrator, integrator_choices()), report_.threads,
+                            report_.threads == 1 ? "" : "s"));
+  const auto pixels =
+      static_cast<std::uint64_t>(crop.width()) * static_cast<std::uint64_t>(crop.height());
+  progress_ = std::make_unique<ProgressReport>(
+      console_, pixels * static_cast<std::uint64_t>(options().samples_per_pixel));
+  set_interrupt_mode(InterruptMode::Cancel);
+  return progress_.get();
+}
+
+void RenderRun::rendered(const Scene& scene, const RenderResult& result) {
+  report_.statistics = result.statistics;
+  report_.min_samples = result.film.min_samples();
+  report_.max_samples = result.film.max_samples();
+  report_.skipped_textures = undecoded_textures(scene.textures);
+  if (!arguments_.scene.is_strict) record(scene.textures.decoding_diagnostics());
+  report_invalid_samples();
+}
+
+void RenderRun::report_invalid_samples() {
+  const RenderStatistics& statistics = report_.statistics;
+  if (statistics.invalid_samples == 0) return;
+  const InvalidSample first = statistics.first_invalid.value_or(InvalidSample{});
+  warn(
+      fmt::format("{} samples were not finite and count as black, the first at pixel {},{}, "
+                  "sample {}: this is a bug in candela",
+                  statistics.invalid_samples, first.x, first.y, first.sample));
+}
+
+bool RenderRun::is_complete() const {
+  return report_.min_samples >= static_cast<std::uint32_t>(report_.options.samples_per_pixel);
+}
+
+std::vector<std::string> RenderRun::outputs() const {
+  return report_.max_samples > 0 ? output_paths(arguments_) : std::vector<std::string>{};
+}
+
+WriteOptions RenderRun::write_options() const {
+  WriteOptions write;
+  write.display = report_.display;
+  write.metadata = metadata_of(report_);
+  if (options().crop) {
+    write.offset_x = options().crop->x0;
+    write.offset_y = options().crop->y0;
+  }
+  write.full_width = options().width;
+  write.full_height = options().height;
+  return write;
+}
+
+void RenderRun::wrote(const std::string& path, const Diagnostics& problems) {
+  record(problems);
+  if (problems.has_errors())
+    fail(ExitCode::Output);
+  else
+    report_.outputs.push_back(path);
+}
+
+void RenderRun::report_samples() {
+  if (is_complete()) return;
+  fail(ExitCode::Interrupted);
+  if (report_.max_samples == 0)
+    console_.error("interrupted before the first sample; nothing was written");
+  else
+    console_.error(fmt::format("interrupted; the picture holds {} of {}",
+                               samples_text(report_.min_samples, report_.max_samples),
+                               options().samples_per_pixel));
+}
+
+void RenderRun::write_stats() {
+  if (!arguments_.stats_path || report_.max_samples == 0) return;
+  report_.peak_memory_bytes = peak_memory_bytes();
+  const WritingGuard guard(all_paths());
+  const Diagnostics problems = write_file_atomically(*arguments_.stats_path, to_json(report_));
+  console_.print(problems);
+  if (problems.has_errors()) fail(ExitCode::Output);
+}
+
+ExitCode RenderRun::finish(const Scene& scene, const AnyAccelerator& accelerator) {
+  const ProgressState state = progress_->state();
+  progress_->stop();
+  report_samples();
+  if (exit_code_ == ExitCode::Done)
+    console_.note(fmt::format("100 %, {} elapsed, {:.2f} Msamples/s; wrote {}",
+                              duration_text(state.elapsed_seconds),
+                              static_cast<double>(state.total) * 1e-6 / report_.seconds.render,
+                              fmt::join(report_.outputs, ", ")));
+  else if (!report_.outputs.empty())
+    console_.note(fmt::format("wrote {}", fmt::join(report_.outputs, ", ")));
+  if (arguments_.measures_ray_limit && is_complete()) {
+    report_.ray_limit = measure_ray_limit(scene, accelerator, options());
+    console_.note(
+        fmt::format("ray limit {:.3f}: {:.3f} s of CPU time for a share of the tiles, "
+                    "{:.3f} s for their {} rays alone",
+                    report_.ray_limit->ratio(), report_.ray_limit->render_seconds,
+                    report_.ray_limit->rays_seconds, report_.ray_limit->rays));
+  }
+  write_stats();
+  return exit_code_;
+}
+
+}  // namespace candela::cli

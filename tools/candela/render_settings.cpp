@@ -1,0 +1,157 @@
+#include "tools/candela/render_settings.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "tools/candela/option_values.h"
+
+namespace candela::cli {
+namespace {
+
+// A sentence and the code to end with; thrown and caught in this file only.
+struct Refusal {
+  std::string sentence;
+  ExitCode exit_code;
+};
+
+template <class T>
+T scene_choice(std::string_view kind, const std::string& word, std::span<const Choice<T>> choices) {
+  const Result<T> value = choose(kind, word, choices);
+  if (!value)
+    throw Refusal{"the scene's Render block: " + value.diagnostics.list()[0].message,
+                  ExitCode::Scene};
+  return *value;
+}
+
+int scaled_side(int side, double scale) {
+  const double scaled = std::round(side * scale);
+  if (scaled > max_side)
+    throw Refusal{fmt::format("--scale {} makes a side of {:.0f} pixels, the most is {}", scale,
+                              scaled, max_side),
+                  ExitCode::Usage};
+  return std::max(1, static_cast<int>(scaled));
+}
+
+void settle_size(const RenderArguments& arguments, const description::RenderDefaults& defaults,
+                 RenderOptions& options) {
+  options.width = defaults.width.value_or(options.width);
+  options.height = defaults.height.value_or(options.height);
+  if (arguments.size) options.width = arguments.size->width;
+  if (arguments.size) options.height = arguments.size->height;
+  if (std::min(options.width, options.height) < 1 ||
+      std::max(options.width, options.height) > max_side)
+    throw Refusal{fmt::format("the scene's Render block: a picture of {}x{}; sides are 1 to {}",
+                              options.width, options.height, max_side),
+                  ExitCode::Scene};
+  options.width = scaled_side(options.width, arguments.scale);
+  options.height = scaled_side(options.height, arguments.scale);
+}
+
+void settle_crop(const RenderArguments& arguments, RenderOptions& options) {
+  options.crop = arguments.crop;
+  if (!options.crop) return;
+  if (options.crop->x1 > options.width || options.crop->y1 > options.height)
+    throw Refusal{fmt::format("--crop {},{},{},{} leaves the picture, which is {}x{}",
+                              options.crop->x0, options.crop->y0, options.crop->x1,
+                              options.crop->y1, options.width, options.height),
+                  ExitCode::Usage};
+}
+
+void settle_samples(const RenderArguments& arguments, const description::RenderDefaults& defaults,
+                    RenderOptions& options) {
+  options.samples_per_pixel = arguments.samples_per_pixel.value_or(
+      defaults.samples_per_pixel.value_or(options.samples_per_pixel));
+  if (options.samples_per_pixel < 1 || options.samples_per_pixel > max_samples_per_pixel)
+    throw Refusal{fmt::format("the scene's Render block: {} samples a pixel; expected 1 to {}",
+                              options.samples_per_pixel, max_samples_per_pixel),
+                  ExitCode::Scene};
+  options.max_depth = arguments.max_depth ? arguments.max_depth->depth : defaults.max_depth;
+  options.seed = arguments.seed.value_or(defaults.seed.value_or(options.seed));
+}
+
+void settle_names(const RenderArguments& arguments, const description::RenderDefaults& defaults,
+                  RenderOptions& options) {
+  if (arguments.integrator)
+    options.integrator = *arguments.integrator;
+  else if (defaults.integrator)
+    options.integrator = scene_choice("integrator", *defaults.integrator, integrator_choices());
+  if (arguments.filter)
+    options.filter = *arguments.filter;
+  else if (defaults.filter)
+    options.filter = scene_choice("filter", *defaults.filter, filter_choices());
+}
+
+void settle_camera(const RenderArguments& arguments,
+                   const description::SceneDescription& description, RenderOptions& options) {
+  options.camera = arguments.camera;
+  const std::size_t count = description.cameras.size();
+  if (options.camera == 0 || options.camera < count) return;
+  throw Refusal{fmt::format("--camera {}: the scene has {}", options.camera,
+                            count == 0   ? "none of its own"
+                            : count == 1 ? "only camera 0"
+                                         : fmt::format("cameras 0 to {}", count - 1)),
+                ExitCode::Usage};
+}
+
+// What the film and the image made of it will hold at least; refused before anything is loaded into
+// it when it cannot fit, since an overcommitting kernel would end us without a word.
+void refuse_giant(const RenderOptions& options) {
+  const PixelRect whole{0, 0, options.width, options.height};
+  const PixelRect crop = options.crop.value_or(whole);
+  const double pixels = static_cast<double>(crop.width()) * crop.height();
+  constexpr double film_bytes = 40;
+  constexpr double aov_bytes = 88;
+  const double channel_bytes = 4.0 * (4 + 3 * std::popcount(options.aovs));
+  const double needed = pixels * (film_bytes + (options.aovs ? aov_bytes : 0) + channel_bytes);
+  const double present =
+      static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  if (present > 0 && needed > present)
+    throw Refusal{fmt::format("a picture of {}x{} needs {:.1f} GB of memory, this machine has "
+                              "{:.1f}; --crop renders a part",
+                              options.width, options.height, needed * 1e-9, present * 1e-9),
+                  ExitCode::Limit};
+}
+
+RenderSettings settled(const RenderArguments& arguments,
+                       const description::SceneDescription& description) {
+  RenderSettings settings;
+  RenderOptions& options = settings.options;
+  settle_size(arguments, description.defaults, options);
+  settle_crop(arguments, options);
+  settle_samples(arguments, description.defaults, options);
+  settle_names(arguments, description.defaults, options);
+  settle_camera(arguments, description, options);
+  options.aovs = arguments.aovs;
+  options.transparent = arguments.is_transparent;
+  refuse_giant(options);
+  settings.display = {arguments.tone_map,
+                      arguments.exposure.value_or(description.defaults.exposure.value_or(0))};
+  return settings;
+}
+
+}  // namespace
+
+SettledSettings settle_settings(const RenderArguments& arguments,
+                                const description::SceneDescription& description) {
+  try {
+    return {settled(arguments, description), "", ExitCode::Done};
+  } catch (const Refusal& refusal) {
+    return {{}, refusal.sentence, refusal.exit_code};
+  }
+}
+
+CompileOptions compile_options(const RenderOptions& options) {
+  return {.width = options.width, .height = options.height, .lab_quantised = false};
+}
+
+std::vector<std::string> output_paths(const RenderArguments& arguments) {
+  if (!arguments.outputs.empty()) return arguments.outputs;
+  return {std::filesystem::path(arguments.scene.path).stem().string() + ".exr"};
+}
+
+}  // namespace candela::cli

@@ -1,0 +1,38 @@
+// The command line over the scene's own wishes over the program's defaults.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "integrators/render.h"
+#include "renderer/base/result.h"
+#include "renderer/description/scene_description.h"
+#include "renderer/scene/compile.h"
+#include "tools/candela/arguments.h"
+#include "tools/candela/exit_code.h"
+
+namespace candela::cli {
+
+struct RenderSettings {
+  RenderOptions options;
+  DisplayTransform display;
+};
+
+// Either settings, or one sentence and the code to end with: Usage where the command line asks for
+// what the scene does not have, Scene where the scene's own defaults are wrong, Limit where the
+// picture is too large.
+struct SettledSettings {
+  std::optional<RenderSettings> settings;
+  std::string error;
+  ExitCode exit_code = ExitCode::Done;
+};
+[[nodiscard]] SettledSettings settle_settings(const RenderArguments& arguments,
+                                              const description::SceneDescription& description);
+
+[[nodiscard]] CompileOptions compile_options(const RenderOptions& options);
+
+// The -o files, or SCENE-stem.exr in the current folder.
+[[nodiscard]] std::vector<std::string> output_paths(const RenderArguments& arguments);
+
+}  // namespace candela::cli

@@ -1,0 +1,154 @@
+#include "tools/candela/scene_info.h"
+
+#include <filesystem>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace candela::cli {
+namespace {
+
+template <class T>
+std::size_t bytes_of(const std::vector<T>& values) {
+  return values.capacity() * sizeof(T);
+}
+
+std::size_t mesh_bytes(const Scene& scene) {
+  std::size_t bytes = bytes_of(scene.geometries) + bytes_of(scene.instances);
+  for (const Geometry& geometry : scene.geometries)
+    bytes += bytes_of(geometry.positions) + bytes_of(geometry.triangles) +
+             bytes_of(geometry.normals) + bytes_of(geometry.uvs);
+  return bytes;
+}
+
+std::uint64_t triangles_of(const Scene& scene, const Object& object) {
+  std::uint64_t count = 0;
+  for (const GeometryHandle geometry : object.geometries)
+    count += scene.geometries[geometry.index].triangles.size();
+  return count;
+}
+
+void count_triangles(const Scene& scene, SceneInfo& info) {
+  for (const Geometry& geometry : scene.geometries) info.triangles += geometry.triangles.size();
+  info.instanced_triangles = triangles_of(scene, scene.world);
+  for (const Instance& instance : scene.instances)
+    info.instanced_triangles += triangles_of(scene, scene.objects[instance.object.index]);
+}
+
+std::string kind_name(LightKind kind) {
+  switch (kind) {
+    case LightKind::Point:
+      return "point";
+    case LightKind::Spot:
+      return "spot";
+    case LightKind::Directional:
+      return "directional";
+    case LightKind::Triangle:
+      return "triangle";
+    case LightKind::Environment:
+      return "environment";
+  }
+  return "";
+}
+
+std::string same_path_key(const std::string& path) {
+  std::error_code ignored;
+  const auto canonical = std::filesystem::weakly_canonical(path, ignored);
+  return ignored ? path : canonical.string();
+}
+
+// The textures that compiling kept, then the images that the scene names and nothing reads.
+std::vector<TextureRow> texture_rows(const description::SceneDescription& description,
+                                     const TextureStore& textures) {
+  std::map<std::string, TextureRow> rows;  // by file: equal files share their pixels
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    const TextureHandle handle(i);
+    const TextureInfo& info = textures.info(handle);
+    rows[same_path_key(textures.path(handle))] = {
+        textures.path(handle),      info.width, info.height, info.channels, info.bytes, true,
+        textures.is_decoded(handle)};
+  }
+  for (const description::Image& image : description.images)
+    rows.try_emplace(same_path_key(image.path), TextureRow{.path = image.path});
+  std::vector<TextureRow> list;
+  for (const auto& [key, row] : rows) list.push_back(row);
+  return list;
+}
+
+std::string bytes_text(std::size_t bytes) {
+  const auto value = static_cast<double>(bytes);
+  if (value < 1e3) return fmt::format("{} bytes", bytes);
+  if (value < 1e6) return fmt::format("{:.1f} kB", value * 1e-3);
+  return fmt::format("{:.1f} MB", value * 1e-6);
+}
+
+std::string vec_text(const Vec3d& v) {
+  return fmt::format("{:g} {:g} {:g}", v.x, v.y, v.z);
+}
+
+std::string lights_text(const SceneInfo& info) {
+  std::string text;
+  for (const auto& [kind, count] : info.lights)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, kind);
+  return text.empty() ? "none" : text;
+}
+
+std::string texture_text(const TextureRow& row) {
+  if (!row.is_used) return fmt::format("    {}: named, never read\n", row.path);
+  return fmt::format("    {}: {}x{}, {} channels, {}{}\n", row.path, row.width, row.height,
+                     row.channels, bytes_text(row.bytes), row.is_decoded ? ", decoded" : "");
+}
+
+}  // namespace
+
+SceneInfo describe_scene(const description::SceneDescription& description, const Scene& scene) {
+  SceneInfo info;
+  info.path = description.path;
+  count_triangles(scene, info);
+  info.geometries = scene.geometries.size();
+  info.instances = scene.instances.size();
+  info.cameras = scene.cameras.size();
+  info.materials = scene.material_names;
+  info.textures = texture_rows(description, scene.textures);
+  for (const Light& light : scene.lights) ++info.lights[kind_name(light.kind)];
+  if (scene.environment && info.lights.count("environment") == 0) info.lights["environment"] = 1;
+  if (!scene.bounds.is_empty()) {
+    info.bounds_min = scene.normalisation.to_file(scene.bounds.lower);
+    info.bounds_max = scene.normalisation.to_file(scene.bounds.upper);
+  }
+  info.mesh_bytes = mesh_bytes(scene);
+  for (const TextureRow& row : info.textures)
+    if (row.is_used) info.texture_bytes += row.bytes;
+  info.dropped = scene.dropped;
+  return info;
+}
+
+std::string to_text(const SceneInfo& info) {
+  std::string text = fmt::format("{}\n", info.path);
+  const auto line = [&text](std::string_view name, const std::string& value) {
+    text += fmt::format("  {:<12}{}\n", name, value);
+  };
+  line("hash", info.scene_hash);
+  line("triangles", fmt::format("{} in {} geometries", info.triangles, info.geometries));
+  line("instances",
+       fmt::format("{} ({} triangles seen by rays)", info.instances, info.instanced_triangles));
+  line("cameras", std::to_string(info.cameras));
+  line("lights", lights_text(info));
+  line("bounds", fmt::format("{} .. {}", vec_text(info.bounds_min), vec_text(info.bounds_max)));
+  line("memory", fmt::format("meshes {}, textures {} when all are decoded",
+                             bytes_text(info.mesh_bytes), bytes_text(info.texture_bytes)));
+  if (info.accelerator_bytes)
+    line("", fmt::format("{} {}", info.accelerator, bytes_text(*info.accelerator_bytes)));
+  line("kernel", info.kernel);
+  line("materials", fmt::format("{}", info.materials.size()));
+  for (const std::string& name : info.materials) text += fmt::format("    {}\n", name);
+  line("textures", fmt::format("{}", info.textures.size()));
+  for (const TextureRow& row : info.textures) text += texture_text(row);
+  line("dropped", info.dropped.empty() ? "nothing" : "");
+  for (const Dropped& dropped : info.dropped)
+    text += fmt::format("    {}: {}\n", dropped.what, dropped.count);
+  return text;
+}
+
+}  // namespace candela::cli
