@@ -20,6 +20,7 @@ if(NOT embree_FOUND)
 endif()
 add_library(candela_embree INTERFACE IMPORTED)
 target_link_libraries(candela_embree INTERFACE embree)
+target_compile_definitions(candela_embree INTERFACE CANDELA_EMBREE_MAJOR=${embree_VERSION_MAJOR})
 
 # By hand: the distribution's OpenImageIOConfig.cmake asks for Imath's Python binding, which the
 # development package does not bring.

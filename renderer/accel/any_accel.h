@@ -13,7 +13,8 @@ enum class AcceleratorKind : std::uint8_t { Embree, Bvh };
 
 using AnyAccelerator = std::variant<EmbreeAccel, BvhAccel>;
 
-// Only the one that is asked for is built.
+// Only the one that is asked for is built, by the current arena's threads. Throws std::bad_alloc
+// where memory (or the options' limit) does not suffice: the command line's exit 5.
 [[nodiscard]] inline AnyAccelerator build_accelerator(const Scene& scene, AcceleratorKind kind,
                                                       EmbreeOptions embree = {}) {
   if (kind == AcceleratorKind::Bvh) return BvhAccel(scene);

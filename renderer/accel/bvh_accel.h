@@ -1,5 +1,6 @@
-// The reference back end: a binary BVH built by binned SAH, written to be read. For tests,
-// `--accel bvh` and `candela bench`; never built when not asked for.
+// The reference back end: a BVH built by binned SAH, written to be read. For tests, `--accel bvh`
+// and `candela bench`; never built when not asked for. Tree and traversal are in bvh_tree.h, the
+// ray-triangle test in triangle_block.h.
 #pragma once
 
 #include <memory>
@@ -9,9 +10,11 @@
 
 namespace candela {
 
-// The scene outlives it and does not move.
+// Two levels: a tree over the world's triangles, one over the triangles of each object, one over
+// the instances. The scene outlives it and does not move.
 class BvhAccel {
  public:
+  // Built by the current arena's threads; the same tree for any number of them.
   explicit BvhAccel(const Scene& scene);
   BvhAccel(BvhAccel&&) noexcept;
   BvhAccel& operator=(BvhAccel&&) noexcept;

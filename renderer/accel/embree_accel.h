@@ -9,24 +9,34 @@
 namespace candela {
 
 struct EmbreeOptions {
-  bool robust = false;  // RTC_SCENE_FLAG_ROBUST
+  // RTC_SCENE_FLAG_ROBUST: no ray slips between triangles that share an edge.
+  bool robust = false;
+  // Building fails as if out of memory beyond this; 0: no limit.
+  std::size_t memory_limit_bytes = 0;
 };
 
-// Refers to the scene's arrays (shared buffers): the scene outlives it and does not move.
+// Refers to the scene and its arrays (shared buffers): the scene outlives it and does not move.
 class EmbreeAccel {
  public:
+  // Built by the current arena's threads (base/parallel.h). Throws std::bad_alloc where memory or
+  // the limit does not suffice, std::runtime_error for any other complaint of Embree's.
   explicit EmbreeAccel(const Scene& scene, EmbreeOptions options = {});
   EmbreeAccel(EmbreeAccel&&) noexcept;
   EmbreeAccel& operator=(EmbreeAccel&&) noexcept;
   ~EmbreeAccel();
 
+  // Callers have checked is_traceable(ray).
   [[nodiscard]] Hit intersect(const Ray& ray) const;
   [[nodiscard]] bool occluded(const Ray& ray) const;
+  // What Embree has allocated; the scene's own arrays are not counted.
   [[nodiscard]] std::size_t memory_bytes() const;
 
  private:
   struct State;
   std::unique_ptr<State> state_;
 };
+
+// "Embree 3.13.5" or the like, for reports.
+[[nodiscard]] const char* embree_version();
 
 }  // namespace candela

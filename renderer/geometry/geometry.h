@@ -23,6 +23,8 @@ using MaterialHandle = Handle<Material>;
 
 // Triangles that share one material and one kind of visibility. What is absent is empty.
 struct Geometry {
+  // Embree reads 16 bytes a vertex and so 4 past the last one: where the capacity exceeds the size
+  // (compile() reserves one more than it needs) it shares this array, else it copies.
   std::vector<Vec3f> positions;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Vec3f> normals;  // empty, or one a vertex; zero: "use the triangle's"

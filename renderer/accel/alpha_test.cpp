@@ -1,0 +1,60 @@
+#include "renderer/accel/alpha_test.h"
+
+#include <bit>
+
+#include "renderer/sampling/hash.h"
+
+namespace candela {
+namespace {
+
+// lab3's thresholds [LAB3 section 8].
+constexpr float lab_clear_below = 0.2f;
+constexpr float lab_opaque_from = 0.9f;
+
+std::uint64_t bits_of(float high, float low) {
+  return (std::uint64_t{std::bit_cast<std::uint32_t>(high)} << 32) |
+         std::bit_cast<std::uint32_t>(low);
+}
+
+// Uniform in [0, 1), a function of every bit of the ray and of the triangle. The samplers' hashes
+// see pixel, sample and dimension, never a ray, so what is decided here is independent of them.
+float uniform_of(const Vec3f& origin, const Vec3f& direction, std::uint32_t geometry,
+                 std::uint32_t triangle, std::uint32_t instance) {
+  std::uint64_t h = mix_bits(bits_of(origin.x, origin.y) ^ 0x6a09e667f3bcc908ull);
+  h = hash_combine(h, bits_of(origin.z, direction.x));
+  h = hash_combine(h, bits_of(direction.y, direction.z));
+  h = hash_combine(h, (std::uint64_t{geometry} << 32) | triangle);
+  h = hash_combine(h, instance);
+  return unit_float(static_cast<std::uint32_t>(h >> 32));
+}
+
+Vec2f uv_at(const Geometry& geometry, std::uint32_t triangle, float u, float v) {
+  if (geometry.uvs.empty()) return {0.5f, 0.5f};
+  const auto& [a, b, c] = geometry.triangles[triangle];
+  return geometry.uvs[a] * (1 - u - v) + geometry.uvs[b] * u + geometry.uvs[c] * v;
+}
+
+}  // namespace
+
+float opacity_at(const Scene& scene, const Material& material, Vec2f uv) {
+  const ScalarParameter& opacity = material.opacity;
+  const float alpha = opacity.texture ? scene.textures.lookup(opacity.texture, uv)[opacity.channel]
+                                      : opacity.constant;
+  if (material.lab_opacity && alpha < lab_clear_below) return 0;
+  if (material.lab_opacity && alpha >= lab_opaque_from) return 1;
+  return std::clamp(alpha, 0.0f, 1.0f);
+}
+
+bool is_transparent_at(const Scene& scene, std::uint32_t geometry, std::uint32_t triangle,
+                       std::uint32_t instance, float u, float v, const Vec3f& ray_origin,
+                       const Vec3f& ray_direction) {
+  const Geometry& surface = scene.geometries[geometry];
+  if (!surface.has_cutouts) return false;
+  const Material& material = scene.materials[surface.material.index];
+  const float opacity = opacity_at(scene, material, uv_at(surface, triangle, u, v));
+  if (opacity <= 0) return true;
+  if (opacity >= 1) return false;
+  return uniform_of(ray_origin, ray_direction, geometry, triangle, instance) >= opacity;
+}
+
+}  // namespace candela

@@ -1,0 +1,59 @@
+// Embree 3.13 and 4 behind one face: the only include of Embree. What differs between them is here
+// and nowhere else: the header's folder, the context or arguments of a query.
+#pragma once
+
+#if CANDELA_EMBREE_MAJOR >= 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include "renderer/math/ray.h"
+
+namespace candela::embree {
+
+#if CANDELA_EMBREE_MAJOR >= 4
+using Context = RTCRayQueryContext;
+#else
+using Context = RTCIntersectContext;
+#endif
+
+// What a query carries to the filter functions: Embree hands them a pointer to `context`, which,
+// being the first member, is a pointer to the whole.
+struct Query {
+  Context context;
+  const Ray* world_ray;  // filters see Embree's ray in the space of the instance
+};
+
+inline void initialise(Query& query, const Ray& world_ray) {
+#if CANDELA_EMBREE_MAJOR >= 4
+  rtcInitRayQueryContext(&query.context);
+#else
+  rtcInitIntersectContext(&query.context);
+#endif
+  query.world_ray = &world_ray;
+}
+
+inline void intersect_one(RTCScene scene, RTCRayHit& ray_hit, Query& query) {
+#if CANDELA_EMBREE_MAJOR >= 4
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &query.context;
+  rtcIntersect1(scene, &ray_hit, &arguments);
+#else
+  rtcIntersect1(scene, &query.context, &ray_hit);
+#endif
+}
+
+inline void occluded_one(RTCScene scene, RTCRay& ray, Query& query) {
+#if CANDELA_EMBREE_MAJOR >= 4
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.context = &query.context;
+  rtcOccluded1(scene, &ray, &arguments);
+#else
+  rtcOccluded1(scene, &query.context, &ray);
+#endif
+}
+
+}  // namespace candela::embree

@@ -1,0 +1,51 @@
+// What both accelerators take in: triangles whose vertices are finite, instances that have an
+// inverse. The rest can not be hit.
+#pragma once
+
+#include <optional>
+
+#include "renderer/geometry/geometry.h"
+#include "renderer/math/ray.h"
+
+namespace candela {
+
+// Embree leaves out triangles with a vertex beyond this or not a number.
+[[nodiscard]] inline bool is_usable_vertex(const Vec3f& p) {
+  constexpr float limit = 1.844e18f;
+  return std::abs(p.x) < limit && std::abs(p.y) < limit && std::abs(p.z) < limit;
+}
+
+// World space -> an instance's object space.
+struct WorldToObject {
+  Vec3f x, y, z, translation;  // p' = x*p.x + y*p.y + z*p.z + translation
+
+  // The direction is not normalised, so that t keeps its meaning.
+  [[nodiscard]] Ray apply(const Ray& ray) const {
+    const Vec3f& o = ray.origin;
+    const Vec3f& d = ray.direction;
+    return {x * o.x + y * o.y + z * o.z + translation, x * d.x + y * d.y + z * d.z, ray.t_max};
+  }
+};
+
+// None for an instance that is flat or not finite.
+[[nodiscard]] inline std::optional<WorldToObject> world_to_object(const Instance& instance) {
+  const Mat3d linear(Vec3d(instance.x), Vec3d(instance.y), Vec3d(instance.z));
+  const Mat3d inverse = glm::inverse(linear);
+  const WorldToObject map{Vec3f(inverse[0]), Vec3f(inverse[1]), Vec3f(inverse[2]),
+                          Vec3f(-(inverse * Vec3d(instance.translation)))};
+  const bool is_usable =
+      is_finite(map.x) && is_finite(map.y) && is_finite(map.z) && is_finite(map.translation);
+  return is_usable ? std::optional(map) : std::nullopt;
+}
+
+// The box of an instance: of its object's corners, moved.
+[[nodiscard]] inline Bounds3f bounds_of(const Instance& instance, const Bounds3f& object) {
+  Bounds3f box;
+  for (int corner = 0; corner < 8; ++corner)
+    box.include(instance.point({(corner & 1 ? object.upper : object.lower).x,
+                                (corner & 2 ? object.upper : object.lower).y,
+                                (corner & 4 ? object.upper : object.lower).z}));
+  return box;
+}
+
+}  // namespace candela
