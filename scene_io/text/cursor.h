@@ -52,6 +52,11 @@ class Cursor {
     }
   }
 
+  // Past blanks, continuations and lines' ends.
+  constexpr void skip_spaces() {
+    for (skip_blanks(); at_ != end_ && *at_ == '\n'; skip_blanks()) ++at_;
+  }
+
   // The next word of the line after blanks; empty at the line's end.
   constexpr std::string_view next_word() {
     skip_blanks();

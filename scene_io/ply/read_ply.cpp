@@ -1,0 +1,360 @@
+#include "scene_io/ply/read_ply.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "scene_io/mesh/smooth_normals.h"
+#include "scene_io/mesh/triangulate.h"
+#include "scene_io/ply/header.h"
+#include "scene_io/ply/values.h"
+#include "scene_io/text/file.h"
+
+namespace candela::ply {
+namespace {
+
+using description::Mesh;
+
+// What a property of a vertex is, for us.
+enum Slot : std::size_t { X, Y, Z, NormalX, NormalY, NormalZ, U, V, SlotCount };
+constexpr std::size_t unused = SlotCount;
+
+constexpr std::array<std::pair<std::string_view, Slot>, 14> slot_names{{{"x", X},
+                                                                        {"y", Y},
+                                                                        {"z", Z},
+                                                                        {"nx", NormalX},
+                                                                        {"ny", NormalY},
+                                                                        {"nz", NormalZ},
+                                                                        {"u", U},
+                                                                        {"v", V},
+                                                                        {"s", U},
+                                                                        {"t", V},
+                                                                        {"texture_u", U},
+                                                                        {"texture_v", V},
+                                                                        {"texture_s", U},
+                                                                        {"texture_t", V}}};
+
+std::size_t slot_of(const Property& property) {
+  if (property.count_type) return unused;
+  for (const auto& [name, slot] : slot_names) {
+    if (name == property.name) return slot;
+  }
+  return unused;
+}
+
+bool is_index_list(const Property& property) {
+  return property.count_type &&
+         (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+// Polygons as read, one after another.
+struct Polygons {
+  std::vector<std::uint32_t> corners;
+  std::vector<std::uint32_t> sizes;
+};
+
+template <class Values>
+class BodyReader {
+ public:
+  BodyReader(const text::Source& source, const Header& header, Values values,
+             Diagnostics& diagnostics)
+      : source_(source), header_(header), values_(values), diagnostics_(diagnostics) {}
+
+  // False after an error.
+  bool read(Mesh& mesh) {
+    bool has_vertices = false;
+    for (const Element& element : header_.elements) {
+      if (element.name != "vertex") continue;
+      if (has_vertices) return refuse(element, "a second element 'vertex'");
+      has_vertices = true;
+      vertex_count_ = element.count;
+    }
+    for (const Element& element : header_.elements) {
+      if (!has_bytes_for(element) || !read_element(element, mesh)) return false;
+    }
+    if (mesh.positions.empty()) return fail("holds no vertices");
+    if (polygons_.sizes.empty() && mesh.triangles.empty()) return fail("holds no faces");
+    triangulate(mesh);
+    warn_of_replaced();
+    return true;
+  }
+
+ private:
+  bool fail(std::string message) {
+    diagnostics_.error({source_.name, 0, 0}, std::move(message));
+    return false;
+  }
+
+  bool refuse(const Element& element, std::string message) {
+    diagnostics_.add(text::diagnose(source_, element.offset, Severity::Error, std::move(message)));
+    return false;
+  }
+
+  // With the place: line and column of a text, the byte of a binary file.
+  bool fail_here(std::string message) {
+    const std::size_t offset = values_.offset();
+    if (header_.form == Form::Ascii) {
+      diagnostics_.add(text::diagnose(source_, offset, Severity::Error, std::move(message)));
+      return false;
+    }
+    return fail(fmt::format("{} (before byte {})", message, offset));
+  }
+
+  bool fail_at_number(const Element& element, std::uint64_t index) {
+    return fail_here(fmt::format("no number where {} {} of {} should have one",
+                                 text::quoted(element.name), index, element.count));
+  }
+
+  // The header's word counts only as far as the file is long enough for it.
+  bool has_bytes_for(const Element& element) {
+    std::uint64_t least = 0;
+    for (const Property& p : element.properties) {
+      least += Values::least_bytes(p.count_type.value_or(p.type));
+    }
+    if (least == 0 || element.count <= values_.bytes_left() / least) return true;
+    return refuse(element,
+                  fmt::format("{} {} are announced, but the file has only {} bytes for them",
+                              element.count, text::quoted(element.name), values_.bytes_left()));
+  }
+
+  bool read_element(const Element& element, Mesh& mesh) {
+    if (element.properties.empty()) return true;
+    if (element.name == "vertex") return read_vertices(element, mesh);
+    const bool is_face = element.name == "face";
+    const bool is_strip = element.name == "tristrips";
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      for (const Property& property : element.properties) {
+        const bool is_indices = (is_face || is_strip) && is_index_list(property);
+        if (is_indices ? !read_indices(element, property, i, is_strip, mesh) : !skip(property)) {
+          return fail_unless_said(element, i);
+        }
+      }
+    }
+    return true;
+  }
+
+  // An error of its own was said, or the file ended.
+  bool fail_unless_said(const Element& element, std::uint64_t index) {
+    const bool was_said = was_said_;
+    return was_said ? false : fail_at_number(element, index);
+  }
+
+  bool skip(const Property& property) {
+    if (!property.count_type) return values_.skip(property.type, 1);
+    const std::optional<double> count = values_.next(*property.count_type);
+    return count && *count >= 0.0 && *count <= static_cast<double>(values_.bytes_left()) &&
+           values_.skip(property.type, static_cast<std::uint64_t>(*count));
+  }
+
+  bool say(std::string message) {
+    was_said_ = true;
+    return fail_here(std::move(message));
+  }
+
+  bool read_vertices(const Element& element, Mesh& mesh) {
+    std::vector<std::size_t> slots;
+    std::array<bool, SlotCount + 1> has{};
+    for (const Property& property : element.properties) {
+      slots.push_back(slot_of(property));
+      has[slots.back()] = true;
+    }
+    if (!has[X] || !has[Y] || !has[Z]) {
+      return refuse(element, "vertices without the properties x, y and z");
+    }
+    const bool has_normals = has[NormalX] && has[NormalY] && has[NormalZ];
+    const bool has_uvs = has[U] && has[V];
+    const auto count = static_cast<std::size_t>(element.count);
+    mesh.positions.reserve(count);
+    if (has_normals) mesh.normals.reserve(count);
+    if (has_uvs) mesh.uvs.reserve(count);
+    std::array<double, SlotCount + 1> record{};
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      if (!read_record(element, slots, record)) return fail_at_number(element, i);
+      if (!add_position(record, i, mesh)) return false;
+      if (has_normals) add_normal(record, mesh);
+      if (has_uvs) add_uv(record, mesh);
+    }
+    return true;
+  }
+
+  bool read_record(const Element& element, const std::vector<std::size_t>& slots,
+                   std::array<double, SlotCount + 1>& record) {
+    for (std::size_t p = 0; p < slots.size(); ++p) {
+      const Property& property = element.properties[p];
+      if (property.count_type) {
+        if (!skip(property)) return false;
+        continue;
+      }
+      const std::optional<double> value = values_.next(property.type);
+      if (!value) return false;
+      record[slots[p]] = *value;
+    }
+    return true;
+  }
+
+  bool add_position(const std::array<double, SlotCount + 1>& record, std::uint64_t index,
+                    Mesh& mesh) {
+    const Vec3d position{record[X], record[Y], record[Z]};
+    if (!is_finite(position)) {
+      return fail_here(fmt::format("vertex {} has a position that is not finite", index));
+    }
+    mesh.positions.push_back(position);
+    return true;
+  }
+
+  void add_normal(const std::array<double, SlotCount + 1>& record, Mesh& mesh) {
+    const Vec3d normal{record[NormalX], record[NormalY], record[NormalZ]};
+    const double largest = max_component(glm::abs(normal));
+    if (!is_finite(normal)) ++replaced_count_;
+    const bool is_sound = is_finite(normal) && largest > 0.0;
+    // As long as float holds its square, the length is the file's.
+    const bool is_moderate = largest > 1e-18 && largest < 1e18;
+    mesh.normals.push_back(is_sound ? Vec3f(is_moderate ? normal : normal / largest) : Vec3f(0.0f));
+  }
+
+  void add_uv(const std::array<double, SlotCount + 1>& record, Mesh& mesh) {
+    const auto coordinate = [&](double x) {
+      if (!std::isfinite(x)) ++replaced_count_;
+      return std::isfinite(x) ? static_cast<float>(std::clamp(x, -1e30, 1e30)) : 0.0f;
+    };
+    mesh.uvs.push_back({coordinate(record[U]), coordinate(record[V])});
+  }
+
+  bool read_indices(const Element& element, const Property& property, std::uint64_t index,
+                    bool is_strip, Mesh& mesh) {
+    const std::optional<double> count = values_.next(*property.count_type);
+    if (!count) return false;
+    const std::uint64_t least = Values::least_bytes(property.type);
+    if (*count < 0.0 || *count > static_cast<double>(values_.bytes_left() / least)) {
+      return say(fmt::format("{} {} announces {} corners, more than the file has bytes for",
+                             text::quoted(element.name), index, *count));
+    }
+    list_.clear();
+    for (auto k = static_cast<std::uint64_t>(*count); k > 0; --k) {
+      const std::optional<double> corner = values_.next(property.type);
+      if (!corner) return false;
+      const bool is_restart = is_strip && *corner == -1.0;
+      const bool is_index = *corner >= 0.0 && *corner < static_cast<double>(vertex_count_) &&
+                            *corner == std::floor(*corner);
+      if (!is_index && !is_restart) {
+        return say(fmt::format("{} {} has corner {}, but there are {} vertices (from 0)",
+                               text::quoted(element.name), index, *corner, vertex_count_));
+      }
+      list_.push_back(is_restart ? restart : static_cast<std::uint32_t>(*corner));
+    }
+    if (is_strip) return add_strip(mesh);
+    if (list_.size() < 3) {
+      return say(fmt::format("face {} has {} corners; expected 3 or more", index, list_.size()));
+    }
+    polygons_.corners.insert(polygons_.corners.end(), list_.begin(), list_.end());
+    polygons_.sizes.push_back(static_cast<std::uint32_t>(list_.size()));
+    return true;
+  }
+
+  // Every other triangle of a strip runs the other way round.
+  bool add_strip(Mesh& mesh) {
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < list_.size(); ++i) {
+      if (list_[i] == restart) {
+        begin = i + 1;
+      } else if (i >= begin + 2) {
+        const bool is_odd = (i - begin) % 2 == 1;
+        const std::uint32_t a = list_[i - 2];
+        const std::uint32_t b = list_[i - 1];
+        mesh.triangles.push_back({is_odd ? b : a, is_odd ? a : b, list_[i]});
+      }
+    }
+    return true;
+  }
+
+  void triangulate(Mesh& mesh) {
+    mesh::Triangulator triangulator;
+    std::vector<Vec3d> polygon;
+    mesh.triangles.reserve(mesh.triangles.size() + polygons_.corners.size() -
+                           2 * polygons_.sizes.size());
+    const std::uint32_t* corner = polygons_.corners.data();
+    for (const std::uint32_t size : polygons_.sizes) {
+      if (size == 3) {
+        mesh.triangles.push_back({corner[0], corner[1], corner[2]});
+      } else {
+        polygon.clear();
+        for (std::uint32_t k = 0; k < size; ++k) polygon.push_back(mesh.positions[corner[k]]);
+        for (const mesh::IndexTriangle& t : triangulator.triangulate(polygon)) {
+          mesh.triangles.push_back({corner[t[0]], corner[t[1]], corner[t[2]]});
+        }
+      }
+      corner += size;
+    }
+  }
+
+  void warn_of_replaced() {
+    if (replaced_count_ == 0) return;
+    diagnostics_.warning({source_.name, 0, 0},
+                         fmt::format("{} normals and texture coordinates are not finite and count "
+                                     "as absent or 0",
+                                     replaced_count_));
+  }
+
+  static constexpr std::uint32_t restart = UINT32_MAX;
+
+  const text::Source& source_;
+  const Header& header_;
+  Values values_;
+  Diagnostics& diagnostics_;
+  std::uint64_t vertex_count_ = 0;
+  std::uint64_t replaced_count_ = 0;
+  bool was_said_ = false;
+  std::vector<std::uint32_t> list_;  // the one being read
+  Polygons polygons_;
+};
+
+bool read_body(const text::Source& source, const Header& header, Mesh& mesh,
+               Diagnostics& diagnostics) {
+  if (header.form == Form::Ascii) {
+    const AsciiValues values(source.text, header.body);
+    return BodyReader(source, header, values, diagnostics).read(mesh);
+  }
+  const BinaryValues values(source.text, header.body, header.form == Form::LittleEndian);
+  return BodyReader(source, header, values, diagnostics).read(mesh);
+}
+
+}  // namespace
+
+std::optional<Mesh> parse_ply(const std::string& path, std::string_view bytes,
+                              const PlyOptions& options, Diagnostics& diagnostics) {
+  const text::Source source = text::make_source(path, bytes);
+  const std::optional<Header> header = parse_header(source, diagnostics);
+  if (!header) return std::nullopt;
+  Mesh mesh;
+  if (!read_body(source, *header, mesh, diagnostics)) return std::nullopt;
+  mesh.name = path;
+  mesh.span = {source.name, 1, 1};
+  if (mesh.normals.empty() && options.smooth_missing_normals) mesh::compute_smooth_normals(mesh);
+  return mesh;
+}
+
+std::optional<Mesh> read_ply(const std::string& path, const PlyOptions& options,
+                             Diagnostics& diagnostics) {
+  const Result<std::string> bytes = text::read_file(path);
+  diagnostics.append(bytes.diagnostics);
+  if (!bytes) return std::nullopt;
+  return parse_ply(path, *bytes, options, diagnostics);
+}
+
+description::MeshHandle append_ply(const std::string& path, description::MaterialHandle material,
+                                   const PlyOptions& options, description::SceneDescription& scene,
+                                   Diagnostics& diagnostics) {
+  std::optional<Mesh> mesh = read_ply(path, options, diagnostics);
+  if (!mesh) return {};
+  mesh->materials = {material};
+  const description::MeshHandle handle(scene.meshes.size());
+  scene.meshes.push_back(std::move(*mesh));
+  scene.files.push_back(path);
+  return handle;
+}
+
+}  // namespace candela::ply
