@@ -1,11 +1,24 @@
 // One switch over the models for each question that integrators ask of a BSDF.
-// Kernels pass the set of models their scene has; a model outside of it is never met.
+// Kernels pass the set of models their scene has: the others leave no code behind. A model outside
+// of the set would be black; bsdf_at() never makes one (material/bsdf_at.h: bsdf_models).
 #pragma once
 
+#include "renderer/bsdf/albedo.h"  // albedo_estimate
 #include "renderer/bsdf/bsdf.h"
+#include "renderer/bsdf/conductor.h"
+#include "renderer/bsdf/cook_torrance.h"
+#include "renderer/bsdf/dielectric.h"
 #include "renderer/bsdf/diffuse.h"
+#include "renderer/bsdf/lab.h"
+#include "renderer/bsdf/mirror.h"
+#include "renderer/bsdf/thin_dielectric.h"
 
 namespace candela {
+
+template <ModelSet models>
+constexpr bool has_model(BsdfModel model) {
+  return (models & model_bit(model)) != 0;
+}
 
 // True where every lobe is a delta lobe: next-event estimation has nothing to add.
 [[nodiscard]] inline bool is_only_delta(const Bsdf& bsdf) {
@@ -13,23 +26,69 @@ namespace candela {
          bsdf.is_smooth;
 }
 
-// The sum of the non-delta lobes. wo.z > 0 always holds.
+// The sum of the non-delta lobes. wo.z > 0 always holds; wi is of unit length.
 template <ModelSet models = all_models>
 [[nodiscard]] inline BsdfEvaluation evaluate_bsdf(const Bsdf& bsdf, const Vec3f& wo,
                                                   const Vec3f& wi) {
-  return evaluate_diffuse(bsdf, wo, wi);
+  switch (bsdf.model) {
+    case BsdfModel::Diffuse:
+      if constexpr (has_model<models>(BsdfModel::Diffuse)) return evaluate_diffuse(bsdf, wo, wi);
+      break;
+    case BsdfModel::CookTorrance:
+      if constexpr (has_model<models>(BsdfModel::CookTorrance))
+        return evaluate_cook_torrance(bsdf, wo, wi);
+      break;
+    case BsdfModel::Lab:
+      if constexpr (has_model<models>(BsdfModel::Lab)) return evaluate_lab(bsdf, wo, wi);
+      break;
+    case BsdfModel::Conductor:
+      if constexpr (has_model<models>(BsdfModel::Conductor))
+        return evaluate_conductor(bsdf, wo, wi);
+      break;
+    case BsdfModel::Dielectric:
+      if constexpr (has_model<models>(BsdfModel::Dielectric))
+        return evaluate_dielectric(bsdf, wo, wi);
+      break;
+    case BsdfModel::Mirror:
+    case BsdfModel::ThinDielectric:
+      break;
+  }
+  return {};
 }
 
 // `lobe` picks the lobe, `direction` a direction in it, all in [0, 1).
 template <ModelSet models = all_models>
-[[nodiscard]] inline BsdfSample sample_bsdf(const Bsdf& bsdf, const Vec3f& wo, float /*lobe*/,
+[[nodiscard]] inline BsdfSample sample_bsdf(const Bsdf& bsdf, const Vec3f& wo, float lobe,
                                             Vec2f direction) {
-  return sample_diffuse(bsdf, wo, direction);
-}
-
-// Directional albedo, roughly: for AOVs. In [0, 1], never NaN.
-[[nodiscard]] inline Rgb albedo_estimate(const Bsdf& bsdf, const Vec3f& /*wo*/) {
-  return glm::clamp(bsdf.diffuse, 0.0f, 1.0f);
+  switch (bsdf.model) {
+    case BsdfModel::Diffuse:
+      if constexpr (has_model<models>(BsdfModel::Diffuse))
+        return sample_diffuse(bsdf, wo, direction);
+      break;
+    case BsdfModel::CookTorrance:
+      if constexpr (has_model<models>(BsdfModel::CookTorrance))
+        return sample_cook_torrance(bsdf, wo, lobe, direction);
+      break;
+    case BsdfModel::Lab:
+      if constexpr (has_model<models>(BsdfModel::Lab)) return sample_lab(bsdf, wo, lobe, direction);
+      break;
+    case BsdfModel::Mirror:
+      if constexpr (has_model<models>(BsdfModel::Mirror)) return sample_mirror(bsdf, wo);
+      break;
+    case BsdfModel::Conductor:
+      if constexpr (has_model<models>(BsdfModel::Conductor))
+        return sample_conductor(bsdf, wo, direction);
+      break;
+    case BsdfModel::Dielectric:
+      if constexpr (has_model<models>(BsdfModel::Dielectric))
+        return sample_dielectric(bsdf, wo, lobe, direction);
+      break;
+    case BsdfModel::ThinDielectric:
+      if constexpr (has_model<models>(BsdfModel::ThinDielectric))
+        return sample_thin_dielectric(bsdf, wo, lobe);
+      break;
+  }
+  return {};
 }
 
 }  // namespace candela

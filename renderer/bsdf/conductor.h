@@ -1,0 +1,28 @@
+// A metal by its complex index eta + i k: smooth, or GGX with Smith's masking.
+#pragma once
+
+#include "renderer/bsdf/bsdf.h"
+#include "renderer/bsdf/fresnel.h"
+#include "renderer/bsdf/microfacet.h"
+#include "renderer/bsdf/mirror.h"
+#include "renderer/bsdf/specular_mixture.h"
+
+namespace candela {
+
+[[nodiscard]] inline BsdfEvaluation evaluate_conductor(const Bsdf& bsdf, const Vec3f& wo,
+                                                       const Vec3f& wi) {
+  if (bsdf.is_smooth) return {};
+  const MicrofacetReflection reflection =
+      reflect_microfacets(GeometryTerm::Smith, ggx_width(bsdf.alpha), wo, wi);
+  return {fresnel_conductor(reflection.cos_half, bsdf.eta, bsdf.k) * reflection.value,
+          reflection.pdf};
+}
+
+[[nodiscard]] inline BsdfSample sample_conductor(const Bsdf& bsdf, const Vec3f& wo,
+                                                 Vec2f direction) {
+  if (bsdf.is_smooth) return mirror_sample(wo, fresnel_conductor(wo.z, bsdf.eta, bsdf.k));
+  const Vec3f wi = sample_ggx_reflection(wo, ggx_width(bsdf.alpha), direction);
+  return to_sample(wi, evaluate_conductor(bsdf, wo, wi));
+}
+
+}  // namespace candela

@@ -1,0 +1,68 @@
+// Fresnel reflectances of unpolarised light: Schlick's approximation, exact for dielectrics, exact
+// for conductors. All results lie in [0, 1] and are never NaN, whatever the arguments.
+#pragma once
+
+#include "renderer/math/vec.h"
+
+namespace candela {
+
+// x in [0, 1]; 0 for NaN.
+[[nodiscard]] inline float clamp_unit(float x) {
+  return std::min(1.0f, std::max(0.0f, x));
+}
+[[nodiscard]] inline Rgb clamp_unit(const Rgb& c) {
+  return {clamp_unit(c.x), clamp_unit(c.y), clamp_unit(c.z)};
+}
+
+// (1 - cos)^5, the weight of the reflectance at grazing incidence [Schlick94, eq. 15].
+[[nodiscard]] inline float schlick_weight(float cos_theta) {
+  const float m = clamp_unit(1 - cos_theta);
+  return square(square(m)) * m;
+}
+[[nodiscard]] inline Rgb fresnel_schlick(const Rgb& f0, float cos_theta) {
+  return f0 + (Rgb{1} - f0) * schlick_weight(cos_theta);
+}
+
+// Reflectance of normal incidence on an interface of relative index eta.
+[[nodiscard]] inline float normal_reflectance(float eta) {
+  return clamp_unit(square((eta - 1) / (eta + 1)));
+}
+
+struct DielectricFresnel {
+  float reflectance = 1;
+  float cos_transmitted = 0;  // > 0 of the refracted direction; 0 under total internal reflection
+};
+
+// `eta`: index of the far side over that of the side of incidence; cos_theta >= 0 on that side.
+// (eta cos_t)^2 = eta^2 - sin^2 is written so that it does not cancel for eta near 1.
+[[nodiscard]] inline DielectricFresnel fresnel_dielectric(float cos_theta, float eta) {
+  const float eta2_cos2_t = (eta - 1) * (eta + 1) + square(cos_theta);
+  if (!(eta2_cos2_t > 0) || !(cos_theta > 0)) return {};
+  const float eta_cos_t = std::sqrt(eta2_cos2_t);
+  const float cos_t = std::min(1.0f, eta_cos_t / eta);
+  const float perpendicular = (cos_theta - eta_cos_t) / (cos_theta + eta_cos_t);
+  const float parallel = (eta * cos_theta - cos_t) / (eta * cos_theta + cos_t);
+  return {clamp_unit(0.5f * (square(perpendicular) + square(parallel))), cos_t};
+}
+
+// One channel of a conductor with relative index eta + i k; [Lagarde13, "conductor-dielectric"].
+[[nodiscard]] inline float fresnel_conductor(float cos_theta, float eta, float k) {
+  const float cos2 = square(clamp_unit(cos_theta));
+  const float sin2 = 1 - cos2;
+  const float difference = square(eta) - square(k) - sin2;
+  const float sum = std::sqrt(square(difference) + 4 * square(eta * k));  // a^2 + b^2
+  const float a = std::sqrt(std::max(0.0f, 0.5f * (sum + difference)));
+  const float two_a_cos = 2 * a * clamp_unit(cos_theta);
+  const float denominator_s = sum + cos2 + two_a_cos;
+  const float denominator_p = cos2 * sum + square(sin2) + two_a_cos * sin2;
+  if (!(denominator_s > 0) || !(denominator_p > 0)) return 1;
+  const float s = (sum + cos2 - two_a_cos) / denominator_s;
+  const float p_over_s = (cos2 * sum + square(sin2) - two_a_cos * sin2) / denominator_p;
+  return clamp_unit(0.5f * s * (1 + p_over_s));
+}
+[[nodiscard]] inline Rgb fresnel_conductor(float cos_theta, const Rgb& eta, const Rgb& k) {
+  return {fresnel_conductor(cos_theta, eta.x, k.x), fresnel_conductor(cos_theta, eta.y, k.y),
+          fresnel_conductor(cos_theta, eta.z, k.z)};
+}
+
+}  // namespace candela

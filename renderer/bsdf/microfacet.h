@@ -1,0 +1,41 @@
+// Reflection by GGX microfacets without its Fresnel term, which the models multiply in.
+#pragma once
+
+#include "renderer/bsdf/bsdf.h"
+#include "renderer/bsdf/ggx.h"
+
+namespace candela {
+
+struct MicrofacetReflection {
+  float value = 0;     // D G / (4 cos_o): f |cos_i| / F
+  float pdf = 0;       // of sample_ggx_reflection()
+  float cos_half = 0;  // wo.h = wi.h
+};
+
+// G / (4 cos_o cos_i) * cos_i of the two geometry terms, both cosines > 0. Neither blows up at
+// grazing angles: cos_i is divided out by hand.
+//   Schlick-GGX: G1(c) = c / (c (1 - k) + k), k = (a + 1)^2 / 8 [Karis13, eq. 4]
+//   Smith, height-correlated: [Heitz14, eq. 99]
+[[nodiscard]] inline float masking_over_cosines(GeometryTerm geometry, float cos_o, float cos_i,
+                                                float a) {
+  if (geometry == GeometryTerm::SchlickGgx) {
+    const float k = square(a + 1) * 0.125f;
+    return cos_i / (4 * (cos_o * (1 - k) + k) * (cos_i * (1 - k) + k));
+  }
+  const float denominator = 2 * (cos_o * smith_root(cos_i, a) + cos_i * smith_root(cos_o, a));
+  return denominator > 0 ? cos_i / denominator : 0;
+}
+
+[[nodiscard]] inline MicrofacetReflection reflect_microfacets(GeometryTerm geometry, float a,
+                                                              const Vec3f& wo, const Vec3f& wi) {
+  if (!(wi.z > 0)) return {};
+  const Vec3f sum = wo + wi;
+  const float length2 = length_squared(sum);
+  if (!(length2 > 0)) return {};
+  const float distribution = ggx_distribution(sum, a);
+  const float value = distribution * masking_over_cosines(geometry, wo.z, wi.z, a);
+  return {value, ggx_reflection_pdf(distribution, wo, a),
+          std::min(1.0f, dot(wo, sum) / std::sqrt(length2))};
+}
+
+}  // namespace candela

@@ -1,0 +1,139 @@
+// Material + textures + place -> Bsdf: the parameters of one model at one point.
+//
+// What textures say is clamped to [0, 1] (NaN is 0), so that no picture can break the energy
+// balance; constants were validated. Opacity is not handled here: it decides whether there is a
+// hit.
+#pragma once
+
+#include "renderer/bsdf/bsdf.h"
+#include "renderer/bsdf/dielectric.h"
+#include "renderer/bsdf/fresnel.h"
+#include "renderer/bsdf/lab.h"
+#include "renderer/material/material.h"
+
+namespace candela {
+
+[[nodiscard]] inline Rgb colour_at(const ColourParameter& parameter, const TextureStore& textures,
+                                   Vec2f uv) {
+  if (!parameter.texture) return parameter.constant;
+  return clamp_unit(Rgb(textures.lookup(parameter.texture, uv)));
+}
+[[nodiscard]] inline float scalar_at(const ScalarParameter& parameter, const TextureStore& textures,
+                                     Vec2f uv) {
+  if (!parameter.texture) return parameter.constant;
+  return clamp_unit(textures.lookup(parameter.texture, uv)[parameter.channel]);
+}
+
+// Which models bsdf_at() can make of a material. Lab surfaces without a highlight are Lambert's.
+[[nodiscard]] inline ModelSet bsdf_models(const Material& material) {
+  switch (material.model) {
+    case MaterialModel::Diffuse:
+      return model_bit(BsdfModel::Diffuse);
+    case MaterialModel::CookTorrance:
+      return model_bit(BsdfModel::CookTorrance);
+    case MaterialModel::Lab: {
+      const ModelSet diffuse = model_bit(BsdfModel::Diffuse);
+      if (!material.specular.texture && is_black(material.specular.constant)) return diffuse;
+      return diffuse | model_bit(BsdfModel::Lab);
+    }
+    case MaterialModel::Mirror:
+      return model_bit(BsdfModel::Mirror);
+    case MaterialModel::Conductor:
+      return model_bit(BsdfModel::Conductor);
+    case MaterialModel::Dielectric:
+      return model_bit(BsdfModel::Dielectric);
+    case MaterialModel::ThinDielectric:
+      return model_bit(BsdfModel::ThinDielectric);
+  }
+  return 0;
+}
+
+[[nodiscard]] inline FresnelTerm fresnel_term(const Material& material) {
+  if (material.fresnel == FresnelModel::Schlick) return FresnelTerm::Schlick;
+  return material.fresnel_is_conductor ? FresnelTerm::Conductor : FresnelTerm::Dielectric;
+}
+
+// kd + ks <= 1 a channel [REPORT 2.2]: where maps ask for more, both give way in proportion.
+inline void limit_reflectance(Rgb& diffuse, Rgb& specular) {
+  const Rgb sum = glm::max(diffuse + specular, Rgb{1});
+  diffuse /= sum;
+  specular /= sum;
+}
+
+[[nodiscard]] inline Bsdf cook_torrance_at(const Material& material, const TextureStore& textures,
+                                           Vec2f uv) {
+  Bsdf bsdf{.model = BsdfModel::CookTorrance,
+            .fresnel = fresnel_term(material),
+            .geometry = material.geometry == GeometryModel::Smith ? GeometryTerm::Smith
+                                                                  : GeometryTerm::SchlickGgx,
+            .alpha = ggx_width(scalar_at(material.roughness, textures, uv)),
+            .diffuse = colour_at(material.diffuse, textures, uv),
+            .specular = colour_at(material.specular, textures, uv),
+            .f0 = material.f0,
+            .eta = material.eta,
+            .k = material.k};
+  limit_reflectance(bsdf.diffuse, bsdf.specular);
+  return bsdf;
+}
+
+[[nodiscard]] inline Bsdf lab_at(const Material& material, const TextureStore& textures, Vec2f uv) {
+  Bsdf bsdf{.model = BsdfModel::Lab,
+            .alpha = material.roughness.constant,
+            .diffuse = colour_at(material.diffuse, textures, uv),
+            .specular = material.specular.constant};
+  if (material.specular.texture) {
+    const Vec4f specular = textures.lookup(material.specular.texture, uv);
+    bsdf.specular = clamp_unit(Rgb(specular));
+    bsdf.alpha = lab_width(clamp_unit(specular.w) * 256);
+  }
+  if (is_black(bsdf.specular)) bsdf.model = BsdfModel::Diffuse;
+  return bsdf;
+}
+
+[[nodiscard]] inline Bsdf conductor_at(const Material& material, const TextureStore& textures,
+                                       Vec2f uv) {
+  const float alpha = scalar_at(material.roughness, textures, uv);
+  return {.model = BsdfModel::Conductor,
+          .is_smooth = !(alpha >= smallest_ggx_width),
+          .alpha = ggx_width(alpha),
+          .eta = material.eta,
+          .k = material.k};
+}
+
+[[nodiscard]] inline Bsdf dielectric_at(const Material& material, const TextureStore& textures,
+                                        Vec2f uv, bool is_front_side) {
+  const float eta = is_front_side ? material.eta.x : 1 / material.eta.x;
+  const float alpha = scalar_at(material.roughness, textures, uv);
+  return {.model = BsdfModel::Dielectric,
+          .is_smooth = is_smooth_dielectric(alpha, eta),
+          .alpha = ggx_width(alpha),
+          .eta = Rgb{eta},
+          .transmittance = material.transmittance};
+}
+
+// `is_front_side`: wo lies on the side that the geometric normal (of the file's winding) points to,
+// the outside of glass.
+[[nodiscard]] inline Bsdf bsdf_at(const Material& material, const TextureStore& textures, Vec2f uv,
+                                  bool is_front_side) {
+  switch (material.model) {
+    case MaterialModel::Diffuse:
+      return {.model = BsdfModel::Diffuse, .diffuse = colour_at(material.diffuse, textures, uv)};
+    case MaterialModel::CookTorrance:
+      return cook_torrance_at(material, textures, uv);
+    case MaterialModel::Lab:
+      return lab_at(material, textures, uv);
+    case MaterialModel::Mirror:
+      return {.model = BsdfModel::Mirror, .diffuse = colour_at(material.diffuse, textures, uv)};
+    case MaterialModel::Conductor:
+      return conductor_at(material, textures, uv);
+    case MaterialModel::Dielectric:
+      return dielectric_at(material, textures, uv, is_front_side);
+    case MaterialModel::ThinDielectric:
+      return {.model = BsdfModel::ThinDielectric,
+              .eta = material.eta,
+              .transmittance = material.transmittance};
+  }
+  return {};
+}
+
+}  // namespace candela
