@@ -1,0 +1,78 @@
+// BSDFs and directions that the tests of this folder go through.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderer/bsdf/bsdf.h"
+#include "renderer/sampling/sobol.h"
+
+namespace candela::tests {
+
+struct BsdfCase {
+  std::string name;
+  Bsdf bsdf;
+};
+
+inline Bsdf cook_torrance(float alpha, Rgb kd, Rgb ks, Rgb f0, GeometryTerm geometry) {
+  return {.model = BsdfModel::CookTorrance,
+          .geometry = geometry,
+          .alpha = alpha,
+          .diffuse = kd,
+          .specular = ks,
+          .f0 = f0};
+}
+inline Bsdf lab(float alpha, Rgb kd, Rgb ks) {
+  return {.model = BsdfModel::Lab, .alpha = alpha, .diffuse = kd, .specular = ks};
+}
+inline Bsdf conductor(float alpha) {
+  return {.model = BsdfModel::Conductor,
+          .is_smooth = alpha == 0,
+          .alpha = alpha,
+          .eta = {0.2f, 0.92f, 1.1f},
+          .k = {3.9f, 2.45f, 2.14f}};
+}
+inline Bsdf dielectric(float alpha, float eta, Rgb transmittance = Rgb{1}) {
+  return {.model = BsdfModel::Dielectric,
+          .is_smooth = alpha == 0,
+          .alpha = alpha,
+          .eta = Rgb{eta},
+          .transmittance = transmittance};
+}
+
+// The models with densities.
+inline std::vector<BsdfCase> rough_cases() {
+  const Rgb steel{0.56f, 0.57f, 0.58f};
+  Bsdf exact_dielectric =
+      cook_torrance(0.2f, Rgb{0.5f}, Rgb{0.5f}, Rgb{0.04f}, GeometryTerm::Smith);
+  exact_dielectric.fresnel = FresnelTerm::Dielectric;
+  Bsdf exact_conductor = cook_torrance(0.1f, Rgb{0.1f}, Rgb{0.9f}, steel, GeometryTerm::Smith);
+  exact_conductor.fresnel = FresnelTerm::Conductor;
+  exact_conductor.eta = Rgb{2.9f};
+  exact_conductor.k = Rgb{3.1f};
+  return {
+      {"diffuse", {.model = BsdfModel::Diffuse, .diffuse = {0.8f, 0.5f, 0.1f}}},
+      {"cook_torrance_0.3",
+       cook_torrance(0.3f, Rgb{0.2f}, Rgb{0.8f}, steel, GeometryTerm::SchlickGgx)},
+      {"cook_torrance_0.05",
+       cook_torrance(0.05f, Rgb{0.5f}, Rgb{0.5f}, Rgb{0.04f}, GeometryTerm::Smith)},
+      {"cook_torrance_1", cook_torrance(1, Rgb{0}, Rgb{1}, Rgb{1}, GeometryTerm::SchlickGgx)},
+      {"cook_torrance_dielectric", exact_dielectric},
+      {"cook_torrance_conductor", exact_conductor},
+      {"lab_0.12", lab(0.12f, {0.7f, 0.6f, 0.5f}, Rgb{0.3f})},
+      {"lab_1", lab(1, Rgb{0.9f}, Rgb{0.01f})},
+      {"conductor_0.02", conductor(0.02f)},
+      {"conductor_0.5", conductor(0.5f)},
+      {"dielectric_0.1", dielectric(0.1f, 1.5f)},
+      {"dielectric_0.1_inside", dielectric(0.1f, 1 / 1.5f)},
+      {"dielectric_0.6_tinted", dielectric(0.6f, 1.33f, {0.9f, 0.5f, 0.3f})},
+      {"dielectric_0.4_inside", dielectric(0.4f, 0.5f)},
+  };
+}
+
+inline Vec3f direction_of(float cos_theta, float phi) {
+  const float r = std::sqrt(std::max(0.0f, (1 - cos_theta) * (1 + cos_theta)));
+  return {r * std::cos(phi), r * std::sin(phi), cos_theta};
+}
+
+}  // namespace candela::tests
