@@ -1,1 +1,82 @@
 #include "scene_io/load.h"
+
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "scene_io/default_camera.h"
+#include "scene_io/lab3/mesh_files.h"
+#include "scene_io/lab3/read_lab3.h"
+#include "scene_io/text/cursor.h"
+#include "scene_io/text/file.h"
+#include "scene_io/text/source.h"
+
+namespace candela {
+namespace {
+
+using description::SceneDescription;
+
+bool is_yaml(std::string_view path) {
+  if (text::has_gzip_name(path)) path.remove_suffix(3);
+  const std::size_t dot = path.find_last_of("./");
+  if (dot == std::string_view::npos) return false;
+  const std::string_view extension = path.substr(dot);
+  return text::equal_ignoring_case(extension, ".yaml") ||
+         text::equal_ignoring_case(extension, ".yml");
+}
+
+std::string describe_extension(const std::string& path) {
+  std::error_code failed;
+  if (std::filesystem::is_directory(path, failed)) return "a folder";
+  const std::string extension = std::filesystem::path(path).extension().string();
+  return extension.empty() ? "a name without an extension"
+                           : fmt::format("the extension {}", text::quoted(extension));
+}
+
+description::MaterialHandle add_grey(SceneDescription& scene) {
+  description::Material grey;
+  grey.name = "grey";
+  grey.model = description::DiffuseMaterial{};
+  scene.materials.push_back(std::move(grey));
+  return description::MaterialHandle(scene.materials.size() - 1);
+}
+
+// A mesh alone: in white light from everywhere, seen from the front. It is no lab3 scene, so its
+// MTL counts in full.
+Result<SceneDescription> load_mesh(const std::string& path, lab3::MeshFormat format,
+                                   const LoadOptions& options) {
+  SceneDescription scene;
+  Diagnostics diagnostics;
+  scene.path = path;
+  LoadOptions full = options;
+  full.use_mtl_materials = true;
+  const bool is_obj = format == lab3::MeshFormat::Obj;
+  const description::MaterialHandle material =
+      is_obj ? description::MaterialHandle() : add_grey(scene);
+  lab3::MeshFiles files;
+  files.request({path, format, is_obj, material, {{}}});
+  files.load_and_place(full, scene, diagnostics);
+  if (diagnostics.has_errors()) return diagnostics;
+  const Vec3d radiance = options.ambient.value_or(Vec3d(1.0));
+  scene.lights.push_back({{}, description::ConstantEnvironment{radiance, true}});
+  scene.cameras.push_back(default_camera(scene));
+  diagnostics.note({}, fmt::format("{} is a mesh alone: it is lit from everywhere and seen from "
+                                   "the front",
+                                   text::quoted(path)));
+  return {std::move(scene), std::move(diagnostics)};
+}
+
+}  // namespace
+
+Result<SceneDescription> load(const std::string& path, const LoadOptions& options) {
+  if (is_yaml(path)) return lab3::read_lab3(path, options);
+  const lab3::MeshFormat format = lab3::mesh_format_of(path);
+  if (format != lab3::MeshFormat::Unknown) return load_mesh(path, format, options);
+  return failure(
+      fmt::format("{}: found {}, expected a scene: .yaml, .yml, .obj or .ply (each also "
+                  "with .gz)",
+                  text::quoted(path), describe_extension(path)));
+}
+
+}  // namespace candela

@@ -1,0 +1,136 @@
+#include "scene_io/lab3/assets.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "scene_io/text/cursor.h"
+#include "scene_io/text/path.h"
+
+namespace candela::lab3 {
+namespace {
+
+using description::Encoding;
+using description::ImageHandle;
+using description::Wrap;
+
+// The regular file beside `path` whose name is nearest to its own.
+std::string suggest_file(const std::string& path) {
+  namespace fs = std::filesystem;
+  constexpr std::size_t most = 1000;
+  const fs::path wanted(path);
+  const fs::path folder = wanted.has_parent_path() ? wanted.parent_path() : fs::path(".");
+  std::vector<std::string> names;
+  std::error_code failed;
+  for (fs::directory_iterator at(folder, failed), end; !failed && at != end && names.size() < most;
+       at.increment(failed))
+    names.push_back(at->path().filename().string());
+  std::sort(names.begin(), names.end());
+  return did_you_mean(wanted.filename().string(), {names.begin(), names.end()});
+}
+
+std::string file_name_of(Reader& reader, const Entry& entry) {
+  const Node& node = *entry.value;
+  if (node.is_scalar() && !node.text.empty()) return node.text;
+  const std::string key = entry.key.empty() ? "" : entry.key + ": ";
+  reader.error(node.offset,
+               fmt::format("{}found {}, expected the name of a file", key, describe(node)));
+  return "";
+}
+
+std::string extension_of(const std::string& name) {
+  std::string extension = std::filesystem::path(name).extension().string();
+  for (char& c : extension) c = text::to_lower(c);
+  return extension;
+}
+
+}  // namespace
+
+std::string problem_of_file(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code failed;
+  switch (fs::status(path, failed).type()) {
+    case fs::file_type::regular:
+      return "";
+    case fs::file_type::none:
+    case fs::file_type::not_found:
+      return "no such file";
+    case fs::file_type::directory:
+      return "this is a folder";
+    case fs::file_type::fifo:
+      return "this is a FIFO";
+    case fs::file_type::socket:
+      return "this is a socket";
+    case fs::file_type::block:
+    case fs::file_type::character:
+      return "this is a device";
+    default:
+      return "this is no regular file";
+  }
+}
+
+std::string resolved(Reader& reader, std::size_t offset, const std::string& name) {
+  const text::ResolvedPath found = text::resolve_path(reader.scene.path, name);
+  if (found.has_other_case)
+    reader.warning(offset, fmt::format("file {} is taken for {}: letter case differs",
+                                       text::quoted(found.path), text::quoted(name)));
+  return found.path;
+}
+
+std::string required_file(Reader& reader, const Entry& entry, std::string_view what) {
+  const std::string name = file_name_of(reader, entry);
+  if (name.empty()) return "";
+  const std::string path = resolved(reader, entry.value->offset, name);
+  const std::string problem = problem_of_file(path);
+  if (problem.empty()) return path;
+  const std::string suggestion = problem == "no such file" ? suggest_file(path) : "";
+  reader.error(entry.value->offset,
+               fmt::format("{}: {} {}{}", text::quoted(name), problem,
+                           problem == "no such file" ? fmt::format("for {}", what)
+                                                     : fmt::format("where {} was expected", what),
+                           suggestion));
+  return "";
+}
+
+ImageHandle read_image(Reader& reader, const Entry* entry, Encoding encoding, Wrap wrap) {
+  if (!entry) return {};
+  const std::string name = file_name_of(reader, *entry);
+  if (name.empty()) return {};
+  const std::string path = resolved(reader, entry->value->offset, name);
+  const std::string problem = problem_of_file(path);
+  if (!problem.empty() && problem != "no such file") {
+    reader.error(entry->value->offset,
+                 fmt::format("{}: {} where an image was expected", text::quoted(name), problem));
+    return {};
+  }
+  return add_image(reader.scene, {path, encoding, wrap, reader.span(entry->value->offset)});
+}
+
+ImageHandle read_required_image(Reader& reader, const Entry& entry, Encoding encoding, Wrap wrap) {
+  const std::string path = required_file(reader, entry, "an image");
+  if (path.empty()) return {};
+  return add_image(reader.scene, {path, encoding, wrap, reader.span(entry.value->offset)});
+}
+
+Encoding colour_encoding(const std::string& file_name) {
+  const std::string extension = extension_of(file_name);
+  const bool is_linear = extension == ".exr" || extension == ".hdr" || extension == ".pfm";
+  return is_linear ? Encoding::Linear : Encoding::Srgb;
+}
+
+ImageHandle add_image(description::SceneDescription& scene, description::Image image) {
+  const auto same =
+      std::find_if(scene.images.begin(), scene.images.end(), [&](const description::Image& other) {
+        return other.path == image.path && other.encoding == image.encoding &&
+               other.wrap == image.wrap;
+      });
+  if (same != scene.images.end())
+    return ImageHandle(static_cast<std::size_t>(same - scene.images.begin()));
+  scene.images.push_back(std::move(image));
+  return ImageHandle(scene.images.size() - 1);
+}
+
+}  // namespace candela::lab3

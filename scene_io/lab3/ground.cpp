@@ -1,0 +1,71 @@
+#include "scene_io/lab3/ground.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "renderer/description/world_bounds.h"
+#include "scene_io/lab3/assets.h"
+#include "scene_io/lab3/fields.h"
+#include "scene_io/text/source.h"
+
+namespace candela::lab3 {
+namespace {
+
+using description::MaterialHandle;
+using description::MeshHandle;
+
+constexpr double white_oak_height = -10;
+constexpr float repeats_each_way = 15;
+
+double height_of(const Reader& reader) {
+  const std::string stem = std::filesystem::path(reader.scene.path).stem().string();
+  if (is_same_name(stem, "white_oak")) return white_oak_height;
+  const Bounds3d bounds = description::world_bounds(reader.scene);
+  return bounds.is_empty() ? 0 : bounds.lower.y;
+}
+
+// v counts from the picture's bottom row here and from its top row there: hence -z.
+description::Mesh make_square(double half_size, double height, MaterialHandle material) {
+  description::Mesh mesh;
+  mesh.name = "lab3 ground";
+  for (const Vec2f corner : {Vec2f(-1, -1), Vec2f(-1, 1), Vec2f(1, 1), Vec2f(1, -1)}) {
+    mesh.positions.emplace_back(corner.x * half_size, height, corner.y * half_size);
+    mesh.uvs.emplace_back(repeats_each_way * corner.x, -repeats_each_way * corner.y);
+  }
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  mesh.materials = {material};
+  return mesh;
+}
+
+}  // namespace
+
+void add_ground(Reader& reader) {
+  if (!reader.options.lab3_ground) return;
+  const std::string& image = *reader.options.lab3_ground;
+  const std::string problem = problem_of_file(image);
+  if (!problem.empty()) {
+    reader.diagnostics.error({}, fmt::format("--lab3-ground {}: {}", text::quoted(image), problem));
+    return;
+  }
+  const double half_size = 0.5 * reader.z_far;
+  if (half_size <= 0) {
+    reader.diagnostics.error({},
+                             "--lab3-ground: the ZFar of camera 0 gives the ground's size and "
+                             "must be above 0");
+    return;
+  }
+  description::SceneDescription& scene = reader.scene;
+  description::LabMaterial picture;
+  picture.diffuse.map =
+      add_image(scene, {image, description::Encoding::LabGamma, description::Wrap::Repeat, {}});
+  description::Material material;
+  material.name = "lab3 ground";
+  material.model = picture;
+  scene.materials.push_back(std::move(material));
+  const MaterialHandle handle(scene.materials.size() - 1);
+  scene.meshes.push_back(make_square(half_size, height_of(reader), handle));
+  scene.instances.push_back({MeshHandle(scene.meshes.size() - 1), {}, {}, {}});
+}
+
+}  // namespace candela::lab3

@@ -1,0 +1,129 @@
+#include "scene_io/lab3/materials.h"
+
+#include <fmt/format.h>
+
+#include "scene_io/lab3/assets.h"
+#include "scene_io/lab3/lab_material.h"
+#include "scene_io/lab3/material_keys.h"
+#include "scene_io/lab3/typed_material.h"
+#include "scene_io/obj/read_mtl.h"
+#include "scene_io/text/source.h"
+
+namespace candela::lab3 {
+namespace {
+
+using description::Encoding;
+using description::Wrap;
+
+// The Type decides which keys are known, so it is looked at before the rest.
+MaterialType peek_type(const Node& node) {
+  for (const Entry& entry : node.entries) {
+    if (!is_same_name(entry.key, "Type")) continue;
+    for (std::size_t i = 0; i < std::size(material_type_words); ++i)
+      if (is_same_name(entry.value->text, material_type_words[i]))
+        return static_cast<MaterialType>(i + 1);
+    return MaterialType::Diffuse;  // an unknown word: an error is on its way
+  }
+  return MaterialType::Lab;
+}
+
+template <MaterialType type>
+std::string hint_for(std::string_view key) {
+  return hint_of_material_key(type, key);
+}
+
+Fields::Hint hint_of(MaterialType type) {
+  switch (type) {
+    case MaterialType::Lab:
+      return hint_for<MaterialType::Lab>;
+    case MaterialType::CookTorrance:
+      return hint_for<MaterialType::CookTorrance>;
+    case MaterialType::Diffuse:
+      return hint_for<MaterialType::Diffuse>;
+    case MaterialType::Mirror:
+      return hint_for<MaterialType::Mirror>;
+    case MaterialType::Conductor:
+      return hint_for<MaterialType::Conductor>;
+    case MaterialType::Dielectric:
+      return hint_for<MaterialType::Dielectric>;
+    case MaterialType::ThinDielectric:
+      return hint_for<MaterialType::ThinDielectric>;
+  }
+  return nullptr;
+}
+
+void read_emission(Reader& reader, const Fields& fields, description::Material& material) {
+  material.emission = fields.colour("Emission", not_negative).value_or(Vec3d(0.0));
+  material.emits_both_sides = fields.flag("TwoSided", false);
+  if (fields.has("Emission")) reader.is_extended = true;
+  if (fields.has("TwoSided") && !fields.has("Emission"))
+    reader.warning(fields.find("TwoSided")->key_offset, "TwoSided has no effect without Emission");
+}
+
+void read_opacity(Reader& reader, const Fields& fields, description::Material& material) {
+  material.opacity.factor = fields.number("opacity", zero_to_one).value_or(1);
+  const Entry* map = fields.find("opacity_map");
+  if (!map) return;
+  if (const Entry* factor = fields.find("opacity"))
+    reader.warning(factor->key_offset, "opacity is not used: opacity_map replaces it");
+  material.opacity.map = read_image(reader, map, Encoding::Linear, Wrap::Repeat);
+  material.opacity.channel = description::alpha_or_first;
+}
+
+void read_relief(Reader& reader, const Fields& fields, description::Material& material) {
+  const Entry* map = fields.last_of(height_map_names);
+  material.height = read_image(reader, map, Encoding::Linear, Wrap::Repeat);
+  material.height_scale = fields.number("bump_scale", any_number).value_or(obj::bump_height);
+  material.normal_map =
+      read_image(reader, fields.find("normal_map"), Encoding::Linear, Wrap::Repeat);
+  if (fields.has("bump_scale") && !map)
+    reader.warning(fields.find("bump_scale")->key_offset,
+                   "bump_scale has no effect without a HeightMap");
+  if (map && fields.has("normal_map"))
+    reader.error(map->key_offset,
+                 fmt::format("both {} and normal_map are given, expected one of them", map->key));
+}
+
+void remember_name(Reader& reader, const Fields& fields, const std::string& name) {
+  const description::MaterialHandle handle(reader.scene.materials.size());
+  const bool is_new = reader.materials_by_name.insert_or_assign(name, handle).second;
+  if (!is_new)
+    reader.warning(
+        fields.find("Name")->value->offset,
+        fmt::format("material {} is defined twice: the last one counts", text::quoted(name)));
+}
+
+void read_material(Reader& reader, const Node& node) {
+  static constexpr std::string_view blends[] = {"Opaque", "Transparent"};
+  const MaterialType type = peek_type(node);
+  const Fields fields(reader, node, "a material", material_keys(type), hint_of(type));
+  if (!node.is_map()) return;
+  (void)fields.choice("Type", material_type_words);
+  (void)fields.choice("Blend", blends);  // of the rasteriser; alpha alone decides here
+  description::Material material;
+  material.span = reader.span(node.offset);
+  if (const auto name = fields.word("Name")) {
+    material.name = *name;
+    remember_name(reader, fields, *name);
+  } else if (!fields.has("Name")) {
+    reader.warning(node.offset, "this material has no Name: no model can use it by name");
+  }
+  if (type == MaterialType::Lab) {
+    material.model = read_lab_material(reader, fields);
+  } else {
+    material.model = read_typed_material(reader, fields, type);
+    reader.is_extended = true;
+  }
+  read_emission(reader, fields, material);
+  read_opacity(reader, fields, material);
+  read_relief(reader, fields, material);
+  reader.scene.materials.push_back(std::move(material));
+}
+
+}  // namespace
+
+void read_materials(Reader& reader, const Fields& root) {
+  for_each_entry(reader, root, "Materials", [&](const Node& node) { read_material(reader, node); });
+}
+
+}  // namespace candela::lab3

@@ -1,0 +1,87 @@
+#include "scene_io/lab3/mesh_files.h"
+
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "renderer/base/parallel.h"
+#include "scene_io/obj/read_obj.h"
+#include "scene_io/ply/read_ply.h"
+#include "scene_io/text/cursor.h"
+#include "scene_io/text/file.h"
+
+namespace candela::lab3 {
+namespace {
+
+using description::Instance;
+using description::MaterialHandle;
+using description::MeshHandle;
+using description::SceneDescription;
+
+// One file that several requests may share.
+struct LoadedFile {
+  const MeshRequest* first = nullptr;
+  obj::ObjModel model;
+  Diagnostics diagnostics;
+  std::vector<MeshHandle> meshes;  // in the scene, once placed
+};
+
+void read_file(LoadedFile& file, const LoadOptions& options) {
+  const MeshRequest& request = *file.first;
+  if (request.format == MeshFormat::Ply) {
+    file.model.files.push_back(request.path);
+    auto mesh = ply::read_ply(request.path, {}, file.diagnostics);
+    if (mesh) file.model.meshes.push_back(std::move(*mesh));
+    return;
+  }
+  obj::ObjOptions obj_options;
+  obj_options.materials = obj::MtlUse::Ignore;
+  if (request.has_own_materials)
+    obj_options.materials = options.use_mtl_materials ? obj::MtlUse::Full : obj::MtlUse::Lab;
+  file.model = obj::read_obj(request.path, obj_options, file.diagnostics);
+}
+
+void place(const LoadedFile& file, const MeshRequest& request, SceneDescription& scene) {
+  const bool needs_override =
+      !request.has_own_materials && request.material != file.first->material;
+  const MaterialHandle material = needs_override ? request.material : MaterialHandle();
+  for (const Placement& placement : request.placements)
+    for (const MeshHandle mesh : file.meshes)
+      scene.instances.push_back({mesh, placement.object_to_world, material, placement.span});
+}
+
+}  // namespace
+
+MeshFormat mesh_format_of(std::string_view path) {
+  if (text::has_gzip_name(path)) path.remove_suffix(3);
+  const auto ends_in = [&](std::string_view extension) {
+    return path.size() > extension.size() &&
+           text::equal_ignoring_case(path.substr(path.size() - extension.size()), extension);
+  };
+  if (ends_in(".obj")) return MeshFormat::Obj;
+  if (ends_in(".ply")) return MeshFormat::Ply;
+  return MeshFormat::Unknown;
+}
+
+void MeshFiles::load_and_place(const LoadOptions& options, SceneDescription& scene,
+                               Diagnostics& diagnostics) const {
+  std::map<std::pair<std::string, bool>, std::size_t> index_of;
+  std::vector<LoadedFile> files;
+  std::vector<std::size_t> file_of_request;
+  for (const MeshRequest& request : requests_) {
+    const auto [at, is_new] =
+        index_of.try_emplace({request.path, request.has_own_materials}, files.size());
+    if (is_new) files.emplace_back().first = &request;
+    file_of_request.push_back(at->second);
+  }
+  parallel_for(files.size(), [&](std::size_t i) { read_file(files[i], options); });
+  for (LoadedFile& file : files) {
+    diagnostics.append(file.diagnostics);
+    scene.files.insert(scene.files.end(), file.model.files.begin(), file.model.files.end());
+    file.meshes = obj::append_model(std::move(file.model), file.first->material, scene);
+  }
+  for (std::size_t i = 0; i < requests_.size(); ++i)
+    place(files[file_of_request[i]], requests_[i], scene);
+}
+
+}  // namespace candela::lab3

@@ -1,0 +1,23 @@
+// Metals by name: complex refractive indices eta + i k at 630, 532 and 465 nm.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "renderer/math/vec.h"
+
+namespace candela::lab3 {
+
+struct Metal {
+  std::string_view name;
+  Vec3d eta;
+  Vec3d k;
+};
+
+// Names in lower case; "aluminum" is aluminium.
+[[nodiscard]] std::span<const Metal> metals();
+
+// Reflectance at normal incidence: ((eta-1)^2 + k^2) / ((eta+1)^2 + k^2).
+[[nodiscard]] Vec3d normal_reflectance(const Vec3d& eta, const Vec3d& k);
+
+}  // namespace candela::lab3

@@ -1,0 +1,65 @@
+#include "scene_io/lab3/render_defaults.h"
+
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "scene_io/text/number.h"
+
+namespace candela::lab3 {
+namespace {
+
+constexpr std::string_view keys[] = {"Width",      "Height",   "SamplesPerPixel",
+                                     "spp",        "MaxDepth", "Seed",
+                                     "Integrator", "Filter",   "Exposure"};
+constexpr std::string_view integrators[] = {"path", "report", "whitted", "raster"};
+constexpr std::string_view filters[] = {"box", "gaussian", "blackman_harris"};
+constexpr Range stops{-100, 100, false, false, "an exposure in stops from -100 to 100"};
+
+constexpr std::int64_t largest_side = 65536;
+constexpr std::int64_t most_samples = std::int64_t{1} << 30;
+constexpr std::int64_t deepest = 1000000;
+
+std::optional<int> to_int(const std::optional<std::int64_t>& number) {
+  if (!number) return std::nullopt;
+  return static_cast<int>(*number);
+}
+
+std::optional<int> read_max_depth(const Fields& fields) {
+  const Entry* entry = fields.find("MaxDepth");
+  if (!entry || (entry->value->is_scalar() && is_same_name(entry->value->text, "none")))
+    return std::nullopt;
+  return to_int(fields.integer("MaxDepth", 0, deepest));
+}
+
+template <std::size_t n>
+std::optional<std::string> word_of(const Fields& fields, std::string_view key,
+                                   const std::string_view (&words)[n]) {
+  const auto index = fields.choice(key, words);
+  if (!index) return std::nullopt;
+  return std::string(words[*index]);
+}
+
+}  // namespace
+
+void read_render_defaults(Reader& reader, const Fields& root) {
+  const Entry* entry = root.find("Render");
+  if (!entry || entry->value->is_null()) return;
+  reader.is_extended = true;
+  const Fields fields(reader, *entry->value, "Render", keys);
+  static constexpr std::string_view sample_names[] = {"SamplesPerPixel", "spp"};
+  description::RenderDefaults& defaults = reader.scene.defaults;
+  defaults.width = to_int(fields.integer("Width", 1, largest_side));
+  defaults.height = to_int(fields.integer("Height", 1, largest_side));
+  if (fields.last_of(sample_names))
+    defaults.samples_per_pixel =
+        to_int(fields.integer(fields.has("spp") ? "spp" : "SamplesPerPixel", 1, most_samples));
+  defaults.max_depth = read_max_depth(fields);
+  defaults.integrator = word_of(fields, "Integrator", integrators);
+  defaults.filter = word_of(fields, "Filter", filters);
+  defaults.exposure = fields.number("Exposure", stops);
+  const auto seed = fields.integer("Seed", 0, std::numeric_limits<std::int64_t>::max());
+  if (seed) defaults.seed = static_cast<std::uint64_t>(*seed);
+}
+
+}  // namespace candela::lab3

@@ -1,0 +1,242 @@
+#include "scene_io/lab3/yaml_tree.h"
+
+#include <istream>
+#include <stdexcept>
+#include <streambuf>
+#include <unordered_map>
+
+#include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/mark.h>
+#include <yaml-cpp/parser.h>
+
+namespace candela::lab3 {
+namespace {
+
+// Thrown through yaml-cpp's parser to stop it.
+struct Refusal {
+  std::size_t offset = 0;
+  std::string message;
+};
+struct SecondDocument {
+  std::size_t offset = 0;
+};
+
+// yaml-cpp's marks hold line and column (bytes) from 0; its position counts otherwise where line
+// ends are foreign.
+class LineTable {
+ public:
+  explicit LineTable(std::string_view text) : size_(text.size()) {
+    begins_.push_back(0);
+    for (std::size_t i = 0; i < text.size(); ++i)
+      if (text[i] == '\n') begins_.push_back(i + 1);
+  }
+  [[nodiscard]] std::size_t offset(const YAML::Mark& mark) const {
+    if (mark.line < 0) return 0;
+    const std::size_t line = std::min(static_cast<std::size_t>(mark.line), begins_.size() - 1);
+    const std::size_t end = line + 1 < begins_.size() ? begins_[line + 1] - 1 : size_;
+    return std::min(begins_[line] + static_cast<std::size_t>(std::max(mark.column, 0)), end);
+  }
+
+ private:
+  std::vector<std::size_t> begins_;
+  std::size_t size_;
+};
+
+// A stream over memory that is not copied.
+class ViewBuffer : public std::streambuf {
+ public:
+  explicit ViewBuffer(std::string_view text) {
+    char* begin = const_cast<char*>(text.data());  // get area only: never written
+    setg(begin, begin, begin + text.size());
+  }
+};
+
+std::size_t saturated_sum(std::size_t a, std::size_t b) {
+  return std::min(a + b, 2 * max_yaml_nodes);  // neither exceeds the bound: no overflow
+}
+
+class TreeBuilder : public YAML::EventHandler {
+ public:
+  TreeBuilder(const LineTable& lines, Document& document) : lines_(lines), document_(document) {}
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (document_.root) throw SecondDocument{lines_.offset(mark)};
+  }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    Node& node = add(Node::Kind::Null, mark, anchor);
+    // The mark is that of what follows; the place of a value that is not there is its key's.
+    if (!open_.empty() && open_.back().pending_key) node.offset = open_.back().pending_key->offset;
+    attach(node);
+  }
+  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
+                const std::string& value) override {
+    Node& node = add(Node::Kind::Scalar, mark, anchor);
+    node.text = value;
+    attach(node);
+  }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const auto found = anchors_.find(anchor);
+    const std::size_t offset = lines_.offset(mark);
+    if (found == anchors_.end()) throw Refusal{offset, "an alias without its anchor"};
+    for (const Level& level : open_)
+      if (level.node == found->second)
+        throw Refusal{offset, "found an alias of the node that it stands in, which has no end"};
+    attach(*found->second, offset);
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    open(Node::Kind::Sequence, mark, anchor);
+  }
+  void OnSequenceEnd() override { close(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    open(Node::Kind::Map, mark, anchor);
+  }
+  void OnMapEnd() override { close(); }
+
+ private:
+  struct Level {
+    Node* node = nullptr;
+    const Node* pending_key = nullptr;
+  };
+
+  Node& add(Node::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor) {
+    const std::size_t offset = lines_.offset(mark);
+    if (document_.nodes.size() >= max_yaml_nodes)
+      throw Refusal{offset, fmt::format("the file has more than {} values", max_yaml_nodes)};
+    Node& node = document_.nodes.emplace_back();
+    node.kind = kind;
+    node.offset = offset;
+    if (anchor != YAML::NullAnchor) anchors_[anchor] = &node;
+    return node;
+  }
+
+  void open(Node::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor) {
+    if (open_.size() >= max_yaml_depth)
+      throw Refusal{lines_.offset(mark),
+                    fmt::format("values are nested more than {} levels deep", max_yaml_depth)};
+    open_.push_back({&add(kind, mark, anchor), nullptr});
+  }
+
+  void close() {
+    const Node& node = *open_.back().node;
+    open_.pop_back();
+    attach(node);
+  }
+
+  void attach(const Node& value) { attach(value, value.offset); }
+
+  // `place` is that of the alias, where the value is one.
+  void attach(const Node& value, std::size_t place) {
+    if (open_.empty()) {
+      document_.root = &value;
+      return;
+    }
+    Level& level = open_.back();
+    if (level.node->is_map() && !level.pending_key) {
+      if (!value.is_scalar())
+        throw Refusal{value.offset, "found a value where the name of a key was expected"};
+      level.pending_key = &value;
+      return;
+    }
+    Entry entry;
+    entry.value = &value;
+    if (level.pending_key) {
+      entry.key = level.pending_key->text;
+      entry.key_offset = level.pending_key->offset;
+      level.pending_key = nullptr;
+    }
+    grow(*level.node, value, place);
+    level.node->entries.push_back(std::move(entry));
+  }
+
+  static void grow(Node& parent, const Node& child, std::size_t place) {
+    parent.expanded_nodes = saturated_sum(parent.expanded_nodes, child.expanded_nodes);
+    parent.height = std::max(parent.height, child.height + 1);
+    if (parent.expanded_nodes > max_yaml_nodes)
+      throw Refusal{place,
+                    fmt::format("the file stands for more than {} values, once its aliases are "
+                                "followed",
+                                max_yaml_nodes)};
+    if (parent.height > max_yaml_depth)
+      throw Refusal{place, fmt::format("values are nested more than {} levels deep, once "
+                                       "aliases are followed",
+                                       max_yaml_depth)};
+  }
+
+  const LineTable& lines_;
+  Document& document_;
+  std::vector<Level> open_;
+  std::unordered_map<YAML::anchor_t, const Node*> anchors_;
+};
+
+bool is_control_character(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7f;
+}
+
+// What would make the scanner slow or hungry, or is no text at all.
+std::optional<Refusal> refuse_early(std::string_view text) {
+  if (text.size() > max_yaml_bytes)
+    return Refusal{0, fmt::format("the file has {} bytes, more than the {} that are read",
+                                  text.size(), max_yaml_bytes)};
+  std::size_t line_begin = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (is_control_character(text[i]))
+      return Refusal{i, fmt::format("found the byte 0x{:02x}, expected a text file",
+                                    static_cast<unsigned>(static_cast<unsigned char>(text[i])))};
+    if (text[i] == '\n') line_begin = i + 1;
+    if (i + 1 - line_begin > max_yaml_line_bytes)
+      return Refusal{line_begin,
+                     fmt::format("this line has more than {} bytes", max_yaml_line_bytes)};
+  }
+  return std::nullopt;
+}
+
+std::string with_hint(const std::string& reason) {
+  std::string sentence = "malformed YAML: " + reason;
+  if (reason == YAML::ErrorMsg::TAB_IN_INDENTATION) sentence += "; indent with blanks";
+  if (reason == YAML::ErrorMsg::END_OF_SEQ_FLOW) sentence += ", expected ']' or ','";
+  if (reason == YAML::ErrorMsg::END_OF_MAP_FLOW) sentence += ", expected '}' or ','";
+  return sentence;
+}
+
+void build(std::string_view text, const LineTable& lines, Document& document) {
+  ViewBuffer buffer(text);
+  std::istream stream(&buffer);
+  YAML::Parser parser(stream);
+  TreeBuilder builder(lines, document);
+  if (parser.HandleNextDocument(builder)) parser.HandleNextDocument(builder);
+}
+
+}  // namespace
+
+std::optional<Document> parse_yaml(const text::Source& source, Diagnostics& diagnostics) {
+  const auto refuse = [&](std::size_t offset, std::string message) {
+    diagnostics.add(text::diagnose(source, offset, Severity::Error, std::move(message)));
+    return std::nullopt;
+  };
+  if (const auto refusal = refuse_early(source.text))
+    return refuse(refusal->offset, refusal->message);
+  const LineTable lines(source.text);
+  std::optional<Document> document(std::in_place);
+  try {
+    build(source.text, lines, *document);
+  } catch (const Refusal& refusal) {
+    return refuse(refusal.offset, refusal.message);
+  } catch (const SecondDocument& second) {
+    diagnostics.add(text::diagnose(source, second.offset, Severity::Warning,
+                                   "a second document begins here: only the first is read"));
+  } catch (const YAML::Exception& exception) {
+    return refuse(lines.offset(exception.mark), with_hint(exception.msg));
+  } catch (const std::exception& exception) {
+    return refuse(0, fmt::format("malformed YAML: {}", exception.what()));
+  }
+  if (!document->root) return refuse(0, "the file is empty, expected a scene");
+  return document;
+}
+
+}  // namespace candela::lab3
