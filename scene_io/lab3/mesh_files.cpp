@@ -77,7 +77,6 @@ void MeshFiles::load_and_place(const LoadOptions& options, SceneDescription& sce
   parallel_for(files.size(), [&](std::size_t i) { read_file(files[i], options); });
   for (LoadedFile& file : files) {
     diagnostics.append(file.diagnostics);
-    scene.files.insert(scene.files.end(), file.model.files.begin(), file.model.files.end());
     file.meshes = obj::append_model(std::move(file.model), file.first->material, scene);
   }
   for (std::size_t i = 0; i < requests_.size(); ++i)
