@@ -122,13 +122,14 @@ TEST(Errors_Obj, FilesThatAreNoneGetASentence) {
     const ObjModel model = read_obj(path, {}, diagnostics);
     return first_said(diagnostics);
   };
-  EXPECT_EQ(said(folder.file("absent.obj")),
-            folder.file("absent.obj") + ": error: cannot be opened: No such file or directory");
-  EXPECT_EQ(said(folder.path()), folder.path() + ": error: is a folder; expected a regular file");
-  EXPECT_EQ(said("/dev/zero"), "/dev/zero: error: is a device; expected a regular file");
+  const auto expect_said = [&](const std::string& path, std::string_view message) {
+    EXPECT_EQ(said(path), fmt::format("{}: error: {}", path, message));
+  };
+  expect_said(folder.file("absent.obj"), "cannot be opened: No such file or directory");
+  expect_said(folder.path(), "is a folder; expected a regular file");
+  expect_said("/dev/zero", "is a device; expected a regular file");
   ASSERT_EQ(::mkfifo(folder.file("fifo.obj").c_str(), 0600), 0);
-  EXPECT_EQ(said(folder.file("fifo.obj")),
-            folder.file("fifo.obj") + ": error: is a FIFO; expected a regular file");
+  expect_said(folder.file("fifo.obj"), "is a FIFO; expected a regular file");
 }
 
 TEST(Errors_Obj, AMissingMtlIsAWarning) {
