@@ -1,0 +1,118 @@
+#include "integrators/ray_bench/compare_hits.h"
+
+#include "renderer/accel/alpha_test.h"
+
+namespace candela {
+namespace {
+
+constexpr double unit_roundoff = 0x1p-24;
+
+// A bound of the factor before u |C||d||e| / (n.d) in the error of a weight. By the usual counting
+// of roundings [Higham02, section 3.1] a triple product C x d . e of rounded differences is off by
+// at most 8.3 u |C||d||e|, and the largest weight's test, U + V <= n.d, adds three of them, the
+// last with |e| <= 2 |C| in the place of |C|: 33. The watertight test's sheared vertices are off
+// by 8.5 u |C| and its edge functions by twice that.
+constexpr double roundings = 40;
+
+struct PlacedTriangle {
+  Vec3d vertices[3];
+  double position_error = 0;  // of the vertices relative to the ray, beside plain subtraction
+};
+
+double magnitude(const Instance& i) {
+  return length(Vec3d(i.x)) + length(Vec3d(i.y)) + length(Vec3d(i.z));
+}
+
+// An instanced triangle is met in the object's space: the ray's origin is rounded there, which the
+// placement carries back enlarged by its condition number.
+PlacedTriangle placed_triangle(const Scene& scene, const Ray& ray, const Hit& hit) {
+  const Geometry& geometry = scene.geometries[hit.geometry];
+  PlacedTriangle triangle;
+  for (int i = 0; i < 3; ++i)
+    triangle.vertices[i] = Vec3d(geometry.positions[geometry.triangles[hit.triangle][i]]);
+  if (!hit.is_instanced()) return triangle;
+  const Instance& instance = scene.instances[hit.instance];
+  const Mat3d linear(Vec3d(instance.x), Vec3d(instance.y), Vec3d(instance.z));
+  const Mat3d inverse = glm::inverse(linear);
+  const double condition =
+      magnitude(instance) * (length(inverse[0]) + length(inverse[1]) + length(inverse[2]));
+  double reach = length(Vec3d(ray.origin)) + length(Vec3d(instance.translation));
+  for (Vec3d& vertex : triangle.vertices) {
+    vertex = linear * vertex + Vec3d(instance.translation);
+    reach = std::max(reach, length(vertex));
+  }
+  triangle.position_error = roundings * unit_roundoff * condition * reach;
+  return triangle;
+}
+
+bool is_near_zero(double value, double error) {
+  return std::abs(value) <= error;
+}
+
+// Whether the cut-out decides otherwise somewhere within the error of (u, v).
+bool is_at_cutout_edge(const Scene& scene, const Ray& ray, const Hit& hit, double error) {
+  if (!scene.geometries[hit.geometry].has_cutouts) return false;
+  for (const double du : {-error, error})
+    for (const double dv : {-error, error})
+      if (is_transparent_at(scene, hit.geometry, hit.triangle, hit.instance,
+                            static_cast<float>(hit.u + du), static_cast<float>(hit.v + dv),
+                            ray.origin, ray.direction))
+        return true;
+  return false;
+}
+
+// Whether rounding may decide whether this hit exists.
+bool is_marginal(const Scene& scene, const Ray& ray, const Hit& hit) {
+  const ExactHit exact = intersect_exactly(scene, ray, hit);
+  if (exact.t_error == std::numeric_limits<double>::infinity()) return true;
+  const double smallest = std::min({exact.u, exact.v, 1 - exact.u - exact.v});
+  if (is_near_zero(smallest, exact.weight_error)) return true;
+  if (is_near_zero(exact.t, exact.t_error)) return true;
+  if (is_near_zero(exact.t - static_cast<double>(ray.t_max), exact.t_error)) return true;
+  return is_at_cutout_edge(scene, ray, hit, exact.weight_error);
+}
+
+bool is_same_primitive(const Hit& a, const Hit& b) {
+  return a.geometry == b.geometry && a.triangle == b.triangle && a.instance == b.instance;
+}
+
+}  // namespace
+
+// With C the vertices relative to the origin, e the longest edge, n = e1 x e2 and d the direction:
+// a weight is a triple product of size |C||d||e| over n.d, the distance one of size |C||e|^2.
+ExactHit intersect_exactly(const Scene& scene, const Ray& ray, const Hit& hit) {
+  const PlacedTriangle triangle = placed_triangle(scene, ray, hit);
+  const Vec3d direction(ray.direction);
+  const Vec3d a = triangle.vertices[0] - Vec3d(ray.origin);
+  const Vec3d b = triangle.vertices[1] - Vec3d(ray.origin);
+  const Vec3d c = triangle.vertices[2] - Vec3d(ray.origin);
+  const Vec3d normal = cross(b - a, c - a);
+  const double denominator = dot(normal, direction);
+  const double edge = std::max({length(b - a), length(c - a), length(c - b)});
+  const double reach = std::max({length(a), length(b), length(c)});
+  const double error = roundings * unit_roundoff * reach + triangle.position_error;
+  ExactHit exact;
+  exact.t = dot(a, normal) / denominator;
+  exact.u = dot(cross(c, a), direction) / denominator;
+  exact.v = dot(cross(a, b), direction) / denominator;
+  exact.t_error = error * edge * edge / std::abs(denominator);
+  exact.weight_error = error * length(direction) * edge / std::abs(denominator);
+  // A weight that may be all of one is no weight: the ray runs along the plane.
+  if (!(exact.weight_error < 0.5)) exact.t_error = std::numeric_limits<double>::infinity();
+  return exact;
+}
+
+Agreement compare_hits(const Scene& scene, const Ray& ray, const Hit& a, const Hit& b) {
+  if (!a.is_hit() && !b.is_hit()) return Agreement::Same;
+  if (a.is_hit() && b.is_hit()) {
+    const double gap = std::abs(static_cast<double>(a.t) - static_cast<double>(b.t));
+    const double error = intersect_exactly(scene, ray, a).t_error;
+    if (is_same_primitive(a, b) && gap <= error) return Agreement::Same;
+    if (is_same_primitive(a, b)) return Agreement::Differs;
+    if (gap <= error + intersect_exactly(scene, ray, b).t_error) return Agreement::SameDistance;
+  }
+  const Hit& nearer = a.t < b.t ? a : b;
+  return is_marginal(scene, ray, nearer) ? Agreement::AtTheEdge : Agreement::Differs;
+}
+
+}  // namespace candela

@@ -1,0 +1,133 @@
+#include "integrators/ray_bench/ray_bench.h"
+
+#include <atomic>
+#include <chrono>
+
+#include "integrators/ray_bench/compare_hits.h"
+#include "renderer/base/parallel.h"
+
+namespace candela {
+namespace {
+
+constexpr std::size_t rays_per_task = 4096;
+
+double seconds_of(const auto& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Returns how many rays hit something, so that no call can be left out as unused.
+template <Accelerator A>
+std::uint64_t trace(const A& accelerator, const std::vector<Ray>& rays, bool is_shadow,
+                    std::size_t begin, std::size_t end) {
+  std::uint64_t hits = 0;
+  for (std::size_t i = begin; i < end; ++i)
+    hits += is_shadow ? accelerator.occluded(rays[i]) : accelerator.intersect(rays[i]).is_hit();
+  return hits;
+}
+
+template <Accelerator A>
+std::uint64_t trace_in_parallel(const A& accelerator, const std::vector<Ray>& rays,
+                                bool is_shadow) {
+  std::atomic<std::uint64_t> hits = 0;
+  parallel_for_chunks(rays.size(), rays_per_task, [&](std::size_t begin, std::size_t end) {
+    hits += trace(accelerator, rays, is_shadow, begin, end);
+  });
+  return hits;
+}
+
+double best_mrays(std::size_t rays, double seconds_each, const auto& trace_all) {
+  if (rays == 0) return 0;
+  double best = std::numeric_limits<double>::infinity();
+  double total = 0;
+  for (int round = 0; round < 3 || total < seconds_each; ++round) {
+    const double seconds = seconds_of(trace_all);
+    best = std::min(best, seconds);
+    total += seconds;
+  }
+  return static_cast<double>(rays) / best * 1e-6;
+}
+
+template <Accelerator A>
+void measure(const A& accelerator, const RecordedRays& rays, double seconds_each,
+             BackEndFigures& figures) {
+  std::atomic<std::uint64_t> hits = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const bool is_shadow = static_cast<RayClass>(i) == RayClass::Shadow;
+    const std::size_t count = rays[i].size();
+    figures.mrays_one_thread[i] = best_mrays(
+        count, seconds_each, [&] { hits += trace(accelerator, rays[i], is_shadow, 0, count); });
+    figures.mrays_all_threads[i] = best_mrays(
+        count, seconds_each, [&] { hits += trace_in_parallel(accelerator, rays[i], is_shadow); });
+  }
+}
+
+void add(const AgreementCounts& part, AgreementCounts& sum) {
+  sum.rays += part.rays;
+  sum.same_distance += part.same_distance;
+  sum.at_edge += part.at_edge;
+  sum.disagreeing += part.disagreeing;
+}
+
+void count(Agreement agreement, AgreementCounts& counts) {
+  ++counts.rays;
+  switch (agreement) {
+    case Agreement::Same:
+      return;
+    case Agreement::SameDistance:
+      ++counts.same_distance;
+      return;
+    case Agreement::AtTheEdge:
+      ++counts.at_edge;
+      return;
+    case Agreement::Differs:
+      ++counts.disagreeing;
+      return;
+  }
+}
+
+}  // namespace
+
+AgreementCounts count_agreement(const Scene& scene, const EmbreeAccel& embree, const BvhAccel& bvh,
+                                const std::vector<Ray>& rays, bool is_shadow) {
+  AgreementCounts counts;
+  for (const Ray& ray : rays) {
+    if (is_shadow && embree.occluded(ray) == bvh.occluded(ray)) {
+      ++counts.rays;
+      continue;
+    }
+    Agreement agreement = compare_hits(scene, ray, embree.intersect(ray), bvh.intersect(ray));
+    // Occlusion differs though the nearest hits agree: an answer to the one call contradicts that
+    // to the other.
+    if (is_shadow && agreement != Agreement::AtTheEdge) agreement = Agreement::Differs;
+    count(agreement, counts);
+  }
+  return counts;
+}
+
+RayBenchResult run_ray_bench(const Scene& scene, const RayBenchOptions& options, int threads) {
+  RayBenchResult result;
+  result.embree_version = embree_version();
+  result.threads = threads;
+  for (const Geometry& geometry : scene.geometries) result.triangles += geometry.triangles.size();
+
+  std::optional<EmbreeAccel> embree;
+  std::optional<BvhAccel> bvh;
+  result.embree.build_seconds = seconds_of([&] { embree.emplace(scene); });
+  result.bvh.build_seconds = seconds_of([&] { bvh.emplace(scene); });
+  result.embree.bytes = embree->memory_bytes();
+  result.bvh.bytes = bvh->memory_bytes();
+
+  const RecordedRays rays = record_rays(scene, *embree, options.record);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    result.ray_counts[i] = rays[i].size();
+    const bool is_shadow = static_cast<RayClass>(i) == RayClass::Shadow;
+    add(count_agreement(scene, *embree, *bvh, rays[i], is_shadow), result.agreement);
+  }
+  measure(*embree, rays, options.seconds_each, result.embree);
+  measure(*bvh, rays, options.seconds_each, result.bvh);
+  return result;
+}
+
+}  // namespace candela

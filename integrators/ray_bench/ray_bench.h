@@ -1,0 +1,59 @@
+// `candela bench`: Embree against the reference BVH on the rays of real paths in one scene.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "integrators/ray_bench/record_rays.h"
+#include "renderer/accel/bvh_accel.h"
+
+namespace candela {
+
+struct RayBenchOptions {
+  RecordOptions record;
+  // Each class of rays is traced again until this has passed, at least three times; the best
+  // counts.
+  double seconds_each = 0.5;
+};
+
+struct BackEndFigures {
+  double build_seconds = 0;  // by the arena's threads
+  std::size_t bytes = 0;
+  // Million rays a second by RayClass; 0 where there are none of that class.
+  std::array<double, 3> mrays_one_thread{};
+  std::array<double, 3> mrays_all_threads{};
+};
+
+// How many rays the back ends answer differently. For camera and bounce rays their hits are
+// compared (compare_hits.h), for shadow rays whether anything is hit, and where that differs the
+// hits.
+struct AgreementCounts {
+  std::uint64_t rays = 0;
+  std::uint64_t same_distance = 0;  // another primitive at the same distance
+  std::uint64_t at_edge = 0;        // rounding decides, both are right
+  std::uint64_t disagreeing = 0;    // one is wrong
+};
+
+struct RayBenchResult {
+  std::string embree_version;
+  int threads = 0;
+  std::uint64_t triangles = 0;                // in the scene's arrays, instances not multiplied
+  std::array<std::uint64_t, 3> ray_counts{};  // by RayClass
+  BackEndFigures embree;
+  BackEndFigures bvh;
+  AgreementCounts agreement;
+};
+
+// Runs on the current arena's threads (base/parallel.h: with_threads); `threads` is their number,
+// for the report. The scene has the camera that the options name. Throws std::bad_alloc as the
+// accelerators do.
+[[nodiscard]] RayBenchResult run_ray_bench(const Scene& scene, const RayBenchOptions& options,
+                                           int threads);
+
+// Compares the two back ends over rays, `is_shadow`: by occlusion.
+[[nodiscard]] AgreementCounts count_agreement(const Scene& scene, const EmbreeAccel& embree,
+                                              const BvhAccel& bvh, const std::vector<Ray>& rays,
+                                              bool is_shadow);
+
+}  // namespace candela

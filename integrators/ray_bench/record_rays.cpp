@@ -1,0 +1,103 @@
+#include "integrators/ray_bench/record_rays.h"
+
+#include "renderer/light/sample_light.h"
+#include "renderer/math/frame.h"
+#include "renderer/sampling/sampler.h"
+#include "renderer/sampling/warp.h"
+
+namespace candela {
+namespace {
+
+// Where a ray left from: a point moved off its surface, and the normal on the side it came from.
+struct Departure {
+  Vec3f point;
+  Vec3f normal;
+};
+
+// Zero for a triangle without area.
+Vec3f geometric_normal(const Scene& scene, const Hit& hit) {
+  const Geometry& geometry = scene.geometries[hit.geometry];
+  const auto& [a, b, c] = geometry.triangles[hit.triangle];
+  const Vec3f& origin = geometry.positions[a];
+  Vec3f n = cross(geometry.positions[b] - origin, geometry.positions[c] - origin);
+  if (hit.is_instanced()) n = scene.instances[hit.instance].normal(n);
+  const float size = length(n);
+  return size > 0 && std::isfinite(size) ? n / size : Vec3f(0);
+}
+
+// The offset is a generous bound of the hit point's rounding error: these rays need not be free of
+// leaks, only like those that a renderer shoots.
+Departure departure(const Scene& scene, const Ray& ray, const Hit& hit) {
+  Vec3f normal = geometric_normal(scene, hit);
+  if (dot(normal, ray.direction) > 0) normal = -normal;
+  const Vec3f point = ray.origin + ray.direction * hit.t;
+  const float reach = max_component(glm::abs(point)) + max_component(glm::abs(ray.origin));
+  return {point + normal * (reach * 0x1p-18f), normal};
+}
+
+const Light* pick_light(const Scene& scene, std::uint32_t bits) {
+  const LightSampler& table = scene.light_sampler;
+  const std::uint32_t always = static_cast<std::uint32_t>(table.always().size());
+  const std::uint32_t choices = always + (table.has_table() ? 1 : 0);
+  if (choices == 0) return nullptr;
+  const std::uint32_t choice = bits % choices;
+  const std::uint32_t light =
+      choice < always ? table.always()[choice] : table.pick(mix_bits(bits) & 0xffffffffu).light;
+  return &scene.lights[light];
+}
+
+void record_shadow_ray(const Scene& scene, const Departure& from, const Sampler& sampler,
+                       std::uint32_t bounce, std::vector<Ray>& rays) {
+  const Light* light = pick_light(scene, sampler.sample_1d_bits(bounce, Dimension::LightChoice));
+  if (!light) return;
+  const LightTables tables{scene.environment ? &*scene.environment : nullptr, &scene.textures};
+  const LightSample sample =
+      sample_light(tables, *light, from.point, sampler.sample_2d(bounce, Dimension::LightPoint));
+  if (!sample.is_valid() || !(dot(sample.wi, from.normal) > 0)) return;
+  const float distance = sample.is_infinite ? infinity : length(sample.point - from.point);
+  const Ray ray{from.point, sample.wi, distance * (1 - 0x1p-12f)};  // short of the light's surface
+  if (is_traceable(ray)) rays.push_back(ray);
+}
+
+void record_path(const Scene& scene, const EmbreeAccel& accelerator, const RecordOptions& options,
+                 Ray ray, const Sampler& sampler, RecordedRays& rays) {
+  rays[static_cast<std::size_t>(RayClass::Camera)].push_back(ray);
+  for (int bounce = 0; bounce <= options.bounces; ++bounce) {
+    const Hit hit = accelerator.intersect(ray);
+    if (!hit.is_hit()) return;
+    const Departure from = departure(scene, ray, hit);
+    if (from.normal == Vec3f(0)) return;
+    const auto dimension_bounce = static_cast<std::uint32_t>(bounce);
+    record_shadow_ray(scene, from, sampler, dimension_bounce,
+                      rays[static_cast<std::size_t>(RayClass::Shadow)]);
+    if (bounce == options.bounces) return;
+    const Vec3f local =
+        square_to_cosine_hemisphere(sampler.sample_2d(dimension_bounce, Dimension::Direction));
+    ray = {from.point, normalize(frame_from_normal(from.normal).to_world(local)), infinity};
+    if (!is_traceable(ray)) return;
+    rays[static_cast<std::size_t>(RayClass::Bounce)].push_back(ray);
+  }
+}
+
+}  // namespace
+
+RecordedRays record_rays(const Scene& scene, const EmbreeAccel& accelerator,
+                         const RecordOptions& options) {
+  RecordedRays rays;
+  const Camera& camera = scene.cameras[options.camera];
+  for (int y = 0; y < options.height; ++y) {
+    for (int x = 0; x < options.width; ++x) {
+      const Sampler sampler(options.seed, static_cast<std::uint32_t>(x),
+                            static_cast<std::uint32_t>(y), 0);
+      const Vec2f pixel(static_cast<float>(x), static_cast<float>(y));
+      const Vec2f film =
+          (pixel + sampler.sample_2d(0, Dimension::Filter)) /
+          Vec2f(static_cast<float>(options.width), static_cast<float>(options.height));
+      const Ray ray = camera.generate_ray(film, sampler.sample_2d(0, Dimension::Lens));
+      if (is_traceable(ray)) record_path(scene, accelerator, options, ray, sampler, rays);
+    }
+  }
+  return rays;
+}
+
+}  // namespace candela
