@@ -19,8 +19,9 @@ namespace candela {
   const float kept = 1 - 1.386f * a2 / (1 + a2) * std::sqrt(cos_o);
   if (geometry == GeometryTerm::Smith) return kept;
   const float k = square(a + 1) * 0.125f;
-  const float c = smith_root(cos_o, a);
-  return kept * square(c / (c * (1 - k) + k));
+  const float c = smith_root(cos_o, std::min(a, 0.5f));
+  const float g = c / (c * (1 - k) + k);
+  return kept * g * (g + a * (1 - g));
 }
 
 // A rough surface's mean reflectance lies nearer to that of normal incidence.

@@ -54,7 +54,7 @@ inline constexpr float smallest_refraction_spread = 1e-5f;
   const Vec3f sum = wo + wi;
   const float length2 = length_squared(sum);
   if (!(length2 > 0)) return {};
-  const float cos_half = std::min(1.0f, dot(wo, sum) / std::sqrt(length2));
+  const float cos_half = cosine_to_half_vector(length2);
   const float distribution = ggx_distribution(sum, a);
   const float reflectance = fresnel_dielectric(cos_half, bsdf.eta.x).reflectance;
   const float value =

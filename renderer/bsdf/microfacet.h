@@ -26,6 +26,11 @@ struct MicrofacetReflection {
   return denominator > 0 ? cos_i / denominator : 0;
 }
 
+// wo.h = wi.h = |wo + wi| / 2 of unit vectors: the same bits from both sides.
+[[nodiscard]] inline float cosine_to_half_vector(float length2_of_sum) {
+  return std::min(1.0f, 0.5f * std::sqrt(length2_of_sum));
+}
+
 [[nodiscard]] inline MicrofacetReflection reflect_microfacets(GeometryTerm geometry, float a,
                                                               const Vec3f& wo, const Vec3f& wi) {
   if (!(wi.z > 0)) return {};
@@ -34,8 +39,7 @@ struct MicrofacetReflection {
   if (!(length2 > 0)) return {};
   const float distribution = ggx_distribution(sum, a);
   const float value = distribution * masking_over_cosines(geometry, wo.z, wi.z, a);
-  return {value, ggx_reflection_pdf(distribution, wo, a),
-          std::min(1.0f, dot(wo, sum) / std::sqrt(length2))};
+  return {value, ggx_reflection_pdf(distribution, wo, a), cosine_to_half_vector(length2)};
 }
 
 }  // namespace candela
