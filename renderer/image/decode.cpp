@@ -83,6 +83,9 @@ std::optional<ImageFormat> format_of(const std::string& name, const Bytes& bytes
 
 Diagnostics check_size(double width, double height, double channels, SampleType type,
                        const DecodeLimits& limits) {
+  if (width > limits.max_side || height > limits.max_side)
+    return failure(fmt::format("claims {:.0f} x {:.0f} pixels; a side of at most {} is read", width,
+                               height, limits.max_side));
   const std::size_t sample_bytes = size_of(limits.counts_floats ? SampleType::Float : type);
   const double kept_channels = std::min(channels, static_cast<double>(limits.max_channels));
   const double bytes = width * height * kept_channels * static_cast<double>(sample_bytes);

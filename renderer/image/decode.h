@@ -50,6 +50,7 @@ struct DecodedImage {
 struct DecodeLimits {
   std::size_t max_bytes = std::size_t{4} << 30;  // of the decoded samples
   std::size_t max_channels = 1024;               // further ones are left out
+  int max_side = 1 << 22;                        // a float tells the texels of such a row apart
   bool counts_floats = false;                    // each sample counts four bytes, whatever its type
 };
 

@@ -1,4 +1,6 @@
 // Windows bitmaps: a file header of 14 bytes, an info header that begins with its own size.
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 
 #include <fmt/format.h>
@@ -9,6 +11,11 @@
 namespace candela {
 namespace {
 
+// The info headers of OS/2 and Windows 3, 4 and 5. OpenImageIO 2.4.7 takes any other size for a
+// header and goes on with numbers that were never set.
+constexpr std::uint32_t os2_size = 12;
+constexpr std::array<std::uint32_t, 4> info_sizes{os2_size, 40, 108, 124};
+
 struct BmpHeader {
   std::uint32_t pixel_offset = 0;
   std::int64_t width = 0, height = 0;
@@ -18,17 +25,18 @@ struct BmpHeader {
 };
 
 BmpHeader read_header(const Bytes& bytes) {
-  constexpr std::uint32_t os2_size = 12;
   BmpHeader header;
   ByteCursor cursor(bytes, 10);
   header.pixel_offset = cursor.u32_little();
-  const bool is_os2 = cursor.u32_little() == os2_size;
+  const std::uint32_t info_size = cursor.u32_little();
+  const bool is_os2 = info_size == os2_size;
   header.width = is_os2 ? cursor.u16_little() : cursor.i32_little();
   header.height = is_os2 ? cursor.u16_little() : cursor.i32_little();
   cursor.skip(2);
   header.bits = cursor.u16_little();
   if (!is_os2) header.compression = cursor.u32_little();
-  header.is_good = cursor.is_good();
+  const bool is_known = std::ranges::find(info_sizes, info_size) != info_sizes.end();
+  header.is_good = cursor.is_good() && is_known && bytes.size() >= 14 + info_size;
   return header;
 }
 

@@ -1,12 +1,16 @@
 // Textures: image files kept in their own bit depth, decoded when a ray first needs them, looked up
 // bilinearly.
 //
-// uv: v = 0 is the image's bottom row, texel centres lie at (i + 0.5) / size.
+// uv: v = 0 is the image's bottom row, texel centres lie at (i + 0.5) / size. Any float is a valid
+// coordinate; what is not finite counts as 0.
+//
+// Encodings: Srgb decodes each texel before filtering, LabGamma filters stored values and takes the
+// power then, as the lab does (which gives a texture of width or height 1 its texel (0, 0)
+// everywhere). Values that are not finite become 0 or the largest half at decoding.
 #pragma once
 
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -48,15 +52,18 @@ class TextureStore {
   TextureHandle add(const description::Image& image, Diagnostics& diagnostics);
 
   // Bilinear, decoded to linear by the texture's encoding (alpha is never decoded). Greyscale files
-  // repeat their value in r, g, b; files without alpha have alpha 1. Values above 1 pass (HDR).
+  // repeat their value in r, g, b; files without alpha have alpha 1. Values above 1 pass (HDR), and
+  // so do negative ones of float files with Encoding::Linear. Colour is not premultiplied by alpha
+  // but as the file stores it. Wrap::Black has alpha 0 outside where the file has alpha.
   // Stored values that are not finite count as 0; decoding_diagnostics() says how many there were.
   [[nodiscard]] Vec4f lookup(TextureHandle texture, Vec2f uv) const;
   // One texel, decoded to linear; row 0 is the file's first, 0 <= x < width, 0 <= y < height. For
   // tables that are built over all texels (environment maps), not for kernels.
   [[nodiscard]] Vec4f texel(TextureHandle texture, int x, int y) const;
 
-  // The smallest and largest stored value of `channel` (3: alpha) over all texels that a bilinear
-  // lookup within the triangle of uvs can touch; decodes. Conservative: may be wider than exact.
+  // The smallest and largest stored value of `channel` (0..2 colour, 3: alpha; 1 where the file has
+  // none) over all texels that a bilinear lookup within the triangle of uvs can touch; decodes.
+  // Integers are in [0,1]. Conservative: may be wider than exact.
   struct Range {
     float low = 0;
     float high = 1;
@@ -74,10 +81,9 @@ class TextureStore {
   [[nodiscard]] Diagnostics decoding_diagnostics() const;
 
  private:
+  struct Files;  // pixels by path
   std::vector<std::unique_ptr<Texture>> textures_;
-  struct Pixels;
-  struct PixelTable;
-  std::unique_ptr<PixelTable> pixels_;
+  std::unique_ptr<Files> files_;
 };
 
 }  // namespace candela

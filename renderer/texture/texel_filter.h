@@ -1,0 +1,30 @@
+// The bilinear filter: one small function for each sample type, channel count and decoding, chosen
+// once a texture.
+#pragma once
+
+#include <cstddef>
+
+#include "renderer/description/scene_description.h"
+#include "renderer/image/decode.h"
+#include "renderer/math/vec.h"
+#include "renderer/texture/footprint.h"
+
+namespace candela {
+
+using description::Encoding;
+
+// Interleaved texels as TexelArray holds them.
+struct TexelView {
+  const std::byte* samples = nullptr;
+  std::int32_t width = 1;
+  std::int32_t height = 1;
+};
+
+// Decoded to linear. Missing channels as TextureStore::lookup says.
+using TexelFilter = Vec4f (*)(const TexelView&, const Footprint&);
+
+// `channels`: 1..4. With `has_border`, texels at -1 are black and transparent.
+[[nodiscard]] TexelFilter texel_filter(SampleType type, int channels, Encoding encoding,
+                                       bool has_border);
+
+}  // namespace candela

@@ -1,0 +1,152 @@
+#include "renderer/texture/texels.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "renderer/image/half.h"
+
+namespace candela {
+namespace {
+
+// Infinities of half-float maps (a sun that was too bright) become the largest half.
+constexpr float largest_half = 65504;
+
+template <class Sample>
+Sample sample_at(const std::byte* samples, std::size_t index) {
+  Sample sample;
+  std::memcpy(&sample, samples + index * sizeof(Sample), sizeof(Sample));
+  return sample;
+}
+
+// Of a file's channels the leading ones that make grey, grey and alpha, RGB or RGBA.
+int useful_channels(const ImageHeader& header) {
+  const int count = std::min(static_cast<int>(header.channels.size()), 4);
+  const bool ends_in_alpha = header.alpha_channel == count - 1;
+  return count % 2 == 0 && !ends_in_alpha ? count - 1 : count;
+}
+
+float finite_value(float value) {
+  if (std::isnan(value)) return 0;
+  return std::copysign(largest_half, value);
+}
+
+// Replaces what is not finite and returns how many there were.
+std::size_t remove_non_finite(TexelArray& texels) {
+  std::size_t count = 0;
+  const std::size_t samples = texels.bytes() / size_of(texels.type);
+  for (std::size_t i = 0; i < samples; ++i) {
+    std::byte* place = texels.samples.get() + i * size_of(texels.type);
+    if (texels.type == SampleType::Half) {
+      const auto half = sample_at<std::uint16_t>(place, 0);
+      if ((half & 0x7C00u) != 0x7C00u) continue;
+      const bool is_nan = (half & 0x3FFu) != 0;
+      const auto largest = static_cast<std::uint16_t>((half & 0x8000u) | 0x7BFFu);
+      const std::uint16_t replaced = is_nan ? std::uint16_t{0} : largest;
+      std::memcpy(place, &replaced, sizeof(replaced));
+    } else {
+      const auto value = sample_at<float>(place, 0);
+      if (std::isfinite(value)) continue;
+      const float replaced = finite_value(value);
+      std::memcpy(place, &replaced, sizeof(replaced));
+    }
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+float stored_value(const TexelArray& texels, int x, int y, int channel) {
+  const std::size_t index = (static_cast<std::size_t>(y) * static_cast<std::size_t>(texels.width) +
+                             static_cast<std::size_t>(x)) *
+                                static_cast<std::size_t>(texels.channels) +
+                            static_cast<std::size_t>(channel);
+  const std::byte* samples = texels.samples.get();
+  switch (texels.type) {
+    case SampleType::U8:
+      return static_cast<float>(sample_at<std::uint8_t>(samples, index)) / 255.0f;
+    case SampleType::U16:
+      return static_cast<float>(sample_at<std::uint16_t>(samples, index)) / 65535.0f;
+    case SampleType::Half:
+      return half_to_float(sample_at<std::uint16_t>(samples, index));
+    case SampleType::Float:
+      return sample_at<float>(samples, index);
+  }
+  return 0;
+}
+
+TextureFile::TextureFile(std::string path, SourceSpan span, const Result<ImageHeader>& found)
+    : path_(std::move(path)), span_(std::move(span)), is_broken_(!found) {
+  if (is_broken_) return;
+  width_ = found->width;
+  height_ = found->height;
+  channels_ = useful_channels(*found);
+  type_ = found->sample_type;
+}
+
+std::size_t TextureFile::bytes() const {
+  return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) *
+         static_cast<std::size_t>(channels_) * size_of(type_);
+}
+
+const TexelArray& TextureFile::texels() {
+  std::call_once(decode_once_, [this] { decode(); });
+  return texels_;
+}
+
+void TextureFile::decode() {
+  if (is_broken_)
+    become_magenta();
+  else
+    decode_file();
+  is_decoded_.store(true, std::memory_order_release);
+}
+
+void TextureFile::decode_file() {
+  DecodeLimits limits;
+  limits.max_channels = static_cast<std::size_t>(channels_);
+  Result<DecodedImage> image = read_decoded_image(path_, limits);
+  for (const Diagnostic& found : image.diagnostics.list())
+    diagnostics_.warning(
+        span_, fmt::format("texture {}{}", found.message, image ? "" : "; it is magenta"));
+  if (!image) return become_magenta();
+  texels_.width = image->header.width;
+  texels_.height = image->header.height;
+  texels_.channels = static_cast<int>(image->header.channels.size());
+  texels_.type = image->header.sample_type;
+  texels_.samples = std::move(image->samples);
+  if (texels_.type != SampleType::Half && texels_.type != SampleType::Float) return;
+  if (const std::size_t count = remove_non_finite(texels_); count > 0)
+    diagnostics_.warning(span_, fmt::format("texture '{}' holds {} values that are not finite; NaN "
+                                            "counts as 0, infinity as {}",
+                                            path_, count, largest_half));
+}
+
+void TextureFile::become_magenta() {
+  constexpr std::array<unsigned char, 4> magenta{255, 0, 255, 255};
+  texels_ = {};
+  texels_.channels = 4;
+  texels_.samples = std::make_unique_for_overwrite<std::byte[]>(magenta.size());
+  std::memcpy(texels_.samples.get(), magenta.data(), magenta.size());
+}
+
+Diagnostics TextureFile::decoding_diagnostics() const {
+  return is_decoded() ? diagnostics_ : Diagnostics{};
+}
+
+const RangeTree& TextureFile::range_tree(int channel) {
+  const TexelArray& array = texels();
+  const auto index = static_cast<std::size_t>(channel);
+  std::call_once(range_once_[index], [&] {
+    range_trees_[index] = RangeTree(array.width, array.height, [&](int x, int y) {
+      return stored_value(array, x, y, channel);
+    });
+  });
+  return range_trees_[index];
+}
+
+}  // namespace candela

@@ -1,0 +1,77 @@
+// The pixels of one image file: decoded once, on first touch, in the file's own bit depth, and
+// shared by all textures of that file.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "renderer/base/diagnostic.h"
+#include "renderer/image/decode.h"
+#include "renderer/texture/range_tree.h"
+
+namespace candela {
+
+// Rows from the top, interleaved, 1 to 4 channels: grey, grey and alpha, RGB, RGBA.
+struct TexelArray {
+  std::unique_ptr<std::byte[]> samples;
+  int width = 1;
+  int height = 1;
+  int channels = 1;
+  SampleType type = SampleType::U8;
+
+  [[nodiscard]] bool has_alpha() const { return channels % 2 == 0; }
+  [[nodiscard]] std::size_t bytes() const {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+           static_cast<std::size_t>(channels) * size_of(type);
+  }
+};
+
+// A sample as stored: integers as [0,1].
+[[nodiscard]] float stored_value(const TexelArray& texels, int x, int y, int channel);
+
+class TextureFile {
+ public:
+  // A file that `found` has errors about is magenta from the start.
+  TextureFile(std::string path, SourceSpan span, const Result<ImageHeader>& found);
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+  // What the header says; decodes nothing.
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] int channels() const { return channels_; }
+  [[nodiscard]] std::size_t bytes() const;
+
+  // Decodes at the first call; any number of threads may call at once.
+  const TexelArray& texels();
+  [[nodiscard]] bool is_decoded() const { return is_decoded_.load(std::memory_order_acquire); }
+  // What was wrong with pixels whose header was fine. Empty until decoded.
+  [[nodiscard]] Diagnostics decoding_diagnostics() const;
+  // Builds the tree of a channel at the first call. `channel` < channels of texels().
+  const RangeTree& range_tree(int channel);
+
+ private:
+  void decode();
+  void decode_file();
+  void become_magenta();
+
+  std::string path_;
+  SourceSpan span_;
+  bool is_broken_ = false;
+  int width_ = 1;
+  int height_ = 1;
+  int channels_ = 4;
+  SampleType type_ = SampleType::U8;
+
+  std::once_flag decode_once_;
+  std::atomic<bool> is_decoded_{false};
+  TexelArray texels_;
+  Diagnostics diagnostics_;
+  std::array<std::once_flag, 4> range_once_;
+  std::array<RangeTree, 4> range_trees_;
+};
+
+}  // namespace candela

@@ -1,0 +1,153 @@
+#include "renderer/texture/texture.h"
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "renderer/math/transcendental.h"
+#include "renderer/texture/texel_filter.h"
+#include "renderer/texture/texels.h"
+#include "renderer/texture/uv_range.h"
+
+namespace candela {
+
+struct TextureStore::Files {
+  std::map<std::string, std::unique_ptr<TextureFile>> by_path;
+};
+
+// One way to look into one file.
+class Texture {
+ public:
+  Texture(TextureFile& file, Encoding encoding, Wrap wrap)
+      : file_(&file), encoding_(encoding), wrap_(wrap) {
+    info_ = {file.width(), file.height(), file.channels(), file.channels() % 2 == 0, file.bytes()};
+  }
+
+  [[nodiscard]] bool is(const TextureFile& file, Encoding encoding, Wrap wrap) const {
+    return file_ == &file && encoding_ == encoding && wrap_ == wrap;
+  }
+  [[nodiscard]] TextureFile& file() const { return *file_; }
+  [[nodiscard]] Wrap wrap() const { return wrap_; }
+  [[nodiscard]] const TextureInfo& info() const { return info_; }
+
+  // Whether every lookup gives the first texel.
+  [[nodiscard]] bool is_single_texel(const TexelArray& texels) const {
+    if (encoding_ == Encoding::LabGamma && (texels.width == 1 || texels.height == 1)) return true;
+    return texels.width == 1 && texels.height == 1 && wrap_ != Wrap::Black;
+  }
+
+  [[nodiscard]] Vec4f lookup(Vec2f uv) {
+    if (!is_ready_.load(std::memory_order_acquire)) prepare();
+    if (is_constant_) return constant_;
+    return filter_(view_, footprint_of(uv, view_.width, view_.height, wrap_));
+  }
+
+ private:
+  void prepare() {
+    std::call_once(prepare_once_, [this] {
+      const TexelArray& texels = file_->texels();
+      view_ = {texels.samples.get(), texels.width, texels.height};
+      filter_ = texel_filter(texels.type, texels.channels, encoding_, wrap_ == Wrap::Black);
+      is_constant_ = is_single_texel(texels);
+      if (is_constant_) constant_ = filter_(view_, Footprint{});
+      is_ready_.store(true, std::memory_order_release);
+    });
+  }
+
+  TextureFile* file_;
+  std::atomic<bool> is_ready_{false};
+  bool is_constant_ = false;
+  Encoding encoding_;
+  Wrap wrap_;
+  TexelView view_;
+  TexelFilter filter_ = nullptr;
+  Vec4f constant_{0};
+  TextureInfo info_;
+  std::once_flag prepare_once_;
+};
+
+TextureStore::TextureStore() : files_(std::make_unique<Files>()) {}
+TextureStore::TextureStore(TextureStore&&) noexcept = default;
+TextureStore& TextureStore::operator=(TextureStore&&) noexcept = default;
+TextureStore::~TextureStore() = default;
+
+namespace {
+
+void warn_of(const Result<ImageHeader>& header, const SourceSpan& span, Diagnostics& diagnostics) {
+  for (const Diagnostic& found : header.diagnostics.list())
+    diagnostics.warning(
+        span, fmt::format("texture {}{}", found.message, header ? "" : "; it is magenta"));
+}
+
+}  // namespace
+
+TextureHandle TextureStore::add(const description::Image& image, Diagnostics& diagnostics) {
+  const std::string key = std::filesystem::path(image.path).lexically_normal().string();
+  std::unique_ptr<TextureFile>& file = files_->by_path[key];
+  if (!file) {
+    const Result<ImageHeader> header = read_image_header(image.path, DecodeLimits{});
+    warn_of(header, image.span, diagnostics);
+    file = std::make_unique<TextureFile>(image.path, image.span, header);
+  }
+  for (std::size_t i = 0; i < textures_.size(); ++i)
+    if (textures_[i]->is(*file, image.encoding, image.wrap)) return TextureHandle(i);
+  textures_.push_back(std::make_unique<Texture>(*file, image.encoding, image.wrap));
+  return TextureHandle(textures_.size() - 1);
+}
+
+Vec4f TextureStore::lookup(TextureHandle texture, Vec2f uv) const {
+  return textures_[texture.index]->lookup(uv);
+}
+
+TextureStore::Range TextureStore::range_in_triangle(TextureHandle texture, const Vec2f (&uv)[3],
+                                                    int channel) const {
+  const Texture& used = *textures_[texture.index];
+  const TexelArray& texels = used.file().texels();
+  const bool is_alpha = channel == 3;
+  if (is_alpha && !texels.has_alpha()) return {1, 1};
+  const int colours = texels.channels <= 2 ? 1 : 3;
+  const int stored = is_alpha ? texels.channels - 1 : std::min(channel, colours - 1);
+  if (used.is_single_texel(texels)) {
+    const float value = stored_value(texels, 0, 0, stored);
+    return {value, value};
+  }
+  const ValueRange range =
+      range_over_triangle(used.file(), {uv[0], uv[1], uv[2]}, stored, used.wrap());
+  const float rounding = (range.high - range.low) * 0x1p-22f;  // of the filter between the two
+  return {range.low - rounding, range.high + rounding};
+}
+
+const TextureInfo& TextureStore::info(TextureHandle texture) const {
+  return textures_[texture.index]->info();
+}
+
+const std::string& TextureStore::path(TextureHandle texture) const {
+  return textures_[texture.index]->file().path();
+}
+
+std::size_t TextureStore::size() const {
+  return textures_.size();
+}
+
+bool TextureStore::is_decoded(TextureHandle texture) const {
+  return textures_[texture.index]->file().is_decoded();
+}
+
+std::size_t TextureStore::decoded_bytes() const {
+  std::size_t bytes = 0;
+  for (const auto& [path, file] : files_->by_path)
+    if (file->is_decoded()) bytes += file->texels().bytes();
+  return bytes;
+}
+
+Diagnostics TextureStore::decoding_diagnostics() const {
+  Diagnostics found;
+  for (const auto& [path, file] : files_->by_path) found.append(file->decoding_diagnostics());
+  return found;
+}
+
+}  // namespace candela
