@@ -49,8 +49,9 @@ struct Object {
 struct Instance {
   ObjectHandle object;
   Vec3f x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, translation{0};
-  // Rows of the inverse linear map's transpose: normals transform by these columns.
+  // Columns of the inverse's transpose, up to a positive factor: normals transform by these.
   Vec3f normal_x{1, 0, 0}, normal_y{0, 1, 0}, normal_z{0, 0, 1};
+  bool is_mirrored = false;  // negative determinant: windings turn round
 
   [[nodiscard]] Vec3f point(const Vec3f& p) const {
     return x * p.x + y * p.y + z * p.z + translation;

@@ -43,6 +43,7 @@ struct Material {
   ColourParameter diffuse{Rgb{0}, {}};   // kd; Mirror: reflectance
   ColourParameter specular{Rgb{0}, {}};  // ks; Lab with a map: alpha * 256 is the exponent
   ScalarParameter roughness{0, {}, 0};   // GGX width a; Lab: from the exponent at compile time
+  float shininess = 0;                   // Lab: the exponent itself, for whitted
   Rgb f0{0.04f};
   Rgb eta{1.5f};  // Dielectric: all channels alike
   Rgb k{0};

@@ -1,0 +1,36 @@
+// What a kernel instance can do. A scene gets the smallest instance that covers what it needs; each
+// bit left out removes code, never changes a bit of the result (invariant 2).
+#pragma once
+
+#include "renderer/bsdf/bsdf.h"
+#include "renderer/scene/scene.h"
+
+namespace candela {
+
+struct FeatureSet {
+  bool textures = true;  // any texture, bump or normal map
+  bool instances = true;
+  bool delta_lights = true;
+  bool environment = true;
+  bool thin_lens = true;
+  ModelSet models = all_models;
+
+  [[nodiscard]] constexpr bool covers(const SceneFeatures& scene) const {
+    return (textures || !(scene.textures || scene.bump)) && (instances || !scene.instances) &&
+           (delta_lights || !scene.delta_lights) && (environment || !scene.environment) &&
+           (thin_lens || !scene.thin_lens) && (scene.bsdf_models & ~models) == 0;
+  }
+};
+
+inline constexpr FeatureSet general_features{};
+
+// Cornell boxes and the like: triangles, area lights, opaque untextured surfaces.
+inline constexpr FeatureSet plain_features{
+    .textures = false,
+    .instances = false,
+    .delta_lights = false,
+    .environment = false,
+    .thin_lens = false,
+    .models = model_bit(BsdfModel::Diffuse) | model_bit(BsdfModel::CookTorrance)};
+
+}  // namespace candela

@@ -1,0 +1,9 @@
+#include "integrators/path/kernels.h"
+
+namespace candela {
+
+template TileCounts render_tile<general_features>(const PathContext<RecordingAccel<BvhAccel>>&,
+                                                  const PixelRect&, std::uint32_t, std::uint32_t,
+                                                  Film&);
+
+}  // namespace candela

@@ -1,0 +1,52 @@
+// The closed list of path kernels: one body (render_tile.h), one line an instance. Every instance
+// is compiled in a file of its own under instances/.
+#pragma once
+
+#include <string_view>
+
+#include "integrators/path/render_tile.h"
+#include "integrators/ray_limit/recording_accel.h"
+
+namespace candela {
+
+template <class A>
+using TileKernel = TileCounts (*)(const PathContext<A>&, const PixelRect&, std::uint32_t,
+                                  std::uint32_t, Film&);
+
+extern template TileCounts render_tile<general_features>(const PathContext<EmbreeAccel>&,
+                                                         const PixelRect&, std::uint32_t,
+                                                         std::uint32_t, Film&);
+extern template TileCounts render_tile<plain_features>(const PathContext<EmbreeAccel>&,
+                                                       const PixelRect&, std::uint32_t,
+                                                       std::uint32_t, Film&);
+extern template TileCounts render_tile<general_features>(const PathContext<BvhAccel>&,
+                                                         const PixelRect&, std::uint32_t,
+                                                         std::uint32_t, Film&);
+extern template TileCounts render_tile<general_features>(
+    const PathContext<RecordingAccel<EmbreeAccel>>&, const PixelRect&, std::uint32_t, std::uint32_t,
+    Film&);
+extern template TileCounts render_tile<general_features>(
+    const PathContext<RecordingAccel<BvhAccel>>&, const PixelRect&, std::uint32_t, std::uint32_t,
+    Film&);
+
+template <class A>
+struct PathKernel {
+  std::string_view name;
+  TileKernel<A> render;
+};
+
+// The smallest instance that covers the scene. The reference BVH and the recorder have only the
+// general one.
+template <class A>
+[[nodiscard]] PathKernel<A> select_path_kernel(const SceneFeatures&, bool /*use_general*/) {
+  return {"general", &render_tile<general_features, A>};
+}
+template <>
+[[nodiscard]] inline PathKernel<EmbreeAccel> select_path_kernel(const SceneFeatures& features,
+                                                                bool use_general) {
+  if (!use_general && plain_features.covers(features))
+    return {"plain", &render_tile<plain_features, EmbreeAccel>};
+  return {"general", &render_tile<general_features, EmbreeAccel>};
+}
+
+}  // namespace candela

@@ -1,0 +1,82 @@
+// Next-event estimation: light that reaches a surface point straight from a light.
+#pragma once
+
+#include "integrators/path/context.h"
+#include "integrators/path/feature_set.h"
+#include "renderer/accel/accelerator.h"
+#include "renderer/bsdf/dispatch.h"
+#include "renderer/geometry/surface_point.h"
+#include "renderer/light/sample_light.h"
+#include "renderer/sampling/mis.h"
+
+namespace candela {
+
+// A direction as the shading frame sees it is a reflection iff it lies above both the shading and
+// the geometric surface, a transmission iff below both; what is in between would leak.
+[[nodiscard]] inline bool is_consistent(const SurfacePoint& point, const Vec3f& wi_world,
+                                        const Vec3f& wi_local) {
+  return (dot(wi_world, point.geometric_normal) > 0) == (wi_local.z > 0);
+}
+
+// From just off the surface to just off the light. The last few ulps are left out, since the
+// intersector's own t is rounded too.
+[[nodiscard]] inline Ray shadow_ray(const SurfacePoint& point, const LightSample& light) {
+  const Vec3f origin =
+      offset_origin(point.position, point.position_error, point.geometric_normal, light.wi);
+  if (light.is_infinite) return {origin, light.wi, infinity};
+  const Vec3f end = offset_origin(light.point, light.point_error, light.normal, -light.wi);
+  const Vec3f to_end = end - origin;
+  const float distance = length(to_end);
+  return {origin, to_end / distance, distance * (1 - gamma_bound(16))};
+}
+
+// The contribution of one light sample, already divided by the probability `choice` of the light.
+template <FeatureSet F, class A>
+[[nodiscard]] inline Rgb light_contribution(const PathContext<A>& context,
+                                            const SurfacePoint& point, const Bsdf& bsdf,
+                                            const Vec3f& wo_local, const LightSample& light,
+                                            float choice, TileCounts& counts) {
+  if (!(light.pdf > 0) || is_black(light.radiance)) return Rgb(0);
+  const Vec3f wi_local = point.shading.to_local(light.wi);
+  if (!is_consistent(point, light.wi, wi_local)) {
+    ++counts.skipped.shadow_rays;
+    return Rgb(0);
+  }
+  const BsdfEvaluation f = evaluate_bsdf<F.models>(bsdf, wo_local, wi_local);
+  const float pdf = light.pdf * choice;
+  const float weight = light.is_delta ? 1.0f : power_heuristic(pdf, f.pdf);
+  const Rgb contribution = f.value * light.radiance * (weight / pdf);
+  if (is_black(contribution)) {
+    ++counts.skipped.shadow_rays;
+    return Rgb(0);
+  }
+  const Ray ray = shadow_ray(point, light);
+  if (!is_traceable(ray)) return Rgb(0);
+  ++counts.rays.shadow;
+  return context.accelerator.occluded(ray) ? Rgb(0) : contribution;
+}
+
+// The sum over the lights that are sampled at every hit, and one that is picked by power.
+template <FeatureSet F, class A>
+[[nodiscard]] inline Rgb direct_light(const PathContext<A>& context, const Sampler& sampler,
+                                      std::uint32_t bounce, const SurfacePoint& point,
+                                      const Bsdf& bsdf, const Vec3f& wo_local, TileCounts& counts) {
+  const Scene& scene = context.scene;
+  Rgb sum(0);
+  if constexpr (F.delta_lights) {
+    for (const std::uint32_t index : scene.light_sampler.always()) {
+      const LightSample light = sample_light(scene, scene.lights[index], point.position, Vec2f(0));
+      sum += light_contribution<F>(context, point, bsdf, wo_local, light, 1, counts);
+    }
+  }
+  if (scene.light_sampler.has_table()) {
+    const LightChoice choice =
+        scene.light_sampler.choose(sampler.sample_1d(bounce, Dimension::LightChoice));
+    const LightSample light = sample_light(scene, scene.lights[choice.light], point.position,
+                                           sampler.sample_2d(bounce, Dimension::LightPoint));
+    sum += light_contribution<F>(context, point, bsdf, wo_local, light, choice.probability, counts);
+  }
+  return sum;
+}
+
+}  // namespace candela

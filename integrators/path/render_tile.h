@@ -1,0 +1,52 @@
+// A tile's pixels through the path kernel: camera rays in, film samples out.
+#pragma once
+
+#include "integrators/path/trace_path.h"
+
+namespace candela {
+
+// The camera ray of one sample; the filter chooses its place (filter importance sampling).
+template <FeatureSet F, class A>
+[[nodiscard]] inline Ray camera_ray(const PathContext<A>& context, const Sampler& sampler, int x,
+                                    int y) {
+  const Vec2f place = context.filter.sample(sampler.sample_2d(0, Dimension::Filter));
+  const Vec2f film{
+      (static_cast<float>(x) + 0.5f + place.x) / static_cast<float>(context.options.width),
+      (static_cast<float>(y) + 0.5f + place.y) / static_cast<float>(context.options.height)};
+  if constexpr (!F.thin_lens) return context.camera.generate_ray(film, Vec2f(0));
+  const Vec2f lens =
+      context.camera.lens_radius > 0 ? sampler.sample_2d(0, Dimension::Lens) : Vec2f(0);
+  return context.camera.generate_ray(film, lens);
+}
+
+// Invalid radiance never enters the film: it is counted and located (invariant 4).
+[[nodiscard]] inline bool is_valid_radiance(const Rgb& radiance) {
+  return is_finite(radiance) && min_component(radiance) >= 0;
+}
+
+// Samples [first_sample, end_sample) of each pixel of the tile, in order.
+template <FeatureSet F, class A>
+TileCounts render_tile(const PathContext<A>& context, const PixelRect& tile,
+                       std::uint32_t first_sample, std::uint32_t end_sample, Film& film) {
+  TileCounts counts;
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    for (int x = tile.x0; x < tile.x1; ++x) {
+      for (std::uint32_t s = first_sample; s < end_sample; ++s) {
+        const Sampler sampler(context.options.seed, static_cast<std::uint32_t>(x),
+                              static_cast<std::uint32_t>(y), s);
+        const Ray ray = camera_ray<F>(context, sampler, x, y);
+        const FilmSample sample = trace_path<F>(context, sampler, ray, counts);
+        if (is_valid_radiance(sample.radiance)) {
+          film.add(x, y, sample);
+        } else {
+          film.add_invalid(x, y);
+          ++counts.invalid_samples;
+          if (!counts.first_invalid) counts.first_invalid = InvalidSample{x, y, s};
+        }
+      }
+    }
+  }
+  return counts;
+}
+
+}  // namespace candela

@@ -1,0 +1,165 @@
+// One camera sample: iterative path tracing with next-event estimation at every non-delta hit and
+// BSDF sampling, combined by the power heuristic; Russian roulette on throughput [Veach97].
+// Unbiased: no clamp, no depth limit unless asked for.
+#pragma once
+
+#include "integrators/path/context.h"
+#include "integrators/path/feature_set.h"
+#include "integrators/path/next_event.h"
+#include "renderer/light/environment_radiance.h"
+#include "renderer/material/bsdf_at.h"
+#include "renderer/material/bump.h"
+
+namespace candela {
+
+// The state of a path between two hits.
+struct PathState {
+  Ray ray;
+  Rgb throughput{1};
+  Rgb radiance{0};
+  float bsdf_pdf = 0;     // solid angle, of the direction of `ray`
+  float eta_squared = 1;  // what refraction multiplied the throughput by: no loss of light
+  bool is_delta = true;   // camera rays and delta lobes: only this strategy finds the light
+  bool is_invalid = false;
+};
+
+// The weight of light found by following the BSDF, against the light sampler's density.
+[[nodiscard]] inline float bsdf_strategy_weight(const PathState& path, float light_pdf) {
+  return path.is_delta ? 1.0f : power_heuristic(path.bsdf_pdf, light_pdf);
+}
+
+// Light from a ray that left the scene.
+template <FeatureSet F>
+inline void add_environment(const Scene& scene, std::uint32_t bounce, bool is_hidden,
+                            PathState& path) {
+  if constexpr (F.environment) {
+    if (!scene.environment) return;
+    const Environment& environment = *scene.environment;
+    if (bounce == 0 && (is_hidden || !environment.is_seen_by_camera)) return;
+    const Rgb radiance = environment_radiance(environment, scene.textures, path.ray.direction);
+    const float pdf = path.is_delta ? 0.0f
+                                    : environment_pdf(environment, path.ray.direction) *
+                                          scene.light_sampler.environment_probability();
+    path.radiance += path.throughput * radiance * bsdf_strategy_weight(path, pdf);
+  }
+}
+
+// Light that the surface itself sends back along the ray.
+inline void add_emission(const Scene& scene, const Geometry& geometry, const Hit& hit,
+                         const SurfacePoint& point, PathState& path) {
+  const std::uint32_t index = geometry.first_light + hit.triangle;
+  const Light& light = scene.lights[index];
+  if (!point.is_front && !light.emits_both_sides) return;
+  const float cosine = std::abs(dot(point.geometric_normal, path.ray.direction));
+  const float pdf = path.is_delta ? 0.0f
+                                  : triangle_light_pdf(light, hit.t, cosine) *
+                                        scene.light_sampler.probability(index);
+  path.radiance += path.throughput * light.emission * bsdf_strategy_weight(path, pdf);
+}
+
+template <FeatureSet F>
+[[nodiscard]] inline SurfacePoint surface_point_at(const Scene& scene, const Hit& hit,
+                                                   const Material& material, const Vec3f& wo) {
+  const Geometry& geometry = scene.geometries[hit.geometry];
+  const Instance* instance = nullptr;
+  if constexpr (F.instances) {
+    if (hit.is_instanced()) instance = &scene.instances[hit.instance];
+  }
+  SurfacePoint point = make_surface_point(geometry, instance, hit, wo, F.textures);
+  if constexpr (F.textures) {
+    if (has_bump(material)) apply_bump(material, scene.textures, wo, point);
+  }
+  return point;
+}
+
+// What the film's layers keep of the first hit.
+inline void record_first_hit(const Scene& scene, const Camera& camera, const Geometry& geometry,
+                             const SurfacePoint& point, const Bsdf& bsdf, const Vec3f& wo_local,
+                             FilmSample& sample) {
+  sample.has_hit = true;
+  sample.albedo = albedo_estimate(bsdf, wo_local);
+  sample.normal = point.shading.z;
+  sample.position = scene.normalisation.to_file(point.position);
+  sample.depth =
+      static_cast<double>(length(point.position - camera.eye)) / scene.normalisation.scale;
+  sample.material = geometry.material.index;
+}
+
+// Continues the path in a direction drawn from the BSDF; false where it ends.
+template <FeatureSet F>
+[[nodiscard]] inline bool scatter(const Sampler& sampler, std::uint32_t bounce,
+                                  const SurfacePoint& point, const Bsdf& bsdf,
+                                  const Vec3f& wo_local, PathState& path) {
+  const BsdfSample sample =
+      sample_bsdf<F.models>(bsdf, wo_local, sampler.sample_1d(bounce, Dimension::LobeChoice),
+                            sampler.sample_2d(bounce, Dimension::Direction));
+  if (is_black(sample.weight)) return false;
+  const Vec3f wi = point.shading.to_world(sample.wi);
+  if (!is_consistent(point, wi, sample.wi)) return false;
+  path.throughput *= sample.weight;
+  path.bsdf_pdf = sample.pdf;
+  path.is_delta = sample.is_delta;
+  path.eta_squared *= sample.eta * sample.eta;
+  path.ray = spawn_ray(point, wi);
+  return true;
+}
+
+// Russian roulette: false ends the path, else survivors stand for the ended. The eta^2 of
+// refraction is taken out, since it comes back when the path leaves the glass [Pharr23,
+// section 14.5.4]. The survival probability stays below 1 so that paths end in closed white scenes
+// too.
+[[nodiscard]] inline bool survives_roulette(const Sampler& sampler, std::uint32_t bounce,
+                                            PathState& path) {
+  constexpr std::uint32_t first_bounce = 2;
+  constexpr float highest_survival = 0.98f;
+  if (bounce < first_bounce) return true;
+  const float survival =
+      std::min(max_component(path.throughput) * path.eta_squared, highest_survival);
+  if (!(sampler.sample_1d(bounce, Dimension::Roulette) < survival)) return false;
+  path.throughput /= survival;
+  return true;
+}
+
+template <FeatureSet F, class A>
+[[nodiscard]] inline FilmSample trace_path(const PathContext<A>& context, const Sampler& sampler,
+                                           const Ray& camera_ray, TileCounts& counts) {
+  const Scene& scene = context.scene;
+  FilmSample sample;
+  PathState path{.ray = camera_ray};
+  ++counts.rays.camera;
+  for (std::uint32_t bounce = 0;; ++bounce) {
+    if (!is_traceable(path.ray)) {
+      path.radiance = Rgb(std::numeric_limits<float>::quiet_NaN());
+      break;
+    }
+    const Hit hit = context.accelerator.intersect(path.ray);
+    if (!hit.is_hit()) {
+      add_environment<F>(scene, bounce, context.options.transparent, path);
+      if (bounce == 0) sample.alpha = 0;
+      break;
+    }
+    const Geometry& geometry = scene.geometries[hit.geometry];
+    const Material& material = scene.materials[geometry.material.index];
+    const Vec3f wo = -path.ray.direction;
+    const SurfacePoint point = surface_point_at<F>(scene, hit, material, wo);
+    if (geometry.is_emissive()) add_emission(scene, geometry, hit, point, path);
+    const bool is_last = bounce >= context.max_depth;
+    if (is_last && (bounce > 0 || context.options.aovs == 0)) break;
+
+    const Bsdf bsdf = bsdf_at<F.textures>(material, scene.textures, point.uv, point.is_front);
+    const Vec3f wo_local = point.shading.to_local(wo);
+    if (bounce == 0 && context.options.aovs != 0)
+      record_first_hit(scene, context.camera, geometry, point, bsdf, wo_local, sample);
+    if (is_last) break;
+    if (!is_only_delta(bsdf))
+      path.radiance += path.throughput *
+                       direct_light<F>(context, sampler, bounce, point, bsdf, wo_local, counts);
+    if (!scatter<F>(sampler, bounce, point, bsdf, wo_local, path)) break;
+    if (!survives_roulette(sampler, bounce, path)) break;
+    ++counts.rays.indirect;
+  }
+  sample.radiance = path.radiance;
+  return sample;
+}
+
+}  // namespace candela

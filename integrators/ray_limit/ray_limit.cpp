@@ -1,0 +1,75 @@
+// `--ray-limit`: how near a render is to the cost of its rays alone.
+
+#include <ctime>
+
+#include "integrators/path/kernels.h"
+#include "integrators/render.h"
+#include "integrators/tiles.h"
+
+namespace candela {
+namespace {
+
+double thread_cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// Every sixteenth tile, spread over the picture by a stride that is coprime to most rows.
+std::vector<PixelRect> share_of_tiles(const RenderOptions& options) {
+  const std::vector<PixelRect> all =
+      tiles_of({0, 0, options.width, options.height}, options.tile_size);
+  std::vector<PixelRect> share;
+  for (std::size_t i = 0; i < all.size(); i += 17) share.push_back(all[i]);
+  return share;
+}
+
+// Replays the rays of one tile; the sum keeps the compiler from leaving them out.
+template <class A>
+double replay(const A& accelerator, const std::vector<RecordedRay>& rays) {
+  double sum = 0;
+  for (const RecordedRay& recorded : rays) {
+    if (recorded.is_shadow) {
+      sum += accelerator.occluded(recorded.ray) ? 1 : 0;
+    } else {
+      const Hit hit = accelerator.intersect(recorded.ray);
+      sum += hit.is_hit() ? static_cast<double>(hit.t) : 0;
+    }
+  }
+  return sum;
+}
+
+template <class A>
+RayLimit measure(const Scene& scene, const A& accelerator, const RenderOptions& options) {
+  const Filter filter = make_filter(options);
+  const RecordingAccel<A> recorder(accelerator);
+  const PathContext<A> context = make_path_context(scene, accelerator, filter, options);
+  const auto recording = make_path_context(scene, recorder, filter, options);
+  const auto samples = static_cast<std::uint32_t>(options.samples_per_pixel);
+  const PathKernel<A> kernel = select_path_kernel<A>(scene.features, options.use_general_kernel);
+  Film film(options.width, options.height, {0, 0, options.width, options.height}, options.aovs);
+
+  RayLimit limit;
+  volatile double sink = 0;
+  for (const PixelRect& tile : share_of_tiles(options)) {
+    recorder.rays().clear();
+    render_tile<general_features>(recording, tile, 0, samples, film);
+    const double start = thread_cpu_seconds();
+    kernel.render(context, tile, 0, samples, film);
+    const double middle = thread_cpu_seconds();
+    sink = sink + replay(accelerator, recorder.rays());
+    limit.rays_seconds += thread_cpu_seconds() - middle;
+    limit.render_seconds += middle - start;
+    limit.rays += recorder.rays().size();
+  }
+  return limit;
+}
+
+}  // namespace
+
+RayLimit measure_ray_limit(const Scene& scene, const AnyAccelerator& accelerator,
+                           const RenderOptions& options) {
+  return std::visit([&](const auto& a) { return measure(scene, a, options); }, accelerator);
+}
+
+}  // namespace candela

@@ -1,0 +1,134 @@
+// Hit -> SurfacePoint: where a ray met the scene, with a bound of the position's rounding error,
+// the geometric normal and the shading frame. Fixed once a hit; materials and integrators only read
+// it.
+#pragma once
+
+#include <cstdint>
+
+#include "renderer/geometry/geometry.h"
+#include "renderer/math/constants.h"
+#include "renderer/math/frame.h"
+#include "renderer/math/ray.h"
+#include "renderer/math/vec.h"
+
+namespace candela {
+
+struct SurfacePoint {
+  Vec3f position{0};
+  Vec3f position_error{0};          // per axis, >= 0
+  Vec3f geometric_normal{0, 0, 1};  // unit, on the side of wo
+  bool is_front = true;             // wo is on the side that the winding calls outside
+  Frame shading;                    // z on the side of wo
+  Vec2f uv{0.5f, 0.5f};
+  Vec3f dpdu{0};  // world space, not normalised; zero where uv is degenerate
+  Vec3f dpdv{0};
+};
+
+namespace surface_point_detail {
+
+struct Corners {
+  Vec3f p0, p1, p2;
+};
+
+[[nodiscard]] inline Corners corners_of(const Geometry& geometry, std::uint32_t triangle,
+                                        const Instance* instance) {
+  const auto& index = geometry.triangles[triangle];
+  const Vec3f p0 = geometry.positions[index[0]];
+  const Vec3f p1 = geometry.positions[index[1]];
+  const Vec3f p2 = geometry.positions[index[2]];
+  if (instance == nullptr) return {p0, p1, p2};
+  return {instance->point(p0), instance->point(p1), instance->point(p2)};
+}
+
+[[nodiscard]] inline Vec3f absolute(const Vec3f& v) {
+  return glm::abs(v);
+}
+
+// Bound of how far a point interpolated from barycentrics may lie from the triangle's plane, and of
+// how wrong an intersector may be about that plane nearby: rounding of the interpolation
+// [Pharr23, section 6.8.5], and of products of edges as long as the triangle.
+[[nodiscard]] inline Vec3f interpolation_error(const Corners& c, float b0, float b1, float b2,
+                                               const Vec3f& e1, const Vec3f& e2) {
+  const Vec3f magnitude = absolute(c.p0) * b0 + absolute(c.p1) * b1 + absolute(c.p2) * b2;
+  const Vec3f longest = glm::max(absolute(e1), absolute(e2));
+  return magnitude * gamma_bound(7) + Vec3f(max_component(longest) * gamma_bound(8));
+}
+
+}  // namespace surface_point_detail
+
+// The shading normal, bent towards the geometric one just as far as the mirror direction about it
+// needs to stay above the surface: no black silhouettes, no light through. All vectors unit, the
+// geometric normal on the side of wo.
+[[nodiscard]] inline Vec3f valid_shading_normal(const Vec3f& shading, const Vec3f& geometric,
+                                                const Vec3f& wo) {
+  const Vec3f mirrored = shading * (2 * dot(shading, wo)) - wo;
+  const float least = std::min(0.9f * dot(geometric, wo), 0.01f);
+  const float height = dot(mirrored, geometric);
+  if (height >= least) return shading;
+  const Vec3f tangential = mirrored - geometric * height;
+  const float length2 = dot(tangential, tangential);
+  if (!(length2 > 0)) return geometric;
+  const Vec3f lifted = tangential * std::sqrt((1 - least * least) / length2) + geometric * least;
+  return normalize(wo + lifted);
+}
+
+// `instance` may be null. With `with_uv` false, uv and its derivatives stay at their defaults.
+[[nodiscard]] inline SurfacePoint make_surface_point(const Geometry& geometry,
+                                                     const Instance* instance, const Hit& hit,
+                                                     const Vec3f& wo, bool with_uv) {
+  using namespace surface_point_detail;
+  const Corners c = corners_of(geometry, hit.triangle, instance);
+  const auto& index = geometry.triangles[hit.triangle];
+  const float b0 = 1 - hit.u - hit.v;
+  const Vec3f e1 = c.p1 - c.p0;
+  const Vec3f e2 = c.p2 - c.p0;
+
+  SurfacePoint point;
+  point.position = c.p0 * b0 + c.p1 * hit.u + c.p2 * hit.v;
+  point.position_error = interpolation_error(c, std::abs(b0), hit.u, hit.v, e1, e2);
+  Vec3f outside = normalize(cross(e1, e2));
+  if (instance != nullptr && instance->is_mirrored) outside = -outside;
+  point.is_front = dot(outside, wo) > 0;
+  point.geometric_normal = point.is_front ? outside : -outside;
+
+  Vec3f shading_normal = point.geometric_normal;
+  if (!geometry.normals.empty()) {
+    Vec3f n = geometry.normals[index[0]] * b0 + geometry.normals[index[1]] * hit.u +
+              geometry.normals[index[2]] * hit.v;
+    if (instance != nullptr) n = instance->normal(n);
+    const float length2 = dot(n, n);
+    if (length2 > 0) {
+      n *= (dot(n, point.geometric_normal) < 0 ? -1.0f : 1.0f) / std::sqrt(length2);
+      shading_normal = valid_shading_normal(n, point.geometric_normal, wo);
+    }
+  }
+  if (with_uv && !geometry.uvs.empty()) {
+    const Vec2f t0 = geometry.uvs[index[0]];
+    const Vec2f d1 = geometry.uvs[index[1]] - t0;
+    const Vec2f d2 = geometry.uvs[index[2]] - t0;
+    point.uv = t0 + d1 * hit.u + d2 * hit.v;
+    const float determinant = difference_of_products(d1.x, d2.y, d1.y, d2.x);
+    if (determinant != 0) {
+      point.dpdu = (e1 * d2.y - e2 * d1.y) / determinant;
+      point.dpdv = (e2 * d1.x - e1 * d2.x) / determinant;
+    }
+  }
+  point.shading = frame_from_normal(shading_normal);
+  return point;
+}
+
+// The start of a ray that leaves `position` towards `direction`, moved off the surface by the bound
+// of the position's error, so that it cannot meet the surface it left [Pharr23, section 6.8.6].
+[[nodiscard]] inline Vec3f offset_origin(const Vec3f& position, const Vec3f& error,
+                                         const Vec3f& normal, const Vec3f& direction) {
+  const float distance = dot(glm::abs(normal), error);
+  const float side = dot(direction, normal) < 0 ? -1.0f : 1.0f;
+  return position + normal * (side * distance);
+}
+
+[[nodiscard]] inline Ray spawn_ray(const SurfacePoint& point, const Vec3f& direction) {
+  return {offset_origin(point.position, point.position_error, point.geometric_normal, direction),
+          direction, infinity};
+}
+
+}  // namespace candela

@@ -1,0 +1,93 @@
+#include "renderer/scene/compile.h"
+
+#include "renderer/description/validate.h"
+#include "renderer/scene/compile_camera.h"
+#include "renderer/scene/compile_geometry.h"
+#include "renderer/scene/compile_lights.h"
+#include "renderer/scene/compile_materials.h"
+#include "renderer/scene/normalise.h"
+
+namespace candela {
+namespace {
+
+using description::SceneDescription;
+
+// Which materials a triangle of an instance wears: only their textures are registered.
+std::vector<bool> used_materials(const SceneDescription& description) {
+  std::vector<bool> used(description.materials.size(), false);
+  for (const description::Instance& instance : description.instances) {
+    if (instance.material_override) {
+      used[instance.material_override.index] = true;
+      continue;
+    }
+    for (const description::MaterialHandle material :
+         description.meshes[instance.mesh.index].materials)
+      if (material) used[material.index] = true;
+  }
+  return used;
+}
+
+void compile_materials(const SceneDescription& description, const CompileOptions& options,
+                       Scene& scene, DropCounts& dropped, Diagnostics& diagnostics) {
+  const std::vector<bool> used = used_materials(description);
+  for (std::size_t i = 0; i < description.materials.size(); ++i) {
+    const description::Material& material = description.materials[i];
+    scene.material_names.push_back(material.name);
+    if (used[i]) {
+      scene.materials.push_back(
+          compile_material(description, material, options, scene.textures, diagnostics));
+    } else {
+      scene.materials.emplace_back();
+      ++dropped["materials that nothing wears"];
+    }
+  }
+}
+
+SceneFeatures features_of(const Scene& scene) {
+  SceneFeatures features;
+  for (const Geometry& geometry : scene.geometries) {
+    add_features(scene.materials[geometry.material.index], features);
+    features.cutouts |= geometry.has_cutouts;
+    features.area_lights |= geometry.is_emissive();
+  }
+  for (const Light& light : scene.lights) features.delta_lights |= light.is_delta();
+  features.environment = scene.environment.has_value();
+  features.instances = !scene.instances.empty();
+  for (const Camera& camera : scene.cameras) features.thin_lens |= camera.lens_radius > 0;
+  return features;
+}
+
+}  // namespace
+
+Result<Scene> compile(const SceneDescription& description, const CompileOptions& options) {
+  Diagnostics diagnostics = validate(description);
+  if (diagnostics.has_errors()) return diagnostics;
+
+  const bool has_triangle_lights =
+      std::any_of(description.lights.begin(), description.lights.end(), [](const auto& light) {
+        return std::holds_alternative<description::TriangleLight>(light.kind);
+      });
+  if (has_triangle_lights) {
+    SceneDescription with_surfaces = description;
+    add_triangle_light_surfaces(with_surfaces);
+    std::erase_if(with_surfaces.lights, [](const auto& light) {
+      return std::holds_alternative<description::TriangleLight>(light.kind);
+    });
+    return compile(with_surfaces, options);
+  }
+
+  Scene scene;
+  DropCounts dropped;
+  scene.normalisation = normalisation_of(description);
+  compile_materials(description, options, scene, dropped, diagnostics);
+  compile_geometry(description, scene, dropped);
+  scene.bounds = bounds_of(scene);
+  for (const description::Camera& camera : description.cameras)
+    scene.cameras.push_back(compile_camera(camera, scene.normalisation, options));
+  compile_lights(description, scene, dropped, diagnostics);
+  scene.features = features_of(scene);
+  for (const auto& [what, count] : dropped) scene.dropped.push_back({what, count});
+  return {std::move(scene), std::move(diagnostics)};
+}
+
+}  // namespace candela

@@ -1,0 +1,259 @@
+#include "renderer/scene/compile_geometry.h"
+
+#include <map>
+#include <span>
+#include <utility>
+
+#include "renderer/base/parallel.h"
+#include "renderer/scene/triangle_sort.h"
+
+namespace candela {
+namespace {
+
+using description::SceneDescription;
+using MeshUse = std::pair<std::uint32_t, std::uint32_t>;  // mesh, material override
+
+// Where a mesh goes: straight into the world, or into an object that instances share.
+struct Placement {
+  description::MeshHandle mesh;
+  description::MaterialHandle material_override;
+  Transform to_normalised;
+  std::vector<Geometry> geometries;
+  DropCounts dropped;
+};
+
+std::uint32_t material_of(const description::Mesh& mesh, const Placement& placement,
+                          std::size_t triangle) {
+  if (placement.material_override) return placement.material_override.index;
+  if (mesh.materials.empty()) return 0;
+  return mesh.materials[mesh.materials.size() == 1 ? 0 : triangle].index;
+}
+
+// The mesh's triangles by material.
+std::map<std::uint32_t, std::vector<std::uint32_t>> by_material(const description::Mesh& mesh,
+                                                                const Placement& placement) {
+  std::map<std::uint32_t, std::vector<std::uint32_t>> groups;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    groups[material_of(mesh, placement, i)].push_back(static_cast<std::uint32_t>(i));
+  return groups;
+}
+
+std::vector<Vec3f> normalised_positions(const description::Mesh& mesh, const Transform& transform) {
+  std::vector<Vec3f> positions(mesh.positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    positions[i] = Vec3f(transform.point(mesh.positions[i]));
+  return positions;
+}
+
+// Unit length or zero, whatever the file has.
+std::vector<Vec3f> normalised_normals(const description::Mesh& mesh, const Transform& transform) {
+  std::vector<Vec3f> normals(mesh.normals.size());
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const Vec3d n = transform.normal(Vec3d(mesh.normals[i]));
+    const double length2 = length_squared(n);
+    const bool is_usable = length2 > 0 && std::isfinite(length2);
+    normals[i] = is_usable ? Vec3f(n / std::sqrt(length2)) : Vec3f(0);
+  }
+  return normals;
+}
+
+// Whether the vertex normals say that the winding's normal points inwards.
+bool is_wound_inwards(const Geometry& geometry, const std::array<std::uint32_t, 3>& t) {
+  if (geometry.normals.empty()) return false;
+  const Vec3f winding = cross(geometry.positions[t[1]] - geometry.positions[t[0]],
+                              geometry.positions[t[2]] - geometry.positions[t[0]]);
+  return dot(winding, geometry.normals[t[0]] + geometry.normals[t[1]] + geometry.normals[t[2]]) < 0;
+}
+
+// The arrays of one mesh in normalised space, from which its geometries pick.
+struct MeshArrays {
+  std::vector<Vec3f> positions;
+  std::vector<Vec3f> normals;
+  std::vector<Vec2f> uvs;
+};
+
+// Appends vertex `v` of the mesh to the geometry once; `renumbered` remembers where.
+std::uint32_t vertex_of(const MeshArrays& arrays, std::uint32_t v,
+                        std::vector<std::uint32_t>& renumbered, Geometry& geometry) {
+  constexpr std::uint32_t unseen = Handle<Geometry>::none;
+  if (renumbered[v] != unseen) return renumbered[v];
+  renumbered[v] = static_cast<std::uint32_t>(geometry.positions.size());
+  geometry.positions.push_back(arrays.positions[v]);
+  if (!arrays.normals.empty()) geometry.normals.push_back(arrays.normals[v]);
+  if (!arrays.uvs.empty()) geometry.uvs.push_back(arrays.uvs[v]);
+  return renumbered[v];
+}
+
+bool reads_uv(const Material& material, bool is_partial) {
+  return material.diffuse.texture || material.specular.texture || material.roughness.texture ||
+         material.height || material.normal_map || (is_partial && material.opacity.texture);
+}
+
+// Normals point to the side that windings call outside; where they disagree the normals are right.
+void orient_windings(Geometry& geometry) {
+  for (auto& t : geometry.triangles)
+    if (is_wound_inwards(geometry, t)) std::swap(t[1], t[2]);
+}
+
+// A geometry of the picked triangles with just the vertices they use.
+Geometry picked(const description::Mesh& mesh, const MeshArrays& arrays,
+                std::span<const std::uint32_t> triangles, std::uint32_t material,
+                bool is_mirrored) {
+  Geometry geometry;
+  geometry.material = MaterialHandle(material);
+  geometry.triangles.reserve(triangles.size());
+  const std::size_t most_vertices = std::min(arrays.positions.size(), 3 * triangles.size());
+  geometry.positions.reserve(most_vertices);
+  if (!arrays.normals.empty()) geometry.normals.reserve(most_vertices);
+  if (!arrays.uvs.empty()) geometry.uvs.reserve(most_vertices);
+  std::vector<std::uint32_t> renumbered(arrays.positions.size(), Handle<Geometry>::none);
+  for (const std::uint32_t triangle : triangles) {
+    std::array<std::uint32_t, 3> t{};
+    for (std::size_t k = 0; k < 3; ++k)
+      t[k] = vertex_of(arrays, mesh.triangles[triangle][k], renumbered, geometry);
+    if (is_mirrored) std::swap(t[1], t[2]);
+    geometry.triangles.push_back(t);
+  }
+  orient_windings(geometry);
+  return geometry;
+}
+
+void compile_placement(const SceneDescription& description, const Scene& scene,
+                       Placement& placement) {
+  const description::Mesh& mesh = description.meshes[placement.mesh.index];
+  MeshArrays arrays{normalised_positions(mesh, placement.to_normalised),
+                    normalised_normals(mesh, placement.to_normalised),
+                    {}};
+  const bool is_mirrored = placement.to_normalised.determinant() < 0;
+  for (const auto& [index, triangles] : by_material(mesh, placement)) {
+    const Material& material = scene.materials[index];
+    const SortedTriangles sorted =
+        sort_triangles(scene, material, mesh, arrays.positions, triangles, placement.dropped);
+    for (const bool is_partial : {false, true}) {
+      const auto& chosen = is_partial ? sorted.partial : sorted.opaque;
+      if (chosen.empty()) continue;
+      arrays.uvs = reads_uv(material, is_partial) ? mesh.uvs : std::vector<Vec2f>{};
+      placement.geometries.push_back(picked(mesh, arrays, chosen, index, is_mirrored));
+      placement.geometries.back().has_cutouts = is_partial;
+    }
+  }
+}
+
+bool is_emissive(const SceneDescription& description, const Scene& scene,
+                 const description::Instance& instance) {
+  const auto emits = [&](description::MaterialHandle material) {
+    return material && scene.materials[material.index].is_emissive();
+  };
+  if (instance.material_override) return emits(instance.material_override);
+  const description::Mesh& mesh = description.meshes[instance.mesh.index];
+  return std::any_of(mesh.materials.begin(), mesh.materials.end(), emits);
+}
+
+MeshUse use_of(const description::Instance& instance) {
+  return {instance.mesh.index, instance.material_override.index};
+}
+
+// file space -> normalised space
+Transform normalising(const Normalisation& normalisation) {
+  return {Mat3d(normalisation.scale), -normalisation.centre * normalisation.scale};
+}
+
+// Object space is the mesh's own, moved to its centre and scaled like the world.
+Normalisation object_space(const description::Mesh& mesh, double scale) {
+  Bounds3d bounds;
+  for (const Vec3d& p : mesh.positions)
+    if (is_finite(p)) bounds.include(p);
+  return {bounds.is_empty() ? Vec3d(0.0) : bounds.centre(), scale};
+}
+
+Instance compile_instance(const Transform& t, ObjectHandle object) {
+  Instance out;
+  out.object = object;
+  out.x = Vec3f(t.linear[0]);
+  out.y = Vec3f(t.linear[1]);
+  out.z = Vec3f(t.linear[2]);
+  out.translation = Vec3f(t.translation);
+  out.normal_x = Vec3f(t.normal({1, 0, 0}));
+  out.normal_y = Vec3f(t.normal({0, 1, 0}));
+  out.normal_z = Vec3f(t.normal({0, 0, 1}));
+  out.is_mirrored = t.determinant() < 0;
+  return out;
+}
+
+// The placements of a scene, and for each shared one the object it becomes.
+struct Plan {
+  std::vector<Placement> placements;
+  std::vector<ObjectHandle> object_of;  // by placement; invalid: the world
+};
+
+Plan plan_placements(const SceneDescription& description, Scene& scene) {
+  std::map<MeshUse, std::size_t> uses;
+  for (const description::Instance& instance : description.instances) ++uses[use_of(instance)];
+
+  Plan plan;
+  std::map<MeshUse, ObjectHandle> objects;
+  const Transform to_world = normalising(scene.normalisation);
+  for (const description::Instance& instance : description.instances) {
+    const MeshUse use = use_of(instance);
+    if (uses[use] == 1 || is_emissive(description, scene, instance)) {
+      plan.placements.push_back(
+          {instance.mesh, instance.material_override, to_world * instance.object_to_world, {}, {}});
+      plan.object_of.emplace_back();
+      continue;
+    }
+    const Normalisation space =
+        object_space(description.meshes[instance.mesh.index], scene.normalisation.scale);
+    const auto [at, is_new] = objects.try_emplace(use, ObjectHandle(objects.size()));
+    if (is_new) {
+      plan.placements.push_back(
+          {instance.mesh, instance.material_override, normalising(space), {}, {}});
+      plan.object_of.push_back(at->second);
+    }
+    scene.instances.push_back(compile_instance(
+        to_world * instance.object_to_world * inverse(normalising(space)), at->second));
+  }
+  scene.objects.resize(objects.size());
+  return plan;
+}
+
+}  // namespace
+
+void compile_geometry(const SceneDescription& description, Scene& scene, DropCounts& dropped) {
+  Plan plan = plan_placements(description, scene);
+  parallel_for(plan.placements.size(),
+               [&](std::size_t i) { compile_placement(description, scene, plan.placements[i]); });
+  for (std::size_t i = 0; i < plan.placements.size(); ++i) {
+    Placement& placement = plan.placements[i];
+    for (const auto& [what, count] : placement.dropped) dropped[what] += count;
+    Object& target = plan.object_of[i] ? scene.objects[plan.object_of[i].index] : scene.world;
+    for (Geometry& geometry : placement.geometries) {
+      target.geometries.emplace_back(scene.geometries.size());
+      scene.geometries.push_back(std::move(geometry));
+    }
+  }
+}
+
+Bounds3f bounds_of(const Scene& scene) {
+  const auto bounds_of_object = [&](const Object& object) {
+    Bounds3f bounds;
+    for (const GeometryHandle handle : object.geometries)
+      for (const Vec3f& p : scene.geometries[handle.index].positions) bounds.include(p);
+    return bounds;
+  };
+  Bounds3f bounds = bounds_of_object(scene.world);
+  std::vector<Bounds3f> objects;
+  for (const Object& object : scene.objects) objects.push_back(bounds_of_object(object));
+  for (const Instance& instance : scene.instances) {
+    const Bounds3f& box = objects[instance.object.index];
+    if (box.is_empty()) continue;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3f p{(corner & 1) != 0 ? box.upper.x : box.lower.x,
+                    (corner & 2) != 0 ? box.upper.y : box.lower.y,
+                    (corner & 4) != 0 ? box.upper.z : box.lower.z};
+      bounds.include(instance.point(p));
+    }
+  }
+  return bounds;
+}
+
+}  // namespace candela

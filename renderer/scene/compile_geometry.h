@@ -1,0 +1,25 @@
+// Meshes and instances -> flat geometries in normalised space. Single uses are flattened into the
+// world; triangles are grouped by material and visibility; what no ray can meet is dropped.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "renderer/description/scene_description.h"
+#include "renderer/scene/scene.h"
+
+namespace candela {
+
+// Counts by reason, for Scene::dropped.
+using DropCounts = std::map<std::string, std::uint64_t>;
+
+// Fills geometries, objects, world, instances. Materials are indexed as in the description, and the
+// scene's material table and textures must be complete. Emissive geometries are flattened, so that
+// each of their triangles is a light of its own.
+void compile_geometry(const description::SceneDescription& description, Scene& scene,
+                      DropCounts& dropped);
+
+// Bounds of all that rays can hit.
+[[nodiscard]] Bounds3f bounds_of(const Scene& scene);
+
+}  // namespace candela

@@ -1,0 +1,19 @@
+// Lights of the description and emissive triangles -> the light table.
+#pragma once
+
+#include "renderer/description/scene_description.h"
+#include "renderer/scene/compile_geometry.h"
+#include "renderer/scene/scene.h"
+
+namespace candela {
+
+// Appends the surfaces of triangle lights to the description's geometry: a black material for each
+// distinct radiance and a mesh with its triangles. Before materials and geometry are compiled.
+void add_triangle_light_surfaces(description::SceneDescription& description);
+
+// Fills lights, environment and light_sampler, and first_light of emissive geometries. Black lights
+// are dropped and counted. Geometry, bounds and normalisation must be complete.
+void compile_lights(const description::SceneDescription& description, Scene& scene,
+                    DropCounts& dropped, Diagnostics& diagnostics);
+
+}  // namespace candela

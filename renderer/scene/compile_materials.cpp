@@ -1,0 +1,171 @@
+#include "renderer/scene/compile_materials.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela {
+namespace {
+
+using description::ColourInput;
+using description::ScalarInput;
+
+// What a step below needs to register a map.
+struct Registrar {
+  const description::SceneDescription& scene;
+  TextureStore& textures;
+  Diagnostics& diagnostics;
+
+  [[nodiscard]] TextureHandle operator()(description::ImageHandle map) const {
+    return map ? textures.add(scene.images[map.index], diagnostics) : TextureHandle{};
+  }
+};
+
+ColourParameter colour(const ColourInput& input, const Registrar& texture) {
+  return {Rgb(input.factor), texture(input.map)};
+}
+
+ScalarParameter scalar(const ScalarInput& input, const Registrar& texture) {
+  return {static_cast<float>(input.factor), texture(input.map), input.channel};
+}
+
+// LAB3 section 3: the lab keeps factors in 8 bits.
+double quantised(double v) {
+  return std::round(std::clamp(v, 0.0, 1.0) * 255) / 255;
+}
+
+double lab_decoded(double v) {
+  return std::pow(std::max(v, 0.0), 2.2);
+}
+
+bool has_map_or_colour(const ColourParameter& parameter) {
+  return parameter.texture.is_valid() || !is_black(parameter.constant);
+}
+
+// GGX width of a Blinn-Phong exponent (LAB3 section 8).
+float width_of_exponent(double exponent) {
+  return static_cast<float>(std::sqrt(2.0 / (std::max(exponent, 0.0) + 2.0)));
+}
+
+// Alpha is the diffuse map's where there is one, else `d`.
+void set_lab_opacity(const description::LabMaterial& lab, const TextureStore& textures,
+                     Material& out) {
+  out.lab_opacity = true;
+  out.opacity = {static_cast<float>(lab.alpha), {}, 3};
+  if (!out.diffuse.texture) return;
+  out.opacity.constant = 1;
+  if (textures.info(out.diffuse.texture).has_alpha) out.opacity.texture = out.diffuse.texture;
+}
+
+struct ModelCompiler {
+  const CompileOptions& options;
+  const Registrar& texture;
+  Material& out;
+
+  void operator()(const description::LabMaterial& lab) const {
+    description::LabMaterial m = lab;
+    if (options.lab_quantised) {
+      for (int c = 0; c < 3; ++c) {
+        m.diffuse.factor[c] = quantised(m.diffuse.factor[c]);
+        m.specular.factor[c] = quantised(m.specular.factor[c]);
+      }
+      m.alpha = quantised(m.alpha);
+      m.shininess = 256 * quantised(m.shininess / 256);
+    }
+    for (int c = 0; c < 3; ++c) m.diffuse.factor[c] = lab_decoded(m.diffuse.factor[c]);
+    out.model = MaterialModel::Lab;
+    out.diffuse = colour(m.diffuse, texture);
+    out.specular = colour(m.specular, texture);
+    out.roughness.constant = width_of_exponent(m.shininess);
+    out.shininess = static_cast<float>(m.shininess);
+    set_lab_opacity(m, texture.textures, out);
+    // ks = 0 asks for no highlight, though Schlick's term would still have one at grazing angles.
+    if (!has_map_or_colour(out.specular)) out.model = MaterialModel::Diffuse;
+  }
+
+  void operator()(const description::CookTorranceMaterial& m) const {
+    out.model = MaterialModel::CookTorrance;
+    out.diffuse = colour(m.diffuse, texture);
+    out.specular = colour(m.specular, texture);
+    keep_energy();
+    out.roughness = scalar(m.roughness, texture);
+    out.fresnel = m.fresnel;
+    out.geometry = m.geometry;
+    out.f0 = Rgb(m.f0);
+    if (m.ior) {
+      out.eta = Rgb(static_cast<float>(*m.ior));
+      out.f0 = Rgb(static_cast<float>(square((*m.ior - 1) / (*m.ior + 1))));
+    }
+    if (m.eta_k) set_conductor((*m.eta_k)[0], (*m.eta_k)[1]);
+    if (!has_map_or_colour(out.specular)) out.model = MaterialModel::Diffuse;
+  }
+
+  void operator()(const description::DiffuseMaterial& m) const {
+    out.model = MaterialModel::Diffuse;
+    out.diffuse = colour(m.reflectance, texture);
+  }
+
+  void operator()(const description::MirrorMaterial& m) const {
+    out.model = MaterialModel::Mirror;
+    out.diffuse = colour(m.reflectance, texture);
+  }
+
+  void operator()(const description::ConductorMaterial& m) const {
+    out.model = MaterialModel::Conductor;
+    out.roughness = scalar(m.roughness, texture);
+    set_conductor(m.eta, m.k);
+  }
+
+  void operator()(const description::DielectricMaterial& m) const {
+    out.model = m.is_thin ? MaterialModel::ThinDielectric : MaterialModel::Dielectric;
+    out.roughness = scalar(m.roughness, texture);
+    out.eta = Rgb(static_cast<float>(m.ior));
+    out.transmittance = Rgb(m.transmittance);
+  }
+
+ private:
+  // kd + ks <= 1 in each channel, where both are constants (validation warns).
+  void keep_energy() const {
+    const float sum = max_component(out.diffuse.constant + out.specular.constant);
+    if (sum <= 1 || out.diffuse.texture || out.specular.texture) return;
+    out.diffuse.constant /= sum;
+    out.specular.constant /= sum;
+  }
+
+  void set_conductor(const Vec3d& eta, const Vec3d& k) const {
+    out.fresnel_is_conductor = true;
+    out.eta = Rgb(eta);
+    out.k = Rgb(k);
+    const Vec3d one(1.0);
+    out.f0 = Rgb(((eta - one) * (eta - one) + k * k) / ((eta + one) * (eta + one) + k * k));
+  }
+};
+
+}  // namespace
+
+Material compile_material(const description::SceneDescription& scene,
+                          const description::Material& material, const CompileOptions& options,
+                          TextureStore& textures, Diagnostics& diagnostics) {
+  Material out;
+  const Registrar texture{scene, textures, diagnostics};
+  std::visit(ModelCompiler{options, texture, out}, material.model);
+  out.emission = Rgb(material.emission);
+  out.emits_both_sides = material.emits_both_sides;
+  if (material.opacity.map || material.opacity.factor != 1) {
+    out.opacity = scalar(material.opacity, texture);
+    out.lab_opacity = false;
+  }
+  out.height = texture(material.height);
+  out.height_scale = static_cast<float>(material.height_scale);
+  out.normal_map = texture(material.normal_map);
+  return out;
+}
+
+void add_features(const Material& material, SceneFeatures& features) {
+  features.bsdf_models |= 1u << static_cast<unsigned>(material.model);
+  const bool bump = material.height.is_valid() || material.normal_map.is_valid();
+  features.bump |= bump;
+  features.textures |=
+      bump || material.diffuse.texture || material.specular.texture || material.roughness.texture;
+}
+
+}  // namespace candela

@@ -1,0 +1,84 @@
+#include "renderer/scene/normalise.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/math/bounds.h"
+
+namespace candela {
+namespace {
+
+using description::SceneDescription;
+
+constexpr std::size_t most_points_an_instance = 4096;
+
+// A sample of the vertices in world space, evenly strided.
+std::vector<Vec3d> sampled_points(const SceneDescription& description) {
+  std::vector<Vec3d> points;
+  const std::size_t instances = std::max<std::size_t>(description.instances.size(), 1);
+  const std::size_t most = std::max<std::size_t>(
+      8, std::min(most_points_an_instance, (std::size_t{1} << 20) / instances));
+  for (const description::Instance& instance : description.instances) {
+    const auto& positions = description.meshes[instance.mesh.index].positions;
+    const std::size_t stride = std::max<std::size_t>(1, positions.size() / most);
+    for (std::size_t i = 0; i < positions.size(); i += stride) {
+      const Vec3d p = instance.object_to_world.point(positions[i]);
+      if (is_finite(p)) points.push_back(p);
+    }
+  }
+  for (const description::Light& light : description.lights)
+    if (const auto* triangle = std::get_if<description::TriangleLight>(&light.kind))
+      points.insert(points.end(), triangle->vertices.begin(), triangle->vertices.end());
+  return points;
+}
+
+// The box of all vertices, exactly: a stride must not miss a corner.
+Bounds3d full_bounds(const SceneDescription& description, const std::vector<Vec3d>& points) {
+  Bounds3d bounds;
+  for (const Vec3d& p : points) bounds.include(p);
+  for (const description::Instance& instance : description.instances) {
+    const auto& positions = description.meshes[instance.mesh.index].positions;
+    if (positions.size() <= most_points_an_instance) continue;
+    for (const Vec3d& position : positions) {
+      const Vec3d p = instance.object_to_world.point(position);
+      if (is_finite(p)) bounds.include(p);
+    }
+  }
+  return bounds;
+}
+
+// The box without the outermost hundredth of the points at either end of each axis.
+Bounds3d inner_bounds(std::vector<Vec3d> points) {
+  Bounds3d bounds;
+  const std::size_t cut = points.size() / 100;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto less = [axis](const Vec3d& a, const Vec3d& b) { return a[axis] < b[axis]; };
+    const auto low = points.begin() + static_cast<std::ptrdiff_t>(cut);
+    const auto high = points.end() - 1 - static_cast<std::ptrdiff_t>(cut);
+    std::nth_element(points.begin(), low, points.end(), less);
+    bounds.lower[axis] = (*low)[axis];
+    std::nth_element(points.begin(), high, points.end(), less);
+    bounds.upper[axis] = (*high)[axis];
+  }
+  return bounds;
+}
+
+}  // namespace
+
+Normalisation normalisation_of(const SceneDescription& description) {
+  const std::vector<Vec3d> points = sampled_points(description);
+  if (points.empty()) return {};
+  constexpr double most_ratio = 100;
+  Bounds3d bounds = full_bounds(description, points);
+  const Bounds3d inner = inner_bounds(points);
+  if (max_component(bounds.extent()) > most_ratio * max_component(inner.extent()) &&
+      max_component(inner.extent()) > 0)
+    bounds = inner;
+  const double half_extent = 0.5 * max_component(bounds.extent());
+  if (!(half_extent > 0) || !std::isfinite(half_extent)) return {bounds.centre(), 1.0};
+  int exponent = 0;
+  (void)std::frexp(half_extent, &exponent);
+  return {bounds.centre(), std::ldexp(1.0, -exponent)};
+}
+
+}  // namespace candela

@@ -1,0 +1,15 @@
+// Where the scene's own centre and unit lie (invariant 5).
+#pragma once
+
+#include "renderer/description/scene_description.h"
+#include "renderer/scene/scene.h"
+
+namespace candela {
+
+// The centre of the scene's geometry and the power of two that brings its half extent into
+// (0.5, 1]. One far outlier does not spoil the rest: where the bounds are more than a hundred times
+// the box that holds all but the outermost 2 % of the vertices on each axis, that box counts.
+// Multiplying the file's coordinates by a power of two gives the same normalised scene, bit by bit.
+[[nodiscard]] Normalisation normalisation_of(const description::SceneDescription& description);
+
+}  // namespace candela

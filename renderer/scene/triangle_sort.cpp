@@ -1,0 +1,71 @@
+#include "renderer/scene/triangle_sort.h"
+
+namespace candela {
+namespace {
+
+// The thresholds of LAB3 section 8: below is a hole, from above on solid.
+constexpr float lab_hole = 0.2f;
+constexpr float lab_solid = 0.9f;
+
+Coverage coverage_of_range(float low, float high, bool is_lab) {
+  const float hole = is_lab ? lab_hole : 0.0f;
+  const float solid = is_lab ? lab_solid : 1.0f;
+  if (low >= solid) return Coverage::Opaque;
+  if (is_lab ? high < hole : high <= hole) return Coverage::Clear;
+  return Coverage::Partial;
+}
+
+bool has_area(const Vec3f& p0, const Vec3f& p1, const Vec3f& p2) {
+  const Vec3f n = cross(p1 - p0, p2 - p0);
+  return dot(n, n) > 0;
+}
+
+}  // namespace
+
+Coverage coverage_of(const Scene& scene, const Material& material, const description::Mesh& mesh,
+                     std::uint32_t triangle) {
+  const ScalarParameter& opacity = material.opacity;
+  if (!opacity.texture)
+    return coverage_of_range(opacity.constant, opacity.constant, material.lab_opacity);
+  Vec2f uv[3] = {Vec2f(0.5f), Vec2f(0.5f), Vec2f(0.5f)};
+  if (!mesh.uvs.empty())
+    for (std::size_t i = 0; i < 3; ++i) uv[i] = mesh.uvs[mesh.triangles[triangle][i]];
+  const TextureStore::Range range =
+      scene.textures.range_in_triangle(opacity.texture, uv, opacity.channel);
+  return coverage_of_range(range.low, range.high, material.lab_opacity);
+}
+
+SortedTriangles sort_triangles(const Scene& scene, const Material& material,
+                               const description::Mesh& mesh, const std::vector<Vec3f>& positions,
+                               std::span<const std::uint32_t> triangles, DropCounts& dropped) {
+  SortedTriangles sorted;
+  sorted.opaque.reserve(triangles.size());
+  for (const std::uint32_t triangle : triangles) {
+    const auto& index = mesh.triangles[triangle];
+    const Vec3f& p0 = positions[index[0]];
+    const Vec3f& p1 = positions[index[1]];
+    const Vec3f& p2 = positions[index[2]];
+    if (!is_finite(p0) || !is_finite(p1) || !is_finite(p2)) {
+      ++dropped["triangles with vertices that are not finite"];
+      continue;
+    }
+    if (!has_area(p0, p1, p2)) {
+      ++dropped["triangles without area"];
+      continue;
+    }
+    switch (coverage_of(scene, material, mesh, triangle)) {
+      case Coverage::Opaque:
+        sorted.opaque.push_back(triangle);
+        break;
+      case Coverage::Partial:
+        sorted.partial.push_back(triangle);
+        break;
+      case Coverage::Clear:
+        ++dropped["triangles that are wholly clear"];
+        break;
+    }
+  }
+  return sorted;
+}
+
+}  // namespace candela

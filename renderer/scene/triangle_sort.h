@@ -1,0 +1,33 @@
+// Which triangles of a mesh rays can meet, and how.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "renderer/description/scene_description.h"
+#include "renderer/scene/compile_geometry.h"
+
+namespace candela {
+
+enum class Coverage : std::uint8_t { Opaque, Partial, Clear };
+
+// How much of a triangle its material's opacity covers; looks at the texels within.
+[[nodiscard]] Coverage coverage_of(const Scene& scene, const Material& material,
+                                   const description::Mesh& mesh, std::uint32_t triangle);
+
+// The triangles of one material, sorted by how rays meet them, in the mesh's order.
+struct SortedTriangles {
+  std::vector<std::uint32_t> opaque;
+  std::vector<std::uint32_t> partial;
+};
+
+// Drops, and counts, what cannot be met: triangles with non-finite vertices, of no area, or wholly
+// clear. `positions` are the mesh's vertices in normalised space.
+[[nodiscard]] SortedTriangles sort_triangles(const Scene& scene, const Material& material,
+                                             const description::Mesh& mesh,
+                                             const std::vector<Vec3f>& positions,
+                                             std::span<const std::uint32_t> triangles,
+                                             DropCounts& dropped);
+
+}  // namespace candela
