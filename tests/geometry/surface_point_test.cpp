@@ -1,0 +1,89 @@
+#include "renderer/geometry/surface_point.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace candela {
+namespace {
+
+Vec3f random_unit(std::mt19937& random) {
+  std::normal_distribution<float> normal;
+  return normalize(Vec3f(normal(random), normal(random), normal(random)));
+}
+
+Geometry one_triangle() {
+  Geometry geometry;
+  geometry.positions = {{0, 0, 0}, {2, 0, 0}, {0, 3, 0}};
+  geometry.triangles = {{0, 1, 2}};
+  geometry.uvs = {{0, 0}, {1, 0}, {0, 1}};
+  return geometry;
+}
+
+TEST(Unit_SurfacePoint, NormalFacesTheViewerAndSidesAreKnown) {
+  const Geometry geometry = one_triangle();
+  const Hit hit{.t = 1, .u = 0.25f, .v = 0.5f, .geometry = 0};
+  const SurfacePoint front = make_surface_point(geometry, nullptr, hit, {0, 0, 1}, true);
+  EXPECT_TRUE(front.is_front);
+  EXPECT_EQ(front.geometric_normal, Vec3f(0, 0, 1));
+  EXPECT_EQ(front.position, Vec3f(0.5f, 1.5f, 0));
+  EXPECT_EQ(front.uv, Vec2f(0.25f, 0.5f));
+  EXPECT_EQ(front.dpdu, Vec3f(2, 0, 0));
+  EXPECT_EQ(front.dpdv, Vec3f(0, 3, 0));
+  const SurfacePoint back = make_surface_point(geometry, nullptr, hit, {0, 0, -1}, false);
+  EXPECT_FALSE(back.is_front);
+  EXPECT_EQ(back.geometric_normal, Vec3f(0, 0, -1));
+  EXPECT_EQ(back.shading.z, Vec3f(0, 0, -1));
+}
+
+TEST(Unit_SurfacePoint, MirroredInstancesKeepTheirOutside) {
+  const Geometry geometry = one_triangle();
+  const Hit hit{.t = 1, .u = 0.25f, .v = 0.5f, .geometry = 0, .triangle = 0, .instance = 0};
+  Instance mirrored;
+  mirrored.x = {-1, 0, 0};
+  mirrored.is_mirrored = true;
+  mirrored.normal_x = {-1, 0, 0};
+  const SurfacePoint point = make_surface_point(geometry, &mirrored, hit, {0, 0, 1}, false);
+  EXPECT_TRUE(point.is_front);
+  EXPECT_EQ(point.position, Vec3f(-0.5f, 1.5f, 0));
+}
+
+TEST(Unit_SurfacePoint, BentNormalsMirrorAboveTheSurface) {
+  std::mt19937 random(7);
+  for (int i = 0; i < 200000; ++i) {
+    const Vec3f geometric = random_unit(random);
+    Vec3f wo = random_unit(random);
+    if (dot(wo, geometric) < 0) wo = -wo;
+    Vec3f shading = random_unit(random);
+    if (dot(shading, geometric) < 0) shading = -shading;
+    const Vec3f bent = valid_shading_normal(shading, geometric, wo);
+    ASSERT_NEAR(dot(bent, bent), 1, 1e-5);
+    ASSERT_GT(dot(bent, wo), 0);
+    const Vec3f mirrored = bent * (2 * dot(bent, wo)) - wo;
+    ASSERT_GT(dot(mirrored, geometric), -1e-6f);
+    const Vec3f before = shading * (2 * dot(shading, wo)) - wo;
+    if (dot(before, geometric) > 0.011f) {
+      ASSERT_EQ(bent, shading);
+    }
+  }
+}
+
+TEST(Unit_SurfacePoint, OffsetOriginsAreOffThePlaneOnTheirSide) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> unit(0, 1);
+  for (int i = 0; i < 100000; ++i) {
+    Geometry geometry;
+    geometry.triangles = {{0, 1, 2}};
+    for (int k = 0; k < 3; ++k) geometry.positions.push_back(random_unit(random) * unit(random));
+    Hit hit{.t = 1, .u = unit(random) * 0.5f, .v = unit(random) * 0.5f, .geometry = 0};
+    const Vec3f wo = random_unit(random);
+    const SurfacePoint point = make_surface_point(geometry, nullptr, hit, wo, false);
+    const Vec3d p0(geometry.positions[0]), p1(geometry.positions[1]), p2(geometry.positions[2]);
+    const Vec3d exact_normal = normalize(cross(p1 - p0, p2 - p0));
+    const double height = dot(exact_normal, Vec3d(spawn_ray(point, wo).origin) - p0);
+    ASSERT_GT(height * dot(exact_normal, Vec3d(point.geometric_normal)), 0);
+  }
+}
+
+}  // namespace
+}  // namespace candela

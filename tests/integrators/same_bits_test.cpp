@@ -1,0 +1,106 @@
+// Invariants 1 and 2: one scene, one set of options, one seed, one image, bit by bit.
+#include <gtest/gtest.h>
+
+#include "renderer/math/constants.h"
+#include "tests/scenes/describe.h"
+#include "tests/scenes/render_scene.h"
+
+namespace candela {
+namespace {
+
+using namespace test;
+
+constexpr AovSet all_aovs = aov_bit(Aov::Albedo) | aov_bit(Aov::Normal) | aov_bit(Aov::Depth) |
+                            aov_bit(Aov::Position) | aov_bit(Aov::MaterialId) |
+                            aov_bit(Aov::Samples);
+
+Image picture(const Scene& scene, const RenderSettings& settings) {
+  return rendered(scene, settings).film.to_image(true);
+}
+
+TEST(Agreement_SameBits, OverThreads) {
+  RenderSettings settings = settings_of(50, 20);
+  settings.options.aovs = all_aovs;
+  const Scene scene = compiled(small_room(), settings.options);
+  settings.threads = 1;
+  const Image one = picture(scene, settings);
+  EXPECT_GT(mean_of(one), 0.01);
+  for (const int threads : {2, 3, 7}) {
+    settings.threads = threads;
+    EXPECT_EQ(picture(scene, settings).values, one.values) << threads << " threads";
+  }
+}
+
+TEST(Agreement_SameBits, OverTileSizes) {
+  RenderSettings settings = settings_of(50, 20);
+  const Scene scene = compiled(small_room(), settings.options);
+  const Image sixteen = picture(scene, settings);
+  for (const int size : {1, 7, 64}) {
+    settings.options.tile_size = size;
+    EXPECT_EQ(picture(scene, settings).values, sixteen.values) << "tiles of " << size;
+  }
+}
+
+TEST(Agreement_SameBits, OverCrops) {
+  RenderSettings settings = settings_of(50, 20);
+  settings.options.aovs = all_aovs;
+  const Scene scene = compiled(small_room(), settings.options);
+  const Image whole = picture(scene, settings);
+  const PixelRect crop{13, 5, 41, 50};
+  settings.options.crop = crop;
+  const Image part = picture(scene, settings);
+  ASSERT_EQ(part.width, crop.width());
+  for (int y = crop.y0; y < crop.y1; ++y)
+    for (int x = crop.x0; x < crop.x1; ++x)
+      for (std::size_t c = 0; c < whole.channel_count(); ++c)
+        ASSERT_EQ(part.pixel(x - crop.x0, y - crop.y0)[c], whole.pixel(x, y)[c]);
+}
+
+TEST(Agreement_SameBits, SpecialisedKernelIsTheGeneralOne) {
+  RenderSettings settings = settings_of(48, 16);
+  const Scene scene = compiled(small_room(), settings.options);
+  const RenderResult special = rendered(scene, settings);
+  settings.options.use_general_kernel = true;
+  const RenderResult general = rendered(scene, settings);
+  EXPECT_EQ(special.statistics.kernel, "path/plain");
+  EXPECT_EQ(general.statistics.kernel, "path/general");
+  EXPECT_EQ(special.film.to_image(false).values, general.film.to_image(false).values);
+}
+
+TEST(Agreement_SameBits, SeedsDiffer) {
+  RenderSettings settings = settings_of(16, 4, 1);
+  const Scene scene = compiled(small_room(), settings.options);
+  const Image one = picture(scene, settings);
+  settings.options.seed = 2;
+  EXPECT_NE(picture(scene, settings).values, one.values);
+}
+
+// The first n samples of a longer render are the render of n: sums of prefixes agree.
+TEST(Agreement_SameBits, SamplesArePrefixes) {
+  RenderSettings settings = settings_of(16, 17);
+  const Scene scene = compiled(small_room(), settings.options);
+  const Image whole = picture(scene, settings);
+  settings.options.samples_per_pixel = 16;
+  const Image prefix = picture(scene, settings);
+  double lowest = infinity;
+  for (std::size_t i = 0; i < whole.pixel_count(); ++i)
+    lowest = std::min(lowest, 17.0 * whole.values[4 * i] - 16.0 * prefix.values[4 * i]);
+  EXPECT_GT(lowest, -1e-4);  // the seventeenth sample itself is not negative
+}
+
+// Invariant 5: coordinates times a power of two give the same bits.
+TEST(Agreement_SameBits, OverScalesByPowersOfTwo) {
+  RenderSettings settings = settings_of(32, 8);
+  const Image reference = picture(compiled(small_room(), settings.options), settings);
+  for (const int exponent : {-40, -10, 10, 40}) {
+    description::SceneDescription scaled = small_room();
+    for (auto& mesh : scaled.meshes)
+      for (Vec3d& p : mesh.positions) p *= std::ldexp(1.0, exponent);
+    scaled.cameras[0].eye *= std::ldexp(1.0, exponent);
+    EXPECT_EQ(picture(compiled(scaled, settings.options), settings).values, reference.values)
+        << "2^" << exponent;
+  }
+}
+
+}  // namespace
+}  // namespace candela

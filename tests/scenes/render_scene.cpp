@@ -1,0 +1,49 @@
+#include "tests/scenes/render_scene.h"
+
+#include <gtest/gtest.h>
+
+#include "renderer/base/parallel.h"
+
+namespace candela::test {
+
+RenderSettings settings_of(int size, int samples_per_pixel, std::uint64_t seed) {
+  RenderSettings settings;
+  settings.options.width = size;
+  settings.options.height = size;
+  settings.options.samples_per_pixel = samples_per_pixel;
+  settings.options.seed = seed;
+  return settings;
+}
+
+Scene compiled(const description::SceneDescription& description, const RenderOptions& options) {
+  Result<Scene> scene = compile(description, {options.width, options.height, false});
+  for (const Diagnostic& diagnostic : scene.diagnostics.list())
+    EXPECT_NE(diagnostic.severity, Severity::Error) << to_string(diagnostic);
+  return scene ? std::move(*scene) : Scene{};
+}
+
+RenderResult rendered(const Scene& scene, const RenderSettings& settings) {
+  RenderResult result;
+  with_threads(settings.threads, [&] {
+    const AnyAccelerator accelerator = build_accelerator(scene, settings.accelerator);
+    result = render(scene, accelerator, settings.options, nullptr, nullptr);
+  });
+  EXPECT_EQ(result.statistics.invalid_samples, 0u);
+  return result;
+}
+
+RenderResult rendered(const description::SceneDescription& description,
+                      const RenderSettings& settings) {
+  const Scene scene = compiled(description, settings.options);
+  return rendered(scene, settings);
+}
+
+double mean_of(const Image& image) {
+  double sum = 0;
+  for (std::size_t i = 0; i < image.pixel_count(); ++i)
+    for (std::size_t c = 0; c < 3; ++c)
+      sum += static_cast<double>(image.values[i * image.channel_count() + c]);
+  return sum / static_cast<double>(3 * image.pixel_count());
+}
+
+}  // namespace candela::test

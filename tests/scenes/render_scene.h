@@ -1,0 +1,32 @@
+// From a description (or a file) to pixels in one call, as the command line does it.
+#pragma once
+
+#include <string>
+
+#include "integrators/render.h"
+#include "renderer/description/scene_description.h"
+#include "renderer/scene/compile.h"
+
+namespace candela::test {
+
+struct RenderSettings {
+  RenderOptions options;
+  AcceleratorKind accelerator = AcceleratorKind::Embree;
+  int threads = 0;
+};
+
+// A small square picture of `size` pixels.
+[[nodiscard]] RenderSettings settings_of(int size, int samples_per_pixel, std::uint64_t seed = 1);
+
+// The compiled scene; a failure is a test failure and an empty scene.
+[[nodiscard]] Scene compiled(const description::SceneDescription& description,
+                             const RenderOptions& options);
+
+[[nodiscard]] RenderResult rendered(const description::SceneDescription& description,
+                                    const RenderSettings& settings);
+[[nodiscard]] RenderResult rendered(const Scene& scene, const RenderSettings& settings);
+
+// Mean over all pixels and the three colour channels.
+[[nodiscard]] double mean_of(const Image& image);
+
+}  // namespace candela::test
