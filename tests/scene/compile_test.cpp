@@ -1,0 +1,151 @@
+#include "renderer/scene/compile.h"
+
+#include <gtest/gtest.h>
+
+#include "renderer/math/constants.h"
+#include "tests/scenes/describe.h"
+#include "tests/scenes/render_scene.h"
+
+namespace candela {
+namespace {
+
+using namespace test;
+
+std::uint64_t dropped_count(const Scene& scene, const std::string& what) {
+  for (const Dropped& dropped : scene.dropped)
+    if (dropped.what == what) return dropped.count;
+  return 0;
+}
+
+description::SceneDescription one_quad() {
+  description::SceneDescription scene;
+  const auto material = add_material(scene, diffuse_material("grey", Vec3d(0.5)));
+  add_quad(scene, material, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
+  add_camera(scene, {0.5, 0.5, 3}, {0.5, 0.5, 0}, 40);
+  return scene;
+}
+
+TEST(Unit_Compile, DropsWhatRaysCannotMeetAndCountsIt) {
+  description::SceneDescription description = one_quad();
+  description::Mesh& mesh = description.meshes[0];
+  mesh.positions.push_back({std::nan(""), 0, 0});
+  mesh.uvs.emplace_back(0, 0);
+  mesh.triangles.push_back({0, 1, 4});
+  mesh.triangles.push_back({0, 1, 1});
+  add_material(description, diffuse_material("unused", Vec3d(0.1)));
+  description.lights.push_back({{}, description::PointLight{{0, 0, 1}, Vec3d(0.0)}});
+  const Scene scene = compiled(description, {});
+  ASSERT_EQ(scene.geometries.size(), 1u);
+  EXPECT_EQ(scene.geometries[0].triangles.size(), 2u);
+  EXPECT_EQ(scene.geometries[0].positions.size(), 4u);
+  EXPECT_TRUE(scene.geometries[0].uvs.empty()) << "nothing reads them";
+  EXPECT_EQ(dropped_count(scene, "triangles with vertices that are not finite"), 1u);
+  EXPECT_EQ(dropped_count(scene, "triangles without area"), 1u);
+  EXPECT_EQ(dropped_count(scene, "materials that nothing wears"), 1u);
+  EXPECT_EQ(dropped_count(scene, "black lights"), 1u);
+  EXPECT_TRUE(scene.lights.empty());
+}
+
+TEST(Unit_Compile, SharedMeshesBecomeInstancesAndSingleOnesAreFlattened) {
+  description::SceneDescription description = one_quad();
+  Scene scene = compiled(description, {});
+  EXPECT_EQ(scene.world.geometries.size(), 1u);
+  EXPECT_TRUE(scene.instances.empty());
+  for (int i = 0; i < 3; ++i) {
+    description::Instance instance = description.instances[0];
+    instance.object_to_world.translation = Vec3d(0, 0, -i - 1.0);
+    description.instances.push_back(instance);
+  }
+  scene = compiled(description, {});
+  EXPECT_TRUE(scene.world.geometries.empty());
+  EXPECT_EQ(scene.objects.size(), 1u);
+  EXPECT_EQ(scene.instances.size(), 4u);
+  EXPECT_TRUE(scene.features.instances);
+}
+
+// An instanced picture is the flattened one up to rounding.
+TEST(Unit_Compile, InstancesLieWhereTheyShould) {
+  description::SceneDescription description = one_quad();
+  description.lights.push_back({{}, description::DirectionalLight{{0, 0, 1}, Vec3d(1.0)}});
+  description::Instance other = description.instances[0];
+  other.object_to_world.linear = Mat3d(Vec3d(-0.5, 0, 0), Vec3d(0, 0.25, 0.1), Vec3d(0, 0, 2));
+  other.object_to_world.translation = Vec3d(1.5, 0.2, 0.5);
+  description.instances.push_back(other);
+  description::SceneDescription flat = description;
+  flat.meshes.push_back(flat.meshes[0]);
+  flat.instances[1].mesh = description::MeshHandle(1);
+  const RenderSettings settings = settings_of(24, 4);
+  const Image a = rendered(description, settings).film.to_image(true);
+  const Image b = rendered(flat, settings).film.to_image(true);
+  ASSERT_EQ(a.values.size(), b.values.size());
+  int different = 0;
+  for (std::size_t i = 0; i < a.values.size(); ++i)
+    different += std::abs(a.values[i] - b.values[i]) > 1e-5f ? 1 : 0;
+  EXPECT_LE(different, 8) << "at most an edge sample or two";
+  EXPECT_GT(mean_of(a), 0.01);
+}
+
+TEST(Unit_Compile, EmissiveInstancesAreFlattenedIntoLights) {
+  description::SceneDescription description = one_quad();
+  description.materials[0].emission = Vec3d(2.0);
+  description.instances.push_back(description.instances[0]);
+  description.instances[1].object_to_world.translation = Vec3d(0, 0, -1);
+  const Scene scene = compiled(description, {});
+  EXPECT_EQ(scene.lights.size(), 4u);
+  EXPECT_TRUE(scene.instances.empty());
+  double area = 0;
+  for (const Light& light : scene.lights) area += static_cast<double>(light.area);
+  EXPECT_NEAR(area / square(scene.normalisation.scale), 2.0, 1e-5);
+}
+
+TEST(Unit_Compile, WindingsFollowVertexNormals) {
+  description::SceneDescription description = one_quad();
+  description.meshes[0].normals.assign(4, Vec3f(0, 0, -1));
+  const Scene scene = compiled(description, {});
+  const Geometry& geometry = scene.geometries[0];
+  const auto& t = geometry.triangles[0];
+  const Vec3f n = cross(geometry.positions[t[1]] - geometry.positions[t[0]],
+                        geometry.positions[t[2]] - geometry.positions[t[0]]);
+  EXPECT_LT(n.z, 0);
+}
+
+TEST(Unit_Compile, TriangleLightsBecomeSurfacesThatEmit) {
+  description::SceneDescription description = one_quad();
+  description.lights.push_back(
+      {{},
+       description::TriangleLight{
+           {Vec3d(0, 0, 2), Vec3d(0, 1, 2), Vec3d(1, 0, 2)}, Vec3d(3.0), false}});
+  const Scene scene = compiled(description, {});
+  ASSERT_EQ(scene.lights.size(), 1u);
+  EXPECT_EQ(scene.lights[0].kind, LightKind::Triangle);
+  EXPECT_EQ(scene.lights[0].emission, Rgb(3));
+  EXPECT_TRUE(scene.geometries[scene.lights[0].geometry].is_emissive());
+}
+
+TEST(Unit_Compile, PointLightsKeepTheirIrradianceInNormalisedSpace) {
+  description::SceneDescription description = one_quad();
+  description.lights.push_back({{}, description::PointLight{{0.5, 0.5, 10}, Vec3d(7.0)}});
+  const Scene scene = compiled(description, {});
+  const float distance = scene.lights[0].position.z - (scene.bounds.lower.z);
+  EXPECT_NEAR(scene.lights[0].emission.x / square(distance), 7.0 / 100, 1e-6);
+}
+
+TEST(Unit_Compile, LabColoursAreDecodedAndQuantisedOnRequest) {
+  description::SceneDescription description = one_quad();
+  description::LabMaterial lab;
+  lab.diffuse.factor = Vec3d(0.5, 0.2, 1.0);
+  lab.specular.factor = Vec3d(0.3);
+  lab.shininess = 32;
+  description.materials[0].model = lab;
+  Scene scene = compiled(description, {});
+  EXPECT_EQ(scene.materials[0].model, MaterialModel::Lab);
+  EXPECT_NEAR(scene.materials[0].diffuse.constant.x, std::pow(0.5, 2.2), 1e-6);
+  EXPECT_NEAR(scene.materials[0].roughness.constant, std::sqrt(2.0 / 34.0), 1e-6);
+  const Result<Scene> quantised = compile(description, {512, 512, true});
+  ASSERT_TRUE(quantised);
+  EXPECT_NEAR(quantised->materials[0].diffuse.constant.x, std::pow(128 / 255.0, 2.2), 1e-6);
+  EXPECT_NEAR(quantised->materials[0].shininess, 32.0 / 255 * 256, 1e-4);
+}
+
+}  // namespace
+}  // namespace candela
