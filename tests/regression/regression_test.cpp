@@ -1,0 +1,180 @@
+// Every asset and integrator against its reference image, by z-tests on pixels, blocks and the
+// whole.
+//
+// References are 64x64 EXRs in this folder: R G B the mean, variance.R .G .B the variance of that
+// mean. `CANDELA_WRITE_REFERENCES=1 candela_tests --gtest_filter='Regression_*'` renders them anew
+// (look at them before committing). On failure image, reference and difference are kept in the
+// test's output folder.
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "renderer/base/parallel.h"
+#include "renderer/image/image_io.h"
+#include "scene_io/load.h"
+#include "tests/scenes/render_scene.h"
+#include "tests/statistics/image_test.h"
+
+namespace candela {
+namespace {
+
+namespace fs = std::filesystem;
+using test::RenderSettings;
+
+constexpr int size = 64;
+constexpr int replicates = 16;
+constexpr int samples_a_replicate = 16;
+constexpr int reference_replicates = 64;
+constexpr int samples_a_reference_replicate = 64;
+constexpr std::uint64_t first_reference_seed = 1'000'000;
+
+struct Case {
+  std::string asset;
+  IntegratorKind integrator;
+  std::string name;
+};
+
+std::vector<Case> cases() {
+  std::vector<Case> list;
+  for (const char* asset : {"cornell_box", "cornell_box_diffuse", "cutouts", "glass_and_metal"})
+    list.push_back({asset, IntegratorKind::Path, std::string(asset) + "_path"});
+  return list;
+}
+
+fs::path reference_path(const Case& c) {
+  return fs::path(CANDELA_SOURCE_DIR) / "tests" / "regression" / (c.name + ".exr");
+}
+
+description::SceneDescription described(const Case& c) {
+  const fs::path file = fs::path(CANDELA_SOURCE_DIR) / "assets" / c.asset / (c.asset + ".yaml");
+  Result<description::SceneDescription> loaded = load(file.string(), {});
+  for (const Diagnostic& diagnostic : loaded.diagnostics.list())
+    EXPECT_NE(diagnostic.severity, Severity::Error) << to_string(diagnostic);
+  return loaded ? std::move(*loaded) : description::SceneDescription{};
+}
+
+// The mean of independent renders and the variance of that mean.
+struct Measured {
+  Image mean{size, size, {"R", "G", "B"}};
+  Image variance{size, size, {"R", "G", "B"}};
+};
+
+Measured measure(const description::SceneDescription& description, const Case& c, int count,
+                 int samples, std::uint64_t first_seed) {
+  RenderSettings settings = test::settings_of(size, samples);
+  settings.options.integrator = c.integrator;
+  const Scene scene = test::compiled(description, settings.options);
+  std::vector<double> sum(size * size * 3), squares(size * size * 3);
+  for (int i = 0; i < count; ++i) {
+    settings.options.seed = first_seed + static_cast<std::uint64_t>(i);
+    const Image image = test::rendered(scene, settings).film.to_image(false);
+    for (std::size_t k = 0; k < sum.size(); ++k) {
+      const double v = image.values[k];
+      sum[k] += v;
+      squares[k] += v * v;
+    }
+  }
+  Measured out;
+  for (std::size_t k = 0; k < sum.size(); ++k) {
+    const double mean = sum[k] / count;
+    out.mean.values[k] = static_cast<float>(mean);
+    out.variance.values[k] =
+        static_cast<float>(std::max(0.0, squares[k] / count - mean * mean) / (count - 1));
+  }
+  return out;
+}
+
+void write_reference(const Case& c) {
+  const Measured m = measure(described(c), c, reference_replicates, samples_a_reference_replicate,
+                             first_reference_seed);
+  Image image(size, size, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
+  for (std::size_t i = 0; i < image.pixel_count(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      image.values[6 * i + k] = m.mean.values[3 * i + k];
+      image.values[6 * i + 3 + k] = m.variance.values[3 * i + k];
+    }
+  EXPECT_FALSE(write_image(reference_path(c).string(), image, {}).has_errors());
+}
+
+Measured read_reference(const Case& c) {
+  const Result<Image> image = read_image(reference_path(c).string());
+  Measured out;
+  if (!image) {
+    ADD_FAILURE() << "no reference " << reference_path(c);
+    return out;
+  }
+  const auto channel = [&](const char* name) {
+    const int index = image->channel_index(name);
+    EXPECT_GE(index, 0) << name;
+    return static_cast<std::size_t>(std::max(index, 0));
+  };
+  const std::array mean{channel("R"), channel("G"), channel("B")};
+  const std::array variance{channel("variance.R"), channel("variance.G"), channel("variance.B")};
+  for (std::size_t i = 0; i < image->pixel_count(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      out.mean.values[3 * i + k] = image->values[image->channel_count() * i + mean[k]];
+      out.variance.values[3 * i + k] = image->values[image->channel_count() * i + variance[k]];
+    }
+  return out;
+}
+
+statistics::ImageTestResult compare(const Measured& a, const Measured& reference) {
+  statistics::ImageTestOptions options;
+  options.level = 1e-3;
+  options.degrees_of_freedom = replicates - 1;
+  return statistics::compare_images({&a.mean, &a.variance}, {&reference.mean, &reference.variance},
+                                    options);
+}
+
+void keep_evidence(const Case& c, const Measured& a, const Measured& reference) {
+  const fs::path folder = fs::path(CANDELA_TEST_OUTPUT) / "regression";
+  fs::create_directories(folder);
+  Image difference = a.mean;
+  for (std::size_t i = 0; i < difference.values.size(); ++i)
+    difference.values[i] = std::abs(difference.values[i] - reference.mean.values[i]);
+  (void)write_image((folder / (c.name + "-image.exr")).string(), a.mean, {});
+  (void)write_image((folder / (c.name + "-reference.exr")).string(), reference.mean, {});
+  (void)write_image((folder / (c.name + "-difference.exr")).string(), difference, {});
+}
+
+void dim_first_light(description::SceneDescription& scene, double factor) {
+  for (description::Material& material : scene.materials) {
+    if (max_component(material.emission) == 0) continue;
+    material.emission *= factor;
+    return;
+  }
+  for (description::Light& light : scene.lights) {
+    if (auto* sun = std::get_if<description::DirectionalLight>(&light.kind)) {
+      sun->irradiance *= factor;
+      return;
+    }
+  }
+  ADD_FAILURE() << "no light to dim";
+}
+
+class Regression_Images : public testing::TestWithParam<Case> {};
+
+TEST_P(Regression_Images, MatchesItsReference) {
+  const Case c = GetParam();
+  if (std::getenv("CANDELA_WRITE_REFERENCES") != nullptr) write_reference(c);
+  const Measured reference = read_reference(c);
+  const Measured image = measure(described(c), c, replicates, samples_a_replicate, 1);
+  const statistics::ImageTestResult result = compare(image, reference);
+  EXPECT_TRUE(result.passed) << result.message;
+  if (!result.passed) keep_evidence(c, image, reference);
+}
+
+// The test above sees a light that is 2 % too dim.
+TEST_P(Regression_Images, FailsWhenALightIsDimmedByTwoPerCent) {
+  const Case c = GetParam();
+  description::SceneDescription dimmed = described(c);
+  dim_first_light(dimmed, 0.98);
+  const Measured image = measure(dimmed, c, replicates, samples_a_replicate, 1);
+  EXPECT_FALSE(compare(image, read_reference(c)).passed);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Regression_Images, testing::ValuesIn(cases()),
+                         [](const auto& info) { return info.param.name; });
+
+}  // namespace
+}  // namespace candela
