@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/math/constants.h"
-#include "tests/scenes/describe.h"
+#include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
 
 namespace candela {
@@ -45,33 +45,27 @@ void expect_mean(const SceneDescription& scene, const RenderSettings& settings, 
 // L = Le / (1 - rho) inside a closed box whose walls all emit Le and reflect rho.
 TEST(Statistical_PathAnalytic, ClosedFurnaceBox) {
   for (const double albedo : {0.0, 0.5, 0.9}) {
-    SceneDescription scene;
-    description::Material wall = diffuse_material("wall", Vec3d(albedo));
-    wall.emission = Vec3d(0.25);
-    add_box(scene, add_material(scene, wall), {-1, -1, -1}, {1, 1, 1}, true);
-    add_camera(scene, {0.1, -0.2, 0.3}, {1, 0.5, 0.2}, 90);
+    SceneDescription scene = furnace(inside_out(box({-1, -1, -1}, {1, 1, 1})), albedo, 0.25);
+    set_camera(scene, {0.1, -0.2, 0.3}, {1, 0.5, 0.2}, 90);
     expect_mean(scene, settings_of(16, 64), 0.25 / (1 - albedo));
   }
 }
 
 TEST(Statistical_PathAnalytic, ClosedFurnaceSphere) {
-  SceneDescription scene;
-  description::Material wall = diffuse_material("wall", Vec3d(0.6));
-  wall.emission = Vec3d(1.0);
-  wall.emits_both_sides = true;
-  add_sphere(scene, add_material(scene, wall), {5, 6, 7}, 3, 3, false);
-  add_camera(scene, {5.5, 6, 7}, {7, 6, 7}, 90);
+  SceneDescription scene = furnace(sphere({5, 6, 7}, 3, 3, false), 0.6, 1.0);
+  scene.materials[0].emits_both_sides = true;
+  set_camera(scene, {5.5, 6, 7}, {7, 6, 7}, 90);
   expect_mean(scene, settings_of(16, 64), 1 / (1 - 0.6));
 }
 
 // Any surface of albedo 1 vanishes in a constant environment.
 TEST(Statistical_PathAnalytic, WhiteObjectsVanishInAWhiteSky) {
   SceneDescription scene;
-  const auto white = add_material(scene, diffuse_material("white", Vec3d(1.0)));
-  add_sphere(scene, white, {0, 0, 0}, 1, 3, true);
-  add_box(scene, white, {-2, -2, -2}, {-1, -1, -1}, false);
-  add_constant_environment(scene, Vec3d(0.75));
-  add_camera(scene, {0, 0, 4}, {0, 0, 0}, 40);
+  const auto white = add_material(scene, diffuse(Vec3d(1.0)));
+  add_mesh(scene, sphere({0, 0, 0}, 1, 3, true), white);
+  add_mesh(scene, box({-2, -2, -2}, {-1, -1, -1}), white);
+  add_light(scene, description::ConstantEnvironment{Vec3d(0.75), true});
+  set_camera(scene, {0, 0, 4}, {0, 0, 0}, 40);
   RenderSettings settings = settings_of(16, 64);
   const Estimate e = estimate_mean(scene, settings);
   // Smooth normals on a polyhedron lose a little at silhouettes; they must never gain.
@@ -83,10 +77,9 @@ TEST(Statistical_PathAnalytic, WhiteObjectsVanishInAWhiteSky) {
 // everywhere, and with albedo rho radiance rho/pi I/r^2 / (1 - rho).
 TEST(Statistical_PathAnalytic, SphereWithALightInItsCentre) {
   SceneDescription scene;
-  add_sphere(scene, add_material(scene, diffuse_material("wall", Vec3d(0.5))), {0, 0, 0}, 2, 4,
-             false);
+  add_mesh(scene, sphere({0, 0, 0}, 2, 4, false), add_material(scene, diffuse(Vec3d(0.5))));
   scene.lights.push_back({{}, description::PointLight{{0, 0, 0}, Vec3d(8.0)}});
-  add_camera(scene, {0, 0, 0}, {0, 0, 1}, 90);
+  set_camera(scene, {0, 0, 0}, {0, 0, 1}, 90);
   // The polyhedron's radius and cosine differ from the sphere's by some 1e-3 at level 4.
   const Estimate e = estimate_mean(scene, settings_of(16, 64));
   const double expected = 0.5 / pi_double * (8.0 / 4.0) / (1 - 0.5);
@@ -96,10 +89,10 @@ TEST(Statistical_PathAnalytic, SphereWithALightInItsCentre) {
 // A point light at height h over a plane, seen straight from above through a tiny angle.
 TEST(Statistical_PathAnalytic, PointLightOverAPlane) {
   SceneDescription scene;
-  const auto floor = add_material(scene, diffuse_material("floor", {0.2, 0.5, 0.8}));
-  add_quad(scene, floor, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}, {-9, 0, -9});
+  const auto floor = add_material(scene, diffuse({0.2, 0.5, 0.8}));
+  add_mesh(scene, quad({-9, 0, 9}, {18, 0, 0}, {0, 0, -18}), floor);
   scene.lights.push_back({{}, description::PointLight{{3, 4, 0}, Vec3d(50.0)}});
-  add_camera(scene, {0, 6, 0}, {0, 0, 0}, 0.01, {0, 0, 1});
+  set_camera(scene, {0, 6, 0}, {0, 0, 0}, 0.01, {0, 0, 1});
   const double irradiance = 50.0 / 25.0 * (4.0 / 5.0);
   const Image image = rendered(scene, settings_of(8, 4)).film.to_image(false);
   for (std::size_t c = 0; c < 3; ++c) {
@@ -110,11 +103,11 @@ TEST(Statistical_PathAnalytic, PointLightOverAPlane) {
 
 TEST(Statistical_PathAnalytic, SunOverAPlane) {
   SceneDescription scene;
-  add_quad(scene, add_material(scene, diffuse_material("floor", Vec3d(0.5))), {-9, 0, 9}, {9, 0, 9},
-           {9, 0, -9}, {-9, 0, -9});
+  add_mesh(scene, quad({-9, 0, 9}, {18, 0, 0}, {0, 0, -18}),
+           add_material(scene, diffuse(Vec3d(0.5))));
   scene.lights.push_back(
       {{}, description::DirectionalLight{normalize(Vec3d(1, 1, 0)), Vec3d(3.0)}});
-  add_camera(scene, {0, 6, 0}, {0, 0, 0}, 30, {0, 0, 1});
+  set_camera(scene, {0, 6, 0}, {0, 0, 0}, 30, {0, 0, 1});
   const Image image = rendered(scene, settings_of(8, 4)).film.to_image(false);
   EXPECT_NEAR(image.pixel(4, 4)[1], 0.5 / pi_double * 3 * std::sqrt(0.5), 1e-5);
 }
@@ -129,22 +122,19 @@ double corner_form_factor(double a, double b, double c) {
 
 TEST(Statistical_PathAnalytic, RectangleLightOverAPlane) {
   SceneDescription scene;
-  const auto floor = add_material(scene, diffuse_material("floor", Vec3d(0.5)));
-  const auto lamp = add_material(scene, emitter("lamp", Vec3d(10.0)));
-  add_quad(scene, floor, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}, {-9, 0, -9});
-  add_quad(scene, lamp, {0, 2, 0}, {1.5, 2, 0}, {1.5, 2, 1}, {0, 2, 1});  // shines downwards
-  add_camera(scene, {-0.5, 1, -0.5}, {0, 0, 0}, 0.01);
+  const auto floor = add_material(scene, diffuse(Vec3d(0.5)));
+  const auto lamp = add_material(scene, diffuse(Vec3d(0.0)), Vec3d(10.0));
+  add_mesh(scene, quad({-9, 0, 9}, {18, 0, 0}, {0, 0, -18}), floor);
+  add_mesh(scene, quad({0, 2, 0}, {1.5, 0, 0}, {0, 0, 1}), lamp);  // shines downwards
+  set_camera(scene, {-0.5, 1, -0.5}, {0, 0, 0}, 0.01);
   expect_mean(scene, settings_of(4, 256), 0.5 * 10.0 * corner_form_factor(1.5, 1, 2));
 }
 
 // Depth counts as pbrt counts: 0 sees emission only, 1 direct light, 2 one bounce more.
 TEST(Statistical_PathAnalytic, DepthLimitsCutTheFurnaceSeries) {
   for (const int depth : {0, 1, 2, 5}) {
-    SceneDescription scene;
-    description::Material wall = diffuse_material("wall", Vec3d(0.5));
-    wall.emission = Vec3d(1.0);
-    add_box(scene, add_material(scene, wall), {-1, -1, -1}, {1, 1, 1}, true);
-    add_camera(scene, {0, 0, 0}, {1, 0.3, 0.2}, 80);
+    SceneDescription scene = furnace(inside_out(box({-1, -1, -1}, {1, 1, 1})), 0.5, 1.0);
+    set_camera(scene, {0, 0, 0}, {1, 0.3, 0.2}, 80);
     RenderSettings settings = settings_of(16, 64);
     settings.options.max_depth = depth;
     expect_mean(scene, settings, 2 - std::pow(0.5, depth));

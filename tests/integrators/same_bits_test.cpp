@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/math/constants.h"
-#include "tests/scenes/describe.h"
+#include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
 
 namespace candela {

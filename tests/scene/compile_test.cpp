@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/math/constants.h"
-#include "tests/scenes/describe.h"
+#include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
 
 namespace candela {
@@ -19,9 +19,9 @@ std::uint64_t dropped_count(const Scene& scene, const std::string& what) {
 
 description::SceneDescription one_quad() {
   description::SceneDescription scene;
-  const auto material = add_material(scene, diffuse_material("grey", Vec3d(0.5)));
-  add_quad(scene, material, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
-  add_camera(scene, {0.5, 0.5, 3}, {0.5, 0.5, 0}, 40);
+  const auto material = add_material(scene, diffuse(Vec3d(0.5)));
+  add_mesh(scene, quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), material);
+  set_camera(scene, {0.5, 0.5, 3}, {0.5, 0.5, 0}, 40);
   return scene;
 }
 
@@ -32,7 +32,7 @@ TEST(Unit_Compile, DropsWhatRaysCannotMeetAndCountsIt) {
   mesh.uvs.emplace_back(0, 0);
   mesh.triangles.push_back({0, 1, 4});
   mesh.triangles.push_back({0, 1, 1});
-  add_material(description, diffuse_material("unused", Vec3d(0.1)));
+  add_material(description, diffuse(Vec3d(0.1)));
   description.lights.push_back({{}, description::PointLight{{0, 0, 1}, Vec3d(0.0)}});
   const Scene scene = compiled(description, {});
   ASSERT_EQ(scene.geometries.size(), 1u);

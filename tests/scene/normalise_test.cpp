@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/scenes/describe.h"
+#include "tests/scenes/description.h"
 
 namespace candela {
 namespace {
@@ -11,8 +11,7 @@ using namespace test;
 
 TEST(Unit_Normalise, BringsTheHalfExtentToOne) {
   description::SceneDescription scene;
-  add_box(scene, add_material(scene, diffuse_material("a", Vec3d(0.5))), {100, 200, 300},
-          {700, 250, 310}, false);
+  add_mesh(scene, box({100, 200, 300}, {700, 250, 310}), add_material(scene, diffuse(Vec3d(0.5))));
   const Normalisation n = normalisation_of(scene);
   EXPECT_EQ(n.centre, Vec3d(400, 225, 305));
   EXPECT_EQ(n.scale, 1.0 / 512);
@@ -21,10 +20,9 @@ TEST(Unit_Normalise, BringsTheHalfExtentToOne) {
 
 TEST(Unit_Normalise, OneFarOutlierDoesNotSpoilTheRest) {
   description::SceneDescription scene;
-  const auto material = add_material(scene, diffuse_material("a", Vec3d(0.5)));
-  add_sphere(scene, material, {3, 0, 0}, 1, 3, false);
-  add_quad(scene, material, {1e9, 1e9, 1e9}, {1e9 + 1, 1e9, 1e9}, {1e9, 1e9 + 1, 1e9},
-           {1e9, 1e9, 1e9 + 1});
+  const auto material = add_material(scene, diffuse(Vec3d(0.5)));
+  add_mesh(scene, sphere({3, 0, 0}, 1, 3, false), material);
+  add_mesh(scene, quad({1000000000.0, 1000000000.0, 1000000000.0}, {1, 0, 0}, {0, 0, 1}), material);
   const Normalisation n = normalisation_of(scene);
   EXPECT_NEAR(n.centre.x, 3, 0.1);
   EXPECT_GE(n.scale, 0.5);
@@ -33,17 +31,17 @@ TEST(Unit_Normalise, OneFarOutlierDoesNotSpoilTheRest) {
 
 TEST(Unit_Normalise, ALargeFloorUnderASmallObjectIsNoOutlier) {
   description::SceneDescription scene;
-  const auto material = add_material(scene, diffuse_material("a", Vec3d(0.5)));
-  add_sphere(scene, material, {0, 0, 0}, 1, 4, false);
-  add_quad(scene, material, {-40, -1, 40}, {40, -1, 40}, {40, -1, -40}, {-40, -1, -40});
+  const auto material = add_material(scene, diffuse(Vec3d(0.5)));
+  add_mesh(scene, sphere({0, 0, 0}, 1, 4, false), material);
+  add_mesh(scene, quad({-40, -1, 40}, {80, 0, 0}, {0, 0, -80}), material);
   EXPECT_EQ(normalisation_of(scene).scale, 1.0 / 64);
 }
 
 TEST(Unit_Normalise, EmptyAndPointLikeScenesHaveAUnit) {
   description::SceneDescription scene;
   EXPECT_EQ(normalisation_of(scene).scale, 1.0);
-  const auto material = add_material(scene, diffuse_material("a", Vec3d(0.5)));
-  add_quad(scene, material, Vec3d(5.0), Vec3d(5.0), Vec3d(5.0), Vec3d(5.0));
+  const auto material = add_material(scene, diffuse(Vec3d(0.5)));
+  add_mesh(scene, quad({5, 5, 5}, {0, 0, 0}, {0, 0, 0}), material);
   EXPECT_EQ(normalisation_of(scene).centre, Vec3d(5.0));
 }
 

@@ -25,6 +25,10 @@ description::MaterialHandle add_material(description::SceneDescription& scene, M
   return description::MaterialHandle(scene.materials.size() - 1);
 }
 
+[[nodiscard]] inline description::DiffuseMaterial diffuse(Vec3d reflectance) {
+  return {{reflectance, {}}};
+}
+
 // The mesh and one instance of it.
 description::MeshHandle add_mesh(description::SceneDescription& scene, description::Mesh mesh,
                                  description::MaterialHandle material,

@@ -111,4 +111,10 @@ description::Mesh flipped(description::Mesh mesh) {
   return mesh;
 }
 
+description::Mesh inside_out(description::Mesh mesh) {
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  for (Vec3f& n : mesh.normals) n = -n;
+  return mesh;
+}
+
 }  // namespace candela::test

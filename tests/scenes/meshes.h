@@ -21,6 +21,9 @@ namespace candela::test {
 [[nodiscard]] description::Mesh sphere(const Vec3d& centre, double radius, int subdivisions,
                                        bool has_normals = true);
 
+// The same surface facing the other way.
+[[nodiscard]] description::Mesh inside_out(description::Mesh mesh);
+
 // Appends b's triangles to a. Both have normals (uvs), or the result has none.
 [[nodiscard]] description::Mesh merged(description::Mesh a, const description::Mesh& b);
 
