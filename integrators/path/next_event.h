@@ -30,13 +30,17 @@ namespace candela {
   return {origin, to_end / distance, distance * (1 - gamma_bound(16))};
 }
 
+[[nodiscard]] inline LightTables light_tables(const Scene& scene) {
+  return {scene.environment ? &*scene.environment : nullptr, &scene.textures};
+}
+
 // The contribution of one light sample, already divided by the probability `choice` of the light.
 template <FeatureSet F, class A>
 [[nodiscard]] inline Rgb light_contribution(const PathContext<A>& context,
                                             const SurfacePoint& point, const Bsdf& bsdf,
                                             const Vec3f& wo_local, const LightSample& light,
                                             float choice, TileCounts& counts) {
-  if (!(light.pdf > 0) || is_black(light.radiance)) return Rgb(0);
+  if (!light.is_valid()) return Rgb(0);
   const Vec3f wi_local = point.shading.to_local(light.wi);
   if (!is_consistent(point, light.wi, wi_local)) {
     ++counts.skipped.shadow_rays;
@@ -62,19 +66,21 @@ template <FeatureSet F, class A>
                                       std::uint32_t bounce, const SurfacePoint& point,
                                       const Bsdf& bsdf, const Vec3f& wo_local, TileCounts& counts) {
   const Scene& scene = context.scene;
+  const LightTables tables = light_tables(scene);
+  const auto contribution = [&](std::uint32_t index, Vec2f u, float choice) {
+    const LightSample light = sample_light(tables, scene.lights[index], point.position, u);
+    return light_contribution<F>(context, point, bsdf, wo_local, light, choice, counts);
+  };
   Rgb sum(0);
   if constexpr (F.delta_lights) {
-    for (const std::uint32_t index : scene.light_sampler.always()) {
-      const LightSample light = sample_light(scene, scene.lights[index], point.position, Vec2f(0));
-      sum += light_contribution<F>(context, point, bsdf, wo_local, light, 1, counts);
-    }
+    for (const std::uint32_t index : scene.light_sampler.always())
+      sum += contribution(index, Vec2f(0), 1);
   }
   if (scene.light_sampler.has_table()) {
-    const LightChoice choice =
-        scene.light_sampler.choose(sampler.sample_1d(bounce, Dimension::LightChoice));
-    const LightSample light = sample_light(scene, scene.lights[choice.light], point.position,
-                                           sampler.sample_2d(bounce, Dimension::LightPoint));
-    sum += light_contribution<F>(context, point, bsdf, wo_local, light, choice.probability, counts);
+    const LightPick pick =
+        scene.light_sampler.pick(sampler.sample_1d_bits(bounce, Dimension::LightChoice));
+    sum += contribution(pick.light, sampler.sample_2d(bounce, Dimension::LightPoint),
+                        pick.probability);
   }
   return sum;
 }

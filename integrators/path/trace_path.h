@@ -6,7 +6,7 @@
 #include "integrators/path/context.h"
 #include "integrators/path/feature_set.h"
 #include "integrators/path/next_event.h"
-#include "renderer/light/environment_radiance.h"
+#include "renderer/light/environment.h"
 #include "renderer/material/bsdf_at.h"
 #include "renderer/material/bump.h"
 
@@ -37,24 +37,26 @@ inline void add_environment(const Scene& scene, std::uint32_t bounce, bool is_hi
     const Environment& environment = *scene.environment;
     if (bounce == 0 && (is_hidden || !environment.is_seen_by_camera)) return;
     const Rgb radiance = environment_radiance(environment, scene.textures, path.ray.direction);
-    const float pdf = path.is_delta ? 0.0f
-                                    : environment_pdf(environment, path.ray.direction) *
-                                          scene.light_sampler.environment_probability();
+    const bool is_unsampled = path.is_delta || scene.environment_light == Light::none;
+    const float pdf = is_unsampled ? 0.0f
+                                   : environment_pdf(environment, path.ray.direction) *
+                                         scene.light_sampler.probability(scene.environment_light);
     path.radiance += path.throughput * radiance * bsdf_strategy_weight(path, pdf);
   }
 }
 
 // Light that the surface itself sends back along the ray.
 inline void add_emission(const Scene& scene, const Geometry& geometry, const Hit& hit,
-                         const SurfacePoint& point, PathState& path) {
+                         PathState& path) {
   const std::uint32_t index = geometry.first_light + hit.triangle;
   const Light& light = scene.lights[index];
-  if (!point.is_front && !light.emits_both_sides) return;
-  const float cosine = std::abs(dot(point.geometric_normal, path.ray.direction));
+  const Vec3f& wi = path.ray.direction;
+  const Vec3f normal = triangle_light_normal(light);
   const float pdf = path.is_delta ? 0.0f
-                                  : triangle_light_pdf(light, hit.t, cosine) *
+                                  : triangle_light_pdf(light, normal, wi, hit.t) *
                                         scene.light_sampler.probability(index);
-  path.radiance += path.throughput * light.emission * bsdf_strategy_weight(path, pdf);
+  path.radiance += path.throughput * triangle_light_radiance(light, normal, -wi) *
+                   bsdf_strategy_weight(path, pdf);
 }
 
 template <FeatureSet F>
@@ -142,7 +144,7 @@ template <FeatureSet F, class A>
     const Material& material = scene.materials[geometry.material.index];
     const Vec3f wo = -path.ray.direction;
     const SurfacePoint point = surface_point_at<F>(scene, hit, material, wo);
-    if (geometry.is_emissive()) add_emission(scene, geometry, hit, point, path);
+    if (geometry.is_emissive()) add_emission(scene, geometry, hit, path);
     const bool is_last = bounce >= context.max_depth;
     if (is_last && (bounce > 0 || context.options.aovs == 0)) break;
 

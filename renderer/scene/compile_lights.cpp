@@ -1,9 +1,12 @@
 #include "renderer/scene/compile_lights.h"
 
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "renderer/light/build_environment.h"
+#include "renderer/light/light_power.h"
+#include "renderer/light/make_light.h"
 
 namespace candela {
 namespace {
@@ -37,63 +40,67 @@ Rgb scaled_intensity(const Normalisation& n, const Vec3d& intensity) {
   return Rgb(intensity * (n.scale * n.scale));
 }
 
-struct LightCompiler {
-  const Normalisation& normalisation;
-  Light& out;
+// The delta light of a kind; nothing for surfaces and environments, which are compiled apart.
+struct DeltaLightCompiler {
+  const Normalisation& n;
 
-  bool operator()(const description::PointLight& light) const {
-    out.kind = LightKind::Point;
-    out.position = to_normalised(normalisation, light.position);
-    out.emission = scaled_intensity(normalisation, light.intensity);
-    return true;
+  std::optional<Light> operator()(const description::PointLight& light) const {
+    return make_point_light(to_normalised(n, light.position), scaled_intensity(n, light.intensity));
   }
-  bool operator()(const description::SpotLight& light) const {
-    out.kind = LightKind::Spot;
-    out.position = to_normalised(normalisation, light.position);
-    out.edge1 = Vec3f(normalize(light.axis));
-    out.emission = scaled_intensity(normalisation, light.intensity);
-    out.cos_inner = static_cast<float>(std::cos(light.inner_angle_radians));
-    out.cos_outer = static_cast<float>(std::cos(light.outer_angle_radians));
-    return true;
+  std::optional<Light> operator()(const description::SpotLight& light) const {
+    return make_spot_light(to_normalised(n, light.position), light.axis,
+                           scaled_intensity(n, light.intensity), light.inner_angle_radians,
+                           light.outer_angle_radians);
   }
-  bool operator()(const description::DirectionalLight& light) const {
-    out.kind = LightKind::Directional;
-    out.position = Vec3f(normalize(light.to_light));
-    out.emission = Rgb(light.irradiance);
-    return true;
+  std::optional<Light> operator()(const description::DirectionalLight& light) const {
+    return make_directional_light(light.to_light, Rgb(light.irradiance));
   }
-  // Triangles have become surfaces; environments are compiled apart.
-  bool operator()(const TriangleLight&) const { return false; }
-  bool operator()(const description::ConstantEnvironment&) const { return false; }
-  bool operator()(const description::CubeEnvironment&) const { return false; }
-  bool operator()(const description::LatLongEnvironment&) const { return false; }
+  template <class Other>
+  std::optional<Light> operator()(const Other&) const {
+    return std::nullopt;
+  }
+};
+
+// The environment of a kind; nothing for other lights.
+struct EnvironmentCompiler {
+  const SceneDescription& description;
+  TextureStore& textures;
+  Diagnostics& diagnostics;
+
+  std::optional<Environment> operator()(const description::ConstantEnvironment& light) const {
+    return build_environment(light);
+  }
+  std::optional<Environment> operator()(const description::CubeEnvironment& light) const {
+    return build_environment(light, description.images, textures, diagnostics);
+  }
+  std::optional<Environment> operator()(const description::LatLongEnvironment& light) const {
+    return build_environment(light, description.images, textures, diagnostics);
+  }
+  template <class Other>
+  std::optional<Environment> operator()(const Other&) const {
+    return std::nullopt;
+  }
 };
 
 void add_delta_lights(const SceneDescription& description, Scene& scene, DropCounts& dropped) {
   for (const description::Light& light : description.lights) {
-    Light out;
-    if (!std::visit(LightCompiler{scene.normalisation, out}, light.kind)) continue;
-    if (is_black(out.emission)) {
+    const auto compiled = std::visit(DeltaLightCompiler{scene.normalisation}, light.kind);
+    if (!compiled) continue;
+    if (is_black(compiled->emission))
       ++dropped["black lights"];
-      continue;
-    }
-    scene.lights.push_back(out);
+    else
+      scene.lights.push_back(*compiled);
   }
 }
 
-Light triangle_light(const Geometry& geometry, const Material& material,
-                     std::uint32_t geometry_index, std::uint32_t triangle) {
+Light triangle_light(const Geometry& geometry, const Material& material, std::size_t index,
+                     std::size_t triangle) {
   const auto& t = geometry.triangles[triangle];
-  Light light;
-  light.kind = LightKind::Triangle;
-  light.emits_both_sides = material.emits_both_sides;
-  light.position = geometry.positions[t[0]];
-  light.edge1 = geometry.positions[t[1]] - light.position;
-  light.edge2 = geometry.positions[t[2]] - light.position;
-  light.emission = material.emission;
-  light.area = 0.5f * length(cross(light.edge1, light.edge2));
-  light.geometry = geometry_index;
-  light.triangle = triangle;
+  Light light = make_triangle_light(
+      {geometry.positions[t[0]], geometry.positions[t[1]], geometry.positions[t[2]]},
+      material.emission, material.emits_both_sides);
+  light.geometry = static_cast<std::uint32_t>(index);
+  light.triangle = static_cast<std::uint32_t>(triangle);
   return light;
 }
 
@@ -104,30 +111,37 @@ void add_triangle_lights(Scene& scene) {
     if (!material.is_emissive()) continue;
     geometry.first_light = static_cast<std::uint32_t>(scene.lights.size());
     for (std::size_t i = 0; i < geometry.triangles.size(); ++i)
-      scene.lights.push_back(triangle_light(geometry, material, static_cast<std::uint32_t>(g),
-                                            static_cast<std::uint32_t>(i)));
+      scene.lights.push_back(triangle_light(geometry, material, g, i));
   }
 }
 
-void add_environment(const SceneDescription& description, Scene& scene, DropCounts& dropped,
-                     Diagnostics& diagnostics) {
+void add_environment(const SceneDescription& description, Scene& scene, Diagnostics& diagnostics) {
   for (const description::Light& light : description.lights) {
     std::optional<Environment> environment =
-        build_environment(description, light, scene.textures, diagnostics);
+        std::visit(EnvironmentCompiler{description, scene.textures, diagnostics}, light.kind);
     if (!environment) continue;
-    if (is_black_environment(*environment)) {
-      ++dropped["black lights"];
-      continue;
-    }
     if (scene.environment) {
       diagnostics.warning(light.span, "a second environment light is ignored: one is the most");
       continue;
     }
     scene.environment = std::move(environment);
-    Light out;
-    out.kind = LightKind::Environment;
-    scene.lights.push_back(out);
+    if (scene.environment->is_black()) continue;
+    scene.environment_light = static_cast<std::uint32_t>(scene.lights.size());
+    scene.lights.push_back(make_environment_light());
   }
+}
+
+// Emissive triangles too small to have a power stay in the table, since others count on their
+// order; nothing ever picks them.
+LightSampler build_light_sampler(const Scene& scene) {
+  const double radius =
+      scene.bounds.is_empty() ? 1.0 : 0.5 * static_cast<double>(length(scene.bounds.extent()));
+  std::vector<double> powers;
+  powers.reserve(scene.lights.size());
+  for (const Light& light : scene.lights) {
+    powers.push_back(light_power(light, scene.environment ? &*scene.environment : nullptr, radius));
+  }
+  return {scene.lights, powers};
 }
 
 }  // namespace
@@ -159,8 +173,8 @@ void compile_lights(const SceneDescription& description, Scene& scene, DropCount
                     Diagnostics& diagnostics) {
   add_delta_lights(description, scene, dropped);
   add_triangle_lights(scene);
-  add_environment(description, scene, dropped, diagnostics);
-  scene.light_sampler = LightSampler(scene.lights, scene.environment, scene.bounds);
+  add_environment(description, scene, diagnostics);
+  scene.light_sampler = build_light_sampler(scene);
 }
 
 }  // namespace candela

@@ -60,7 +60,8 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Light> lights;
   LightSampler light_sampler;
-  std::optional<Environment> environment;
+  std::optional<Environment> environment;         // at most one
+  std::uint32_t environment_light = Light::none;  // its index in `lights`; none: it sheds no light
   TextureStore textures;
   std::vector<Camera> cameras;
 
