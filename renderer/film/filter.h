@@ -23,7 +23,7 @@ class Filter {
   [[nodiscard]] float radius() const { return radius_; }
 
  private:
-  static constexpr int intervals = 256;
+  static constexpr int intervals = 1024;
   [[nodiscard]] float sample_axis(float u) const {
     const float x = u * static_cast<float>(intervals);
     const int i = std::min(static_cast<int>(x), intervals - 1);

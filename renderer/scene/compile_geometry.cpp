@@ -103,7 +103,7 @@ Geometry picked(const description::Mesh& mesh, const MeshArrays& arrays,
   geometry.material = MaterialHandle(material);
   geometry.triangles.reserve(triangles.size());
   const std::size_t most_vertices = std::min(arrays.positions.size(), 3 * triangles.size());
-  geometry.positions.reserve(most_vertices);
+  geometry.positions.reserve(most_vertices + 1);  // Embree reads past the last one
   if (!arrays.normals.empty()) geometry.normals.reserve(most_vertices);
   if (!arrays.uvs.empty()) geometry.uvs.reserve(most_vertices);
   std::vector<std::uint32_t> renumbered(arrays.positions.size(), Handle<Geometry>::none);

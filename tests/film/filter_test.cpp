@@ -38,7 +38,7 @@ TEST(Unit_Filter, SamplesFollowTheFilter) {
       moment += x * x / count;
     }
     EXPECT_NEAR(mean, 0, 1e-5);
-    // The table's 256 straight pieces are the filter that is used; they miss the ideal by < 1 %.
+    // The table's 1024 straight pieces are the filter that is used; they miss the ideal by < 1 %.
     EXPECT_NEAR(moment / variance_of(kind, filter.radius()), 1, 0.01);
   }
 }
