@@ -1,11 +1,11 @@
-// What every path of a render reads, and what its tile counts.
+// What every path of a render reads.
 #pragma once
 
 #include <cstdint>
 #include <limits>
-#include <tuple>
 
 #include "integrators/render.h"
+#include "integrators/tile_counts.h"
 #include "renderer/camera/camera.h"
 #include "renderer/film/film.h"
 #include "renderer/film/filter.h"
@@ -39,25 +39,5 @@ template <class A>
 [[nodiscard]] inline PixelRect rendered_rect(const RenderOptions& options) {
   return options.crop.value_or(PixelRect{0, 0, options.width, options.height});
 }
-
-// Summed over tiles at the end: no shared counters.
-struct TileCounts {
-  RayCounts rays;
-  SkippedCounts skipped;
-  std::uint64_t invalid_samples = 0;
-  std::optional<InvalidSample> first_invalid;
-
-  void add(const TileCounts& other) {
-    rays.camera += other.rays.camera;
-    rays.indirect += other.rays.indirect;
-    rays.shadow += other.rays.shadow;
-    skipped.shadow_rays += other.skipped.shadow_rays;
-    invalid_samples += other.invalid_samples;
-    const auto order = [](const InvalidSample& s) { return std::tuple(s.y, s.x, s.sample); };
-    if (other.first_invalid &&
-        (!first_invalid || order(*other.first_invalid) < order(*first_invalid)))
-      first_invalid = other.first_invalid;
-  }
-};
 
 }  // namespace candela

@@ -19,11 +19,6 @@ template <FeatureSet F, class A>
   return context.camera.generate_ray(film, lens);
 }
 
-// Invalid radiance never enters the film: it is counted and located (invariant 4).
-[[nodiscard]] inline bool is_valid_radiance(const Rgb& radiance) {
-  return is_finite(radiance) && min_component(radiance) >= 0;
-}
-
 // Samples [first_sample, end_sample) of each pixel of the tile, in order.
 template <FeatureSet F, class A>
 TileCounts render_tile(const PathContext<A>& context, const PixelRect& tile,
@@ -36,13 +31,7 @@ TileCounts render_tile(const PathContext<A>& context, const PixelRect& tile,
                               static_cast<std::uint32_t>(y), s);
         const Ray ray = camera_ray<F>(context, sampler, x, y);
         const FilmSample sample = trace_path<F>(context, sampler, ray, counts);
-        if (is_valid_radiance(sample.radiance)) {
-          film.add(x, y, sample);
-        } else {
-          film.add_invalid(x, y);
-          ++counts.invalid_samples;
-          if (!counts.first_invalid) counts.first_invalid = InvalidSample{x, y, s};
-        }
+        add_or_count(sample, x, y, s, film, counts);
       }
     }
   }

@@ -1,0 +1,45 @@
+// What a tile counts while it renders, and how its samples enter the film. For all integrators.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <tuple>
+
+#include "integrators/render.h"
+#include "renderer/film/film.h"
+
+namespace candela {
+
+// Summed over tiles at the end: no shared counters.
+struct TileCounts {
+  RayCounts rays;
+  SkippedCounts skipped;
+  std::uint64_t invalid_samples = 0;
+  std::optional<InvalidSample> first_invalid;
+
+  void add(const TileCounts& other) {
+    rays.camera += other.rays.camera;
+    rays.indirect += other.rays.indirect;
+    rays.shadow += other.rays.shadow;
+    skipped.shadow_rays += other.skipped.shadow_rays;
+    invalid_samples += other.invalid_samples;
+    const auto order = [](const InvalidSample& s) { return std::tuple(s.y, s.x, s.sample); };
+    if (other.first_invalid &&
+        (!first_invalid || order(*other.first_invalid) < order(*first_invalid)))
+      first_invalid = other.first_invalid;
+  }
+};
+
+// Invalid radiance never enters the film: it is counted and located (invariant 4).
+inline void add_or_count(const FilmSample& sample, int x, int y, std::uint32_t index, Film& film,
+                         TileCounts& counts) {
+  if (is_finite(sample.radiance) && min_component(sample.radiance) >= 0) {
+    film.add(x, y, sample);
+    return;
+  }
+  film.add_invalid(x, y);
+  ++counts.invalid_samples;
+  if (!counts.first_invalid) counts.first_invalid = InvalidSample{x, y, index};
+}
+
+}  // namespace candela
