@@ -69,8 +69,11 @@ template <FeatureSet F>
   }
   SurfacePoint point = make_surface_point(geometry, instance, hit, wo, F.textures);
   if constexpr (F.textures) {
-    if (has_bump(material)) apply_bump(material, scene.textures, wo, point);
+    if (has_bump(material))
+      point.front_normal = shading_normal_at(material, scene.textures, point.uv, point.front_normal,
+                                             point.dpdu, point.dpdv);
   }
+  set_shading_frame(point, wo);
   return point;
 }
 
@@ -148,7 +151,7 @@ template <FeatureSet F, class A>
     const bool is_last = bounce >= context.max_depth;
     if (is_last && (bounce > 0 || context.options.aovs == 0)) break;
 
-    const Bsdf bsdf = bsdf_at<F.textures>(material, scene.textures, point.uv, point.is_front);
+    const Bsdf bsdf = bsdf_at(material, scene.textures, point.uv, point.is_front);
     const Vec3f wo_local = point.shading.to_local(wo);
     if (bounce == 0 && context.options.aovs != 0)
       record_first_hit(scene, context.camera, geometry, point, bsdf, wo_local, sample);

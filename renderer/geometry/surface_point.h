@@ -72,7 +72,8 @@ struct Corners {
   return normalize(wo + lifted);
 }
 
-// `instance` may be null. With `with_uv` false, uv and its derivatives stay at their defaults.
+// All but the shading frame. `instance` may be null. With `with_uv` false, uv and its derivatives
+// stay at their defaults.
 [[nodiscard]] inline SurfacePoint make_surface_point(const Geometry& geometry,
                                                      const Instance* instance, const Hit& hit,
                                                      const Vec3f& wo, bool with_uv) {
@@ -91,16 +92,13 @@ struct Corners {
   point.is_front = dot(outside, wo) > 0;
   point.geometric_normal = point.is_front ? outside : -outside;
 
-  Vec3f shading_normal = point.geometric_normal;
+  point.front_normal = outside;
   if (!geometry.normals.empty()) {
     Vec3f n = geometry.normals[index[0]] * b0 + geometry.normals[index[1]] * hit.u +
               geometry.normals[index[2]] * hit.v;
     if (instance != nullptr) n = instance->normal(n);
     const float length2 = dot(n, n);
-    if (length2 > 0) {
-      n *= (dot(n, point.geometric_normal) < 0 ? -1.0f : 1.0f) / std::sqrt(length2);
-      shading_normal = valid_shading_normal(n, point.geometric_normal, wo);
-    }
+    if (length2 > 0) point.front_normal = n / std::sqrt(length2);
   }
   if (with_uv && !geometry.uvs.empty()) {
     const Vec2f t0 = geometry.uvs[index[0]];
@@ -113,8 +111,14 @@ struct Corners {
       point.dpdv = (e2 * d1.x - e1 * d2.x) / determinant;
     }
   }
-  point.shading = frame_from_normal(shading_normal);
   return point;
+}
+
+// Fixes the shading frame from the front normal, on the side of wo and bent as far as it must be.
+inline void set_shading_frame(SurfacePoint& point, const Vec3f& wo) {
+  const Vec3f& front = point.front_normal;
+  const Vec3f facing = dot(front, point.geometric_normal) < 0 ? -front : front;
+  point.shading = frame_from_normal(valid_shading_normal(facing, point.geometric_normal, wo));
 }
 
 // The start of a ray that leaves `position` towards `direction`, moved off the surface by the bound

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/material/bsdf_at.h"
+
 namespace candela {
 namespace {
 
@@ -86,7 +88,6 @@ struct ModelCompiler {
     out.model = MaterialModel::CookTorrance;
     out.diffuse = colour(m.diffuse, texture);
     out.specular = colour(m.specular, texture);
-    keep_energy();
     out.roughness = scalar(m.roughness, texture);
     out.fresnel = m.fresnel;
     out.geometry = m.geometry;
@@ -123,14 +124,6 @@ struct ModelCompiler {
   }
 
  private:
-  // kd + ks <= 1 in each channel, where both are constants (validation warns).
-  void keep_energy() const {
-    const float sum = max_component(out.diffuse.constant + out.specular.constant);
-    if (sum <= 1 || out.diffuse.texture || out.specular.texture) return;
-    out.diffuse.constant /= sum;
-    out.specular.constant /= sum;
-  }
-
   void set_conductor(const Vec3d& eta, const Vec3d& k) const {
     out.fresnel_is_conductor = true;
     out.eta = Rgb(eta);
@@ -161,7 +154,7 @@ Material compile_material(const description::SceneDescription& scene,
 }
 
 void add_features(const Material& material, SceneFeatures& features) {
-  features.bsdf_models |= 1u << static_cast<unsigned>(material.model);
+  features.bsdf_models |= bsdf_models(material);
   const bool bump = material.height.is_valid() || material.normal_map.is_valid();
   features.bump |= bump;
   features.textures |=

