@@ -18,7 +18,8 @@ struct SurfacePoint {
   Vec3f position_error{0};          // per axis, >= 0
   Vec3f geometric_normal{0, 0, 1};  // unit, on the side of wo
   bool is_front = true;             // wo is on the side that the winding calls outside
-  Frame shading;                    // z on the side of wo
+  Vec3f front_normal{0, 0, 1};      // unit shading normal as the file has it, on the front side
+  Frame shading;                    // z on the side of wo; set by set_shading_frame
   Vec2f uv{0.5f, 0.5f};
   Vec3f dpdu{0};  // world space, not normalised; zero where uv is degenerate
   Vec3f dpdv{0};
