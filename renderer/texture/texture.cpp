@@ -40,6 +40,11 @@ class Texture {
     return texels.width == 1 && texels.height == 1 && wrap_ != Wrap::Black;
   }
 
+  [[nodiscard]] Vec4f texel(int x, int y) {
+    if (!is_ready_.load(std::memory_order_acquire)) prepare();
+    return filter_(view_, {{x, x, 0}, {y, y, 0}});
+  }
+
   [[nodiscard]] Vec4f lookup(Vec2f uv) {
     if (!is_ready_.load(std::memory_order_acquire)) prepare();
     if (is_constant_) return constant_;
@@ -101,6 +106,10 @@ TextureHandle TextureStore::add(const description::Image& image, Diagnostics& di
 
 Vec4f TextureStore::lookup(TextureHandle texture, Vec2f uv) const {
   return textures_[texture.index]->lookup(uv);
+}
+
+Vec4f TextureStore::texel(TextureHandle texture, int x, int y) const {
+  return textures_[texture.index]->texel(x, y);
 }
 
 TextureStore::Range TextureStore::range_in_triangle(TextureHandle texture, const Vec2f (&uv)[3],
