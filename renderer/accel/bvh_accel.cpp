@@ -49,7 +49,7 @@ bvh::TriangleBlock block_of(const Scene& scene, const bvh::Leaf& leaf,
   for (std::uint32_t lane = 0; lane < 4; ++lane) {
     const TriangleName name = names[leaf.items[lane < leaf.count ? lane : 0]];
     const Geometry& geometry = scene.geometries[name.geometry];
-    for (int vertex = 0; vertex < 3; ++vertex)
+    for (std::size_t vertex = 0; vertex < 3; ++vertex)
       for (int axis = 0; axis < 3; ++axis)
         block.vertices[vertex][axis][lane] =
             geometry.positions[geometry.triangles[name.triangle][vertex]][axis];
