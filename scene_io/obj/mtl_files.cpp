@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -23,7 +24,7 @@ constexpr text::FileLimits limits{std::uint64_t{256} << 20, std::uint64_t{256} <
 void say(const Source& source, std::string_view name, Severity severity, std::string message,
          Diagnostics& diagnostics) {
   const auto offset = static_cast<std::size_t>(name.data() - source.text.data());
-  diagnostics.add(text::diagnose(source, offset, severity, std::move(message)));
+  text::report(diagnostics, source, offset, severity, std::move(message));
 }
 
 void add_library(MtlLibrary&& library, ObjModel& model) {
@@ -63,8 +64,10 @@ void read_library(const Source& source, std::string_view name, const ResolvedPat
 
 void read_libraries(const std::string& path, const Source& source, const ObjData& data, MtlUse use,
                     ObjModel& model, Diagnostics& diagnostics) {
+  std::set<std::string_view> seen;  // some exporters repeat the line for each object
   for (const Chunk& chunk : data.chunks) {
     for (const MtlReference& reference : chunk.libraries) {
+      if (!seen.insert(reference.names).second) continue;
       const ResolvedPath whole = text::resolve_path(path, reference.names);
       if (whole.is_found || reference.names.find_first_of(" \t") == std::string_view::npos) {
         read_library(source, reference.names, whole, use, model, diagnostics);

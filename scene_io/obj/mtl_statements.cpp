@@ -99,7 +99,7 @@ class StatementParser {
 
   void say(Severity severity, const char* at, std::string message) {
     const auto offset = static_cast<std::size_t>(at - source_.text.data());
-    diagnostics_.add(text::diagnose(source_, offset, severity, std::move(message)));
+    text::report(diagnostics_, source_, offset, severity, std::move(message));
   }
 
   void begin_material(std::string_view word, Cursor& line) {
@@ -108,8 +108,7 @@ class StatementParser {
     if (name.empty()) say(Severity::Error, word.data(), "a material without a name");
     MtlStatements material;
     material.name = name;
-    material.span =
-        text::span_at(source_, static_cast<std::size_t>(word.data() - source_.text.data()));
+    material.span = span_at_(static_cast<std::size_t>(word.data() - source_.text.data()));
     if (!names_.insert(name).second) {
       say(Severity::Warning, word.data(),
           fmt::format("material {} is defined again; the first definition counts",
@@ -162,9 +161,8 @@ class StatementParser {
   }
 
   void parse_map(Cursor& line, std::optional<MtlTexture>& map) {
-    if (auto texture = parse_texture(path_, source_, line, use_ == MtlUse::Full, diagnostics_)) {
-      map = std::move(texture);
-    }
+    const TextureContext context{texture_names_, span_at_, use_ == MtlUse::Full, diagnostics_};
+    if (auto texture = parse_texture(source_, line, context)) map = std::move(texture);
   }
 
   // Each once a file.
@@ -175,9 +173,10 @@ class StatementParser {
       return say(Severity::Warning, word.data(),
                  fmt::format("'{}' is left out: only a factor is supported here", word));
     }
+    const bool is_kept = text::is_kept(diagnostics_, Severity::Warning);
     say(Severity::Warning, word.data(),
         fmt::format("unknown statement {} is left out{}", text::quoted(word),
-                    did_you_mean(word.substr(0, 200), known_words())));
+                    is_kept ? did_you_mean(word.substr(0, 200), known_words()) : ""));
   }
 
   static std::vector<std::string_view> known_words() {
@@ -196,6 +195,8 @@ class StatementParser {
   std::set<std::string_view> names_;
   std::set<std::string_view> others_;
   bool is_lost_said_ = false;
+  text::SpanFinder span_at_{source_};
+  TextureNames texture_names_{path_};
 };
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "scene_io/text/number.h"
-#include "scene_io/text/path.h"
 
 namespace candela::obj {
 namespace {
@@ -39,11 +38,10 @@ const Option* find_option(std::string_view word) {
 
 class TextureParser {
  public:
-  TextureParser(const text::Source& source, text::Cursor arguments, bool warns,
-                Diagnostics& diagnostics)
-      : source_(source), at_(arguments), warns_(warns), diagnostics_(diagnostics) {}
+  TextureParser(const text::Source& source, text::Cursor arguments, const TextureContext& context)
+      : source_(source), at_(arguments), context_(context) {}
 
-  std::optional<MtlTexture> parse(const std::string& mtl_path) {
+  std::optional<MtlTexture> parse() {
     while (true) {
       text::Cursor ahead = at_;
       const std::string_view word = ahead.next_word();
@@ -58,14 +56,14 @@ class TextureParser {
       say(Severity::Error, at_.position(), "no file is named; expected the name of an image");
       return std::nullopt;
     }
-    resolve(mtl_path, name);
+    resolve(name);
     return std::move(texture_);
   }
 
  private:
   void say(Severity severity, const char* at, std::string message) {
     const auto offset = static_cast<std::size_t>(at - source_.text.data());
-    diagnostics_.add(text::diagnose(source_, offset, severity, std::move(message)));
+    text::report(context_.diagnostics, source_, offset, severity, std::move(message));
   }
 
   bool take(const Option& option, std::string_view word) {
@@ -90,7 +88,7 @@ class TextureParser {
     }
     const bool moves_texture =
         option.name == "-o" || option.name == "-s" || option.name == "-t" || option.name == "-mm";
-    if (warns_ && moves_texture && !is_default) {
+    if (context_.warns_of_options && moves_texture && !is_default) {
       say(Severity::Warning, word.data(), fmt::format("texture option '{}' is left out", word));
     }
     return true;
@@ -102,12 +100,12 @@ class TextureParser {
     if (option.name == "-imfchan") texture_.channel = text::to_lower(argument[0]);
   }
 
-  void resolve(const std::string& mtl_path, std::string_view name) {
-    const text::ResolvedPath resolved = text::resolve_path(mtl_path, name);
-    const auto offset = static_cast<std::size_t>(name.data() - source_.text.data());
+  void resolve(std::string_view name) {
+    bool is_new = false;
+    const text::ResolvedPath& resolved = context_.names.find(name, is_new);
     texture_.path = resolved.path;
-    texture_.span = text::span_at(source_, offset);
-    if (resolved.has_other_case) {
+    texture_.span = context_.span_at(static_cast<std::size_t>(name.data() - source_.text.data()));
+    if (is_new && resolved.has_other_case) {
       say(Severity::Note, name.data(),
           fmt::format("{} is spelled {} on disk", text::quoted(name), text::quoted(resolved.path)));
     }
@@ -115,17 +113,22 @@ class TextureParser {
 
   const text::Source& source_;
   text::Cursor at_;
-  bool warns_;
-  Diagnostics& diagnostics_;
+  const TextureContext& context_;
   MtlTexture texture_;
 };
 
 }  // namespace
 
-std::optional<MtlTexture> parse_texture(const std::string& mtl_path, const text::Source& source,
-                                        text::Cursor arguments, bool warns_of_options,
-                                        Diagnostics& diagnostics) {
-  return TextureParser(source, arguments, warns_of_options, diagnostics).parse(mtl_path);
+const text::ResolvedPath& TextureNames::find(std::string_view name, bool& is_new) {
+  const auto [entry, is_inserted] = known_.try_emplace(name);
+  is_new = is_inserted;
+  if (is_new) entry->second = text::resolve_path(mtl_path_, name);
+  return entry->second;
+}
+
+std::optional<MtlTexture> parse_texture(const text::Source& source, text::Cursor arguments,
+                                        const TextureContext& context) {
+  return TextureParser(source, arguments, context).parse();
 }
 
 }  // namespace candela::obj

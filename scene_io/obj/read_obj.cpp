@@ -1,6 +1,7 @@
 #include "scene_io/obj/read_obj.h"
 
 #include <algorithm>
+#include <numeric>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -24,7 +25,7 @@ using text::Source;
 constexpr std::uint64_t max_bytes = UINT32_MAX;
 
 void warn(const Source& source, std::size_t offset, std::string message, Diagnostics& diagnostics) {
-  diagnostics.add(text::diagnose(source, offset, Severity::Warning, std::move(message)));
+  text::report(diagnostics, source, offset, Severity::Warning, std::move(message));
 }
 
 std::string left_out_message(std::string_view keyword) {
@@ -77,16 +78,20 @@ class MaterialNames {
     if (found != indices_.end()) return found->second;
     // Without any material the missing MTL has been said already.
     if (!names_.empty() && !name.empty() && unknown_.insert(name).second) {
-      const auto offset = static_cast<std::size_t>(name.data() - source_.text.data());
-      warn(source_, offset,
-           fmt::format("material {} is not in the MTL{}", text::quoted(name),
-                       did_you_mean(name.substr(0, 200), names_)),
-           diagnostics_);
+      warn_of_unknown(name);
     }
     return std::nullopt;
   }
 
  private:
+  void warn_of_unknown(std::string_view name) {
+    // Comparing with all names would take long for many names.
+    const bool is_kept = text::is_kept(diagnostics_, Severity::Warning);
+    const std::string advice = is_kept ? did_you_mean(name.substr(0, 200), names_) : "";
+    warn(source_, static_cast<std::size_t>(name.data() - source_.text.data()),
+         fmt::format("material {} is not in the MTL{}", text::quoted(name), advice), diagnostics_);
+  }
+
   const Source& source_;
   Diagnostics& diagnostics_;
   std::unordered_map<std::string_view, std::uint32_t> indices_;
@@ -113,6 +118,19 @@ std::string name_of(const std::string& path, const ObjModel& model, const MeshPl
   return plan.material ? model.materials[*plan.material].name : path;
 }
 
+// Of the first faces, in one go through the text.
+std::vector<SourceSpan> spans_of(const Source& source, const std::vector<MeshPlan>& plans) {
+  std::vector<std::size_t> order(plans.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return first_offset(plans[a]) < first_offset(plans[b]);
+  });
+  text::SpanFinder span_at(source);
+  std::vector<SourceSpan> spans(plans.size());
+  for (const std::size_t i : order) spans[i] = span_at(first_offset(plans[i]));
+  return spans;
+}
+
 void build_meshes(const std::string& path, const Source& source, const ObjData& data,
                   const std::vector<MeshPlan>& plans, bool smooth_missing_normals, ObjModel& model,
                   Diagnostics& diagnostics) {
@@ -121,10 +139,11 @@ void build_meshes(const std::string& path, const Source& source, const ObjData& 
     built[i] = build_mesh(data, plans[i], smooth_missing_normals);
   });
   warn_of_bows(source, built, diagnostics);
+  const std::vector<SourceSpan> spans = spans_of(source, plans);
   for (std::size_t i = 0; i < plans.size(); ++i) {
     Mesh& mesh = built[i].mesh;
     mesh.name = name_of(path, model, plans[i]);
-    mesh.span = text::span_at(source, first_offset(plans[i]));
+    mesh.span = spans[i];
     if (plans[i].material) mesh.materials = {MaterialHandle(*plans[i].material)};
     model.meshes.push_back(std::move(mesh));
   }

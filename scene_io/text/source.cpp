@@ -49,12 +49,23 @@ Source make_source(const std::string& name, std::string_view text) {
   return {std::make_shared<const std::string>(name), text};
 }
 
+SourceSpan SpanFinder::operator()(std::size_t offset) {
+  offset = std::min(offset, source_.text.size());
+  if (offset < line_begin_) {
+    line_begin_ = 0;
+    line_ = 1;
+  }
+  for (std::size_t newline = source_.text.find('\n', line_begin_); newline < offset;
+       newline = source_.text.find('\n', line_begin_)) {
+    line_begin_ = newline + 1;
+    ++line_;
+  }
+  const std::string_view before = source_.text.substr(line_begin_, offset - line_begin_);
+  return {source_.name, line_, count_characters(before) + 1};
+}
+
 SourceSpan span_at(const Source& source, std::size_t offset) {
-  const std::string_view before = source.text.substr(0, std::min(offset, source.text.size()));
-  const auto newlines = std::count(before.begin(), before.end(), '\n');
-  const std::size_t begin = line_begin(source.text, before.size());
-  return {source.name, static_cast<std::uint32_t>(newlines + 1),
-          count_characters(before.substr(begin)) + 1};
+  return SpanFinder(source)(offset);
 }
 
 std::string excerpt_at(const Source& source, std::size_t offset) {
@@ -74,6 +85,27 @@ std::string excerpt_at(const Source& source, std::size_t offset) {
 Diagnostic diagnose(const Source& source, std::size_t offset, Severity severity,
                     std::string message) {
   return {severity, span_at(source, offset), std::move(message), excerpt_at(source, offset)};
+}
+
+bool is_kept(const Diagnostics& diagnostics, Severity severity) {
+  switch (severity) {
+    case Severity::Note:
+      return diagnostics.list().size() < 4 * Diagnostics::limit;
+    case Severity::Warning:
+      return diagnostics.warning_count() < Diagnostics::limit;
+    case Severity::Error:
+      return !diagnostics.is_full();
+  }
+  return true;
+}
+
+void report(Diagnostics& diagnostics, const Source& source, std::size_t offset, Severity severity,
+            std::string message) {
+  if (is_kept(diagnostics, severity)) {
+    diagnostics.add(diagnose(source, offset, severity, std::move(message)));
+  } else if (severity != Severity::Note) {
+    diagnostics.add({severity, {}, {}, {}});  // counted only
+  }
 }
 
 std::string quoted(std::string_view word) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -30,6 +31,26 @@ struct Source {
 // A diagnostic with span and excerpt.
 [[nodiscard]] Diagnostic diagnose(const Source& source, std::size_t offset, Severity severity,
                                   std::string message);
+
+// Adds it to the diagnostics; where those of its severity would not be kept any more, it is only
+// counted and costs nothing. (Finding a line takes time in proportion to the text.)
+void report(Diagnostics& diagnostics, const Source& source, std::size_t offset, Severity severity,
+            std::string message);
+
+// Whether one more of this severity would be kept: for messages that are costly to compose.
+[[nodiscard]] bool is_kept(const Diagnostics& diagnostics, Severity severity);
+
+// Spans of many places of one text, cheap where each lies behind the one before.
+class SpanFinder {
+ public:
+  explicit SpanFinder(Source source) : source_(std::move(source)) {}
+  [[nodiscard]] SourceSpan operator()(std::size_t offset);
+
+ private:
+  Source source_;
+  std::size_t line_begin_ = 0;
+  std::uint32_t line_ = 1;
+};
 
 // `word` in quotes, shortened to 40 characters, control characters as '?'.
 [[nodiscard]] std::string quoted(std::string_view word);

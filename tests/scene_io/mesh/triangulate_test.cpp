@@ -266,14 +266,15 @@ TEST(Stress_Triangulate, BadPolygonsEndInTheRightCountOfTriangles) {
   EXPECT_EQ(triangulated(line).size(), 998u);
 }
 
-// 200,000 corners each. No time is asserted; a quadratic method would run into the suite's limit.
+// 200,000 corners each (noise, which is not simple and uses up the allowance of work: 25,000). No
+// time is asserted; a quadratic method would run into the suite's limit.
 TEST(Stress_Triangulate, LargePolygonsEnd) {
   constexpr int corners = 200'000;
   std::mt19937 random(5);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
   Polygon noise, pentagram, line;
   for (int i = 0; i < corners; ++i) {
-    noise.push_back({any(random), any(random), 0.0});
+    if (i % 8 == 0) noise.push_back({any(random), any(random), 0.0});
     const double angle = 2 * pi * i * 0.4 / 1.00001;
     pentagram.push_back({std::cos(angle), std::sin(angle), 0.0});
     line.push_back({double(i), 0.0, 0.0});

@@ -19,40 +19,42 @@ std::string first_said(const Diagnostics& diagnostics) {
   return diagnostics.list().empty() ? "" : to_string(diagnostics.list()[0]);
 }
 
-const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+std::string three_and(std::string_view more) {
+  return fmt::format("v 0 0 0\nv 1 0 0\nv 0 1 0\n{}", more);
+}
 
 TEST(Errors_Obj, NameThePlaceAndWhatWasExpected) {
   const std::vector<Case> cases{
-      {three + "f 1 2 9\n",
+      {three_and("f 1 2 9\n"),
        "a.obj:4:7: error: index 9 is out of range: the file has 3 positions ('v')\nf 1 2 9\n      "
        "^"},
-      {three + "f 1/2 2/1 3/1\n",
+      {three_and("f 1/2 2/1 3/1\n"),
        "a.obj:4:5: error: index 2 is out of range: the file has 0 texture coordinates ('vt')\n"
        "f 1/2 2/1 3/1\n    ^"},
-      {three + "vn 0 0 1\nf 1//1 2//2 3//1\n",
+      {three_and("vn 0 0 1\nf 1//1 2//2 3//1\n"),
        "a.obj:5:11: error: index 2 is out of range: the file has 1 normal ('vn')\n"
        "f 1//1 2//2 3//1\n          ^"},
-      {three + "f 1 2 -99\n",
+      {three_and("f 1 2 -99\n"),
        "a.obj:4:7: error: index -99 reaches before the first position: 3 'v' stand above this "
        "line\n"
        "f 1 2 -99\n      ^"},
-      {three + "f 0 1 2\n",
+      {three_and("f 0 1 2\n"),
        "a.obj:4:3: error: index 0 of a position: expected 1 for the first, or -1 for the last\n"
        "f 0 1 2\n  ^"},
-      {three + "f 1 2 4294967297\n",
+      {three_and("f 1 2 4294967297\n"),
        "a.obj:4:7: error: index 4294967297 is out of range: the file has 3 positions ('v')\n"
        "f 1 2 4294967297\n      ^"},
-      {three + "f 1 2 999999999999999999999999999999\n",
+      {three_and("f 1 2 999999999999999999999999999999\n"),
        "a.obj:4:7: error: index 999999999999999999999999... is out of range: the file has 3 "
        "positions ('v')\nf 1 2 999999999999999999999999999999\n      ^"},
-      {three + "f 1 2 3.5\n",
+      {three_and("f 1 2 3.5\n"),
        "a.obj:4:8: error: '3.5' is not the index of a position; expected v, v/vt, v//vn or "
        "v/vt/vn\nf 1 2 3.5\n       ^"},
-      {three + "f 1 two 3\n",
+      {three_and("f 1 two 3\n"),
        "a.obj:4:5: error: 'two' is not the index of a position; expected v, v/vt, v//vn or "
        "v/vt/vn\nf 1 two 3\n    ^"},
-      {three + "f 1 2\n", "a.obj:4:1: error: a face of 2 corners; expected 3 or more\nf 1 2\n^"},
-      {three + "f\n", "a.obj:4:1: error: a face of 0 corners; expected 3 or more\nf\n^"},
+      {three_and("f 1 2\n"), "a.obj:4:1: error: a face of 2 corners; expected 3 or more\nf 1 2\n^"},
+      {three_and("f\n"), "a.obj:4:1: error: a face of 0 corners; expected 3 or more\nf\n^"},
       {"v 1 2\n", "a.obj:1:6: error: 'v' has 2 numbers; expected 3\nv 1 2\n     ^"},
       {"vn 1\n", "a.obj:1:5: error: 'vn' has 1 number; expected 3\nvn 1\n    ^"},
       {"vt\n", "a.obj:1:3: error: 'vt' has 0 numbers; expected 1 or more\nvt\n  ^"},
@@ -70,16 +72,16 @@ TEST(Errors_Obj, NameThePlaceAndWhatWasExpected) {
       {"v 1,5 2 3\n",
        "a.obj:1:3: error: '1,5' is not a number; expected 3 numbers after 'v'\nv 1,5 2 3\n  ^"},
       {"\xFF\xFEv\0", "a.obj:1:1: error: is in UTF-16; expected ASCII or UTF-8"},
-      {three, "a.obj: error: holds no faces ('f')"},
+      {three_and(""), "a.obj: error: holds no faces ('f')"},
       {"", "a.obj: error: holds no faces ('f')"},
-      {three + "f 1 2 3\nusemlt x\n",
+      {three_and("f 1 2 3\nusemlt x\n"),
        "a.obj:5:1: warning: unknown statement 'usemlt' is left out, did you mean 'usemtl'?\n"
        "usemlt x\n^"},
-      {three + "l 1 2\nf 1 2 3\n",
+      {three_and("l 1 2\nf 1 2 3\n"),
        "a.obj:4:1: warning: lines ('l') are left out: only faces are rendered\nl 1 2\n^"},
-      {three + "p 1\nf 1 2 3\n",
+      {three_and("p 1\nf 1 2 3\n"),
        "a.obj:4:1: warning: points ('p') are left out: only faces are rendered\np 1\n^"},
-      {three + "f 1 2 3\ncstype bezier\ncurv 0 1 1 2 3\nend\n",
+      {three_and("f 1 2 3\ncstype bezier\ncurv 0 1 1 2 3\nend\n"),
        "a.obj:5:1: warning: 'cstype' is left out: curves, surfaces and display settings are not "
        "supported\ncstype bezier\n^"},
   };
@@ -136,7 +138,7 @@ TEST(Errors_Obj, AMissingMtlIsAWarning) {
   const TemporaryFolder folder;
   Diagnostics diagnostics;
   const ObjModel model = parse_obj(
-      folder.file("a.obj"), "mtllib b.mtl\n" + three + "usemtl x\nf 1 2 3\n", {}, diagnostics);
+      folder.file("a.obj"), "mtllib b.mtl\n" + three_and("usemtl x\nf 1 2 3\n"), {}, diagnostics);
   EXPECT_TRUE(model.meshes.empty());
   ASSERT_EQ(diagnostics.list().size(), 2u);
   EXPECT_FALSE(diagnostics.has_errors());

@@ -81,12 +81,31 @@ TEST(Stress_Mtl, MutatedFilesAreHarmless) {
   }
 }
 
+// Each of these would take minutes if a line were counted, or names compared, for each of them.
+TEST(Stress_Obj, ManyOddLinesTakeTimeInProportion) {
+  const TemporaryFolder folder;
+  std::string mtl, obj = "mtllib many.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (int i = 0; i < 30'000; ++i) {
+    mtl += fmt::format("newmtl material{}\nodd{} 1\nmap_Kd absent{}.png\nnewmtl again\n", i, i, i);
+    obj += fmt::format("usemtl materiel{}\nf 1 2 3\nusemtl material{}\nf 1 3 2\nodd{}\n", i, i, i);
+  }
+  folder.put("many.mtl", mtl);
+  Diagnostics diagnostics;
+  ObjModel model = parse_obj(folder.file("a.obj"), obj, {}, diagnostics);
+  EXPECT_EQ(model.meshes.size(), 30'000u);
+  EXPECT_EQ(model.images.size(), 30'000u);
+  EXPECT_EQ(model.materials.at(20'000).span.line, 40'001u);
+  EXPECT_EQ(model.meshes.at(7).span.line, 4 + 7 * 5 + 4u);
+  EXPECT_EQ(diagnostics.list().size(), Diagnostics::limit);
+  EXPECT_EQ(fault_of(model), "");
+}
+
 TEST(Stress_Obj, RandomBytesAreHarmless) {
   std::mt19937 random(9);
   for (int round = 0; round < 200; ++round) {
     std::string bytes(5000, '\0');
     for (char& c : bytes)
-      c = static_cast<char>(round % 2 == 0 ? random() : " \nfv/-0123.\\\r#"[random() % 16]);
+      c = static_cast<char>(round % 2 == 0 ? random() : " \nfv/-0123.\\\r#"[random() % 15]);
     Diagnostics diagnostics;
     ObjOptions options;
     options.materials = MtlUse::Ignore;
