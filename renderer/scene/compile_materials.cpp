@@ -27,7 +27,11 @@ ColourParameter colour(const ColourInput& input, const Registrar& texture) {
 }
 
 ScalarParameter scalar(const ScalarInput& input, const Registrar& texture) {
-  return {static_cast<float>(input.factor), texture(input.map), input.channel};
+  const TextureHandle map = texture(input.map);
+  int channel = input.channel;
+  if (channel == description::alpha_or_first)
+    channel = map && texture.textures.info(map).has_alpha ? 3 : 0;
+  return {static_cast<float>(input.factor), map, channel};
 }
 
 // LAB3 section 3: the lab keeps factors in 8 bits.
