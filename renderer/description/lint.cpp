@@ -1,6 +1,3 @@
-#include <filesystem>
-#include <system_error>
-
 #include <fmt/format.h>
 
 #include "renderer/description/validate.h"
@@ -44,15 +41,6 @@ void warn_of_black_lights(const SceneDescription& scene, Diagnostics& diagnostic
       diagnostics.warning(light.span, "this light is black");
 }
 
-void warn_of_missing_images(const SceneDescription& scene, Diagnostics& diagnostics) {
-  for (const Image& image : scene.images) {
-    std::error_code failed;
-    if (!std::filesystem::exists(image.path, failed))
-      diagnostics.warning(image.span,
-                          fmt::format("no such image: '{}'; it renders magenta", image.path));
-  }
-}
-
 // All of the scene's box lies behind the camera's plane.
 void warn_of_blind_cameras(const SceneDescription& scene, Diagnostics& diagnostics) {
   const Bounds3d box = world_bounds(scene);
@@ -73,7 +61,6 @@ Diagnostics lint(const SceneDescription& scene) {
   Diagnostics diagnostics;
   warn_of_unused_materials(scene, diagnostics);
   warn_of_black_lights(scene, diagnostics);
-  warn_of_missing_images(scene, diagnostics);
   warn_of_blind_cameras(scene, diagnostics);
   return diagnostics;
 }

@@ -12,8 +12,9 @@ namespace candela::description {
 // Touches no file; linear in the size of the scene.
 [[nodiscard]] Diagnostics validate(const SceneDescription& scene);
 
-// What does no harm but is probably not meant (unused materials, black lights, missing textures),
-// as warnings, for `candela check`. Looks whether the image files exist.
+// What does no harm but is probably not meant (unused materials, black lights, cameras with their
+// back to the scene), as warnings, for `candela check`. Missing images are not looked for: the
+// texture store warns of them.
 [[nodiscard]] Diagnostics lint(const SceneDescription& scene);
 
 }  // namespace candela::description

@@ -48,7 +48,7 @@ void read_constant(Reader& reader, const Fields& fields, const Vec3d& scale, boo
 void note_default_ambient(Reader& reader) {
   if (reader.has_ambient || reader.is_extended || reader.has_environment || reader.options.ambient)
     return;
-  reader.note(0, "AmbientIntensity is not given: [0.1, 0.1, 0.1], as in lab3");
+  reader.note("AmbientIntensity is not given: [0.1, 0.1, 0.1], as in lab3");
 }
 
 }  // namespace
@@ -118,7 +118,7 @@ void read_ambient(Reader& reader, const Fields& root) {
   reader.scene.lab_ambient = ambient;
   if (reader.has_environment) {
     if (reader.options.ambient)
-      reader.note(0, "--ambient counts for whitted only: the scene has an environment");
+      reader.note("--ambient counts for whitted only: the scene has an environment");
     return;
   }
   if (ambient != Vec3d(0.0))

@@ -79,9 +79,6 @@ void read_relief(Reader& reader, const Fields& fields, description::Material& ma
   if (fields.has("bump_scale") && !map)
     reader.warning(fields.find("bump_scale")->key_offset,
                    "bump_scale has no effect without a HeightMap");
-  if (map && fields.has("normal_map"))
-    reader.error(map->key_offset,
-                 fmt::format("both {} and normal_map are given, expected one of them", map->key));
 }
 
 void remember_name(Reader& reader, const Fields& fields, const std::string& name) {

@@ -1,5 +1,8 @@
 #include "scene_io/lab3/metals.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace candela::lab3 {
 namespace {
 
@@ -22,6 +25,11 @@ const Metal table[] = {
 
 std::span<const Metal> metals() {
   return table;
+}
+
+Metal metal_named(std::string_view name) {
+  return *std::find_if(std::begin(table), std::end(table),
+                       [&](const Metal& metal) { return metal.name == name; });
 }
 
 Vec3d normal_reflectance(const Vec3d& eta, const Vec3d& k) {

@@ -67,7 +67,7 @@ void read_scene(Reader& reader, const Node& node) {
   if (reader.diagnostics.has_errors()) return;
   add_ground(reader);
   if (reader.scene.cameras.empty()) {
-    reader.note(0, "no Cameras are given: one that sees all of the scene from the front is used");
+    reader.note("no Cameras are given: one that sees all of the scene from the front is used");
     reader.scene.cameras.push_back(default_camera(reader.scene));
   }
 }

@@ -48,8 +48,8 @@ void Reader::warning(std::size_t offset, std::string message) {
   add(Severity::Warning, offset, std::move(message));
 }
 
-void Reader::note(std::size_t offset, std::string message) {
-  add(Severity::Note, offset, std::move(message));
+void Reader::note(std::string message) {
+  diagnostics.note({source.name, 0, 0}, std::move(message));
 }
 
 }  // namespace candela::lab3

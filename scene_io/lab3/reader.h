@@ -35,7 +35,8 @@ class Reader {
 
   void error(std::size_t offset, std::string message);
   void warning(std::size_t offset, std::string message);
-  void note(std::size_t offset, std::string message);
+  // About the file as a whole.
+  void note(std::string message);
   // Line and column of a byte, by a table: cheap also where every value of a long file keeps one.
   [[nodiscard]] SourceSpan span(std::size_t offset) const;
   // Enough is wrong: no need to look further.

@@ -135,6 +135,9 @@ description::CookTorranceMaterial read_cook_torrance(Reader& reader, const Field
 
 description::ConductorMaterial read_conductor(Reader& reader, const Fields& fields) {
   description::ConductorMaterial material;
+  const Metal copper = metal_named("copper");
+  material.eta = copper.eta;
+  material.k = copper.k;
   check_single_source(reader, fields);
   if (const auto eta_k = read_eta_k(reader, fields)) {
     material.eta = (*eta_k)[0];

@@ -61,7 +61,7 @@ TEST(Unit_Lab3Cameras, WithoutCamerasOneFramesTheScene) {
   const auto notes = said(Severity::Note, text);
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_EQ(notes[0],
-            "1:1: no Cameras are given: one that sees all of the scene from the front is used");
+            "no Cameras are given: one that sees all of the scene from the front is used");
   EXPECT_EQ(scene_of("Cameras: []\n").cameras.size(), 1u);
 }
 

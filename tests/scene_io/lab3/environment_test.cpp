@@ -38,7 +38,7 @@ TEST(Unit_Lab3Environment, AmbientDefaultsToTheLabs) {
   EXPECT_EQ(scene.lab_ambient, Vec3d(0.1));
   const auto notes = said(Severity::Note, "Cameras: [{}]\n");
   ASSERT_EQ(notes.size(), 1u);
-  EXPECT_EQ(notes[0], "1:1: AmbientIntensity is not given: [0.1, 0.1, 0.1], as in lab3");
+  EXPECT_EQ(notes[0], "AmbientIntensity is not given: [0.1, 0.1, 0.1], as in lab3");
 }
 
 TEST(Unit_Lab3Environment, FilesOfTheExtensionHaveNoAmbientUnlessTheySaySo) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "renderer/description/validate.h"
 #include "tests/scene_io/lab3/lab3_text.h"
 
 namespace candela {
@@ -178,6 +179,13 @@ TEST(Unit_Lab3Models, ComplexModelsHaveNoPlace) {
 TEST(Unit_Lab3Models, WithoutAMeshTheyAreLeftOut) {
   EXPECT_EQ(warning_in("Materials: [{Name: a}]\nModels: [{Material: a}]\n"),
             "2:10: this model has no Mesh and is left out");
+}
+
+TEST(Unit_Lab3Models, MaterialsThatNoModelUsesAreFoundByLint) {
+  const auto warnings = lint(scene_of(models("Material: b, Translation: [0, 0, -9]")));
+  ASSERT_EQ(warnings.list().size(), 1u);
+  EXPECT_EQ(to_string(warnings.list()[0]),
+            test::lab3_folder() + "scene.yaml:1:13: warning: material 'a' is used by no model");
 }
 
 TEST(Errors_Lab3Models, MeshesThatAreNoFiles) {

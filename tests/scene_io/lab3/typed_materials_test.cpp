@@ -132,8 +132,10 @@ TEST(Unit_TypedMaterials, BumpMaps) {
   const auto scene = scene_of(materials("Type: diffuse, bump_map: picture.png, bump_scale: .1"));
   EXPECT_TRUE(scene.materials.at(0).height);
   EXPECT_EQ(scene.materials[0].height_scale, 0.1);
-  EXPECT_EQ(error_in(materials("Type: diffuse, bump_map: picture.png, normal_map: other.png")),
-            "2:30: both bump_map and normal_map are given, expected one of them");
+  // The normal map's normal, and the heights on top of it.
+  const auto both =
+      scene_of(materials("Type: diffuse, bump_map: picture.png, normal_map: other.png"));
+  EXPECT_TRUE(both.materials.at(0).height && both.materials[0].normal_map);
 }
 
 TEST(Unit_TypedMaterials, Opacity) {
@@ -149,6 +151,9 @@ TEST(Unit_TypedMaterials, Conductors) {
   EXPECT_EQ(gold.eta, Vec3d(0.188, 0.544, 1.332));
   EXPECT_EQ(gold.k, Vec3d(3.403, 2.231, 1.869));
   EXPECT_EQ(gold.roughness.factor, 0.12);
+  const auto unnamed = model_of<ConductorMaterial>("Type: conductor");
+  EXPECT_EQ(unnamed.eta, lab3::metal_named("copper").eta);
+  EXPECT_EQ(unnamed.k, lab3::metal_named("copper").k);
   const auto own = model_of<ConductorMaterial>("Type: conductor, eta: .5, k: [1, 2, 3]");
   EXPECT_EQ(own.eta, Vec3d(0.5));
   EXPECT_EQ(own.k, Vec3d(1, 2, 3));
