@@ -46,7 +46,7 @@ void add_options(Json& json, const RenderReport& report) {
   json["spp"] = options.samples_per_pixel;
   json["min_samples"] = report.min_samples;
   json["max_samples"] = report.max_samples;
-  json["interrupted"] = report.statistics.was_cancelled;
+  json["interrupted"] = report.is_interrupted();
   json["max_depth"] = options.max_depth ? Json(*options.max_depth) : Json(nullptr);
   json["filter"] = name_of(options.filter, filter_choices());
   json["transparent"] = options.transparent;
@@ -85,6 +85,20 @@ Json texture_json(const TextureRow& row) {
           {"decoded", row.is_decoded}};
 }
 
+template <class Number>
+Json by_ray_class(const std::array<Number, ray_class_names.size()>& values) {
+  Json json;
+  for (std::size_t i = 0; i < values.size(); ++i) json[std::string(ray_class_names[i])] = values[i];
+  return json;
+}
+
+Json back_end_json(const BackEndFigures& figures) {
+  return {{"build_seconds", figures.build_seconds},
+          {"bytes", figures.bytes},
+          {"mrays_per_second_one_thread", by_ray_class(figures.mrays_one_thread)},
+          {"mrays_per_second", by_ray_class(figures.mrays_all_threads)}};
+}
+
 }  // namespace
 
 std::string to_json(const RenderReport& report) {
@@ -119,6 +133,24 @@ std::string to_json(const SceneInfo& info) {
   for (const Dropped& dropped : info.dropped)
     json["dropped"].push_back({{"what", dropped.what}, {"count", dropped.count}});
   json["kernel"] = info.kernel;
+  return text_of(json);
+}
+
+std::string to_json(const std::string& scene, const RayBenchResult& result) {
+  const AgreementCounts& agreement = result.agreement;
+  Json json;
+  json["version"] = CANDELA_VERSION;
+  json["scene"] = scene;
+  json["embree_version"] = result.embree_version;
+  json["threads"] = result.threads;
+  json["triangles"] = result.triangles;
+  json["rays"] = by_ray_class(result.ray_counts);
+  json["embree"] = back_end_json(result.embree);
+  json["bvh"] = back_end_json(result.bvh);
+  json["agreement"] = {{"rays", agreement.rays},
+                       {"disagreeing", agreement.disagreeing},
+                       {"same_distance", agreement.same_distance},
+                       {"at_edge", agreement.at_edge}};
   return text_of(json);
 }
 

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "integrators/ray_bench/ray_bench.h"
 #include "tools/candela/render_report.h"
 #include "tools/candela/scene_info.h"
 
@@ -11,5 +12,6 @@ namespace candela::cli {
 
 [[nodiscard]] std::string to_json(const RenderReport& report);
 [[nodiscard]] std::string to_json(const SceneInfo& info);
+[[nodiscard]] std::string to_json(const std::string& scene, const RayBenchResult& result);
 
 }  // namespace candela::cli

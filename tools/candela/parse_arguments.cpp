@@ -232,7 +232,8 @@ std::string unexpected_word(const CLI::App& app) {
 
 std::string sentence_of(const CLI::ParseError& error, const CLI::App& app) {
   const std::string text = error.what();
-  if (dynamic_cast<const CLI::ExtrasError*>(&error)) return unexpected_word(app);
+  // Before what is missing: a misspelt option is why.
+  if (app.remaining_size(true) > 0) return unexpected_word(app);
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))
     return text.substr(0, text.find(':')) + " needs a value";
   if (dynamic_cast<const CLI::RequiredError*>(&error) && app.get_subcommands().empty())

@@ -56,7 +56,7 @@ Metadata metadata_of(const RenderReport& report) {
       {"candela:seed", std::to_string(report.options.seed)},
       {"candela:spp", integer(report.min_samples)},
       {"candela:spp_max", integer(report.max_samples)},
-      {"candela:interrupted", integer(statistics.was_cancelled ? 1 : 0)},
+      {"candela:interrupted", integer(report.is_interrupted() ? 1 : 0)},
       {"candela:invalid_samples", integer(statistics.invalid_samples)},
       {"candela:threads", std::int64_t{report.threads}},
       {"candela:seconds_load", report.seconds.load},

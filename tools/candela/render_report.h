@@ -39,6 +39,10 @@ struct RenderReport {
   std::vector<std::string> warnings;
   std::vector<std::string> outputs;
   std::optional<RayLimit> ray_limit;
+
+  [[nodiscard]] bool is_interrupted() const {
+    return min_samples < static_cast<std::uint32_t>(options.samples_per_pixel);
+  }
 };
 
 // The process's largest resident memory so far (VmHWM); 0 where the system does not tell.

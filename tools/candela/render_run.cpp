@@ -131,6 +131,7 @@ bool RenderRun::accepts_textures(const Scene& scene) {
 }
 
 ProgressSink* RenderRun::start_rendering(const Scene& scene) {
+  set_interrupt_mode(InterruptMode::Cancel);
   const PixelRect whole{0, 0, options().width, options().height};
   const PixelRect crop = options().crop.value_or(whole);
   report_.triangles = triangle_count(scene);
@@ -143,7 +144,6 @@ ProgressSink* RenderRun::start_rendering(const Scene& scene) {
       static_cast<std::uint64_t>(crop.width()) * static_cast<std::uint64_t>(crop.height());
   progress_ = std::make_unique<ProgressReport>(
       console_, pixels * static_cast<std::uint64_t>(options().samples_per_pixel));
-  set_interrupt_mode(InterruptMode::Cancel);
   return progress_.get();
 }
 
@@ -164,10 +164,6 @@ void RenderRun::report_invalid_samples() {
       fmt::format("{} samples were not finite and count as black, the first at pixel {},{}, "
                   "sample {}: this is a bug in candela",
                   statistics.invalid_samples, first.x, first.y, first.sample));
-}
-
-bool RenderRun::is_complete() const {
-  return report_.min_samples >= static_cast<std::uint32_t>(report_.options.samples_per_pixel);
 }
 
 std::vector<std::string> RenderRun::outputs() const {
@@ -196,7 +192,7 @@ void RenderRun::wrote(const std::string& path, const Diagnostics& problems) {
 }
 
 void RenderRun::report_samples() {
-  if (is_complete()) return;
+  if (!report_.is_interrupted()) return;
   fail(ExitCode::Interrupted);
   if (report_.max_samples == 0)
     console_.error("interrupted before the first sample; nothing was written");
@@ -226,7 +222,7 @@ ExitCode RenderRun::finish(const Scene& scene, const AnyAccelerator& accelerator
                               fmt::join(report_.outputs, ", ")));
   else if (!report_.outputs.empty())
     console_.note(fmt::format("wrote {}", fmt::join(report_.outputs, ", ")));
-  if (arguments_.measures_ray_limit && is_complete()) {
+  if (arguments_.measures_ray_limit && !report_.is_interrupted()) {
     report_.ray_limit = measure_ray_limit(scene, accelerator, options());
     console_.note(
         fmt::format("ray limit {:.3f}: {:.3f} s of CPU time for a share of the tiles, "

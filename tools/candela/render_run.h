@@ -70,7 +70,6 @@ class RenderRun {
   void warn_of_useless_options();
   void report_invalid_samples();
   void report_samples();
-  [[nodiscard]] bool is_complete() const;
   [[nodiscard]] std::vector<std::string> all_paths() const;
   void write_stats();
 

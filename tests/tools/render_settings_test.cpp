@@ -1,0 +1,125 @@
+#include "tools/candela/render_settings.h"
+
+#include <gtest/gtest.h>
+
+namespace candela::cli {
+namespace {
+
+description::SceneDescription scene_with_wishes() {
+  description::SceneDescription scene;
+  scene.cameras.resize(2);
+  scene.defaults.width = 100;
+  scene.defaults.height = 50;
+  scene.defaults.samples_per_pixel = 7;
+  scene.defaults.max_depth = 3;
+  scene.defaults.seed = 11;
+  scene.defaults.filter = "box";
+  scene.defaults.integrator = "path";
+  scene.defaults.exposure = 1.5;
+  return scene;
+}
+
+RenderSettings settings(const RenderArguments& arguments,
+                        const description::SceneDescription& scene) {
+  const SettledSettings settled = settle_settings(arguments, scene);
+  EXPECT_TRUE(settled.settings) << settled.error;
+  return settled.settings.value_or(RenderSettings{});
+}
+
+void expect_refused(const RenderArguments& arguments, const description::SceneDescription& scene,
+                    ExitCode code, const std::string& sentence) {
+  const SettledSettings settled = settle_settings(arguments, scene);
+  EXPECT_FALSE(settled.settings);
+  EXPECT_EQ(settled.exit_code, code);
+  EXPECT_NE(settled.error.find(sentence), std::string::npos) << settled.error;
+}
+
+TEST(Unit_RenderSettings, ASilentSceneGetsTheDefaults) {
+  const RenderSettings s = settings({}, {});
+  EXPECT_EQ(s.options.width, 512);
+  EXPECT_EQ(s.options.height, 512);
+  EXPECT_EQ(s.options.samples_per_pixel, 64);
+  EXPECT_EQ(s.options.max_depth, std::nullopt);
+  EXPECT_EQ(s.options.seed, 0u);
+  EXPECT_EQ(s.options.filter, FilterKind::BlackmanHarris);
+  EXPECT_EQ(s.display.exposure, 0);
+  RenderArguments arguments;
+  arguments.scene.path = "folder/name.with.dots.yaml";
+  EXPECT_EQ(output_paths(arguments), std::vector<std::string>{"name.with.dots.exr"});
+}
+
+TEST(Unit_RenderSettings, TheSceneOverridesTheDefaults) {
+  const RenderSettings s = settings({}, scene_with_wishes());
+  EXPECT_EQ(s.options.width, 100);
+  EXPECT_EQ(s.options.height, 50);
+  EXPECT_EQ(s.options.samples_per_pixel, 7);
+  EXPECT_EQ(s.options.max_depth, 3);
+  EXPECT_EQ(s.options.seed, 11u);
+  EXPECT_EQ(s.options.filter, FilterKind::Box);
+  EXPECT_EQ(s.display.exposure, 1.5);
+}
+
+TEST(Unit_RenderSettings, TheCommandLineOverridesTheScene) {
+  RenderArguments arguments;
+  arguments.size = Size{40, 30};
+  arguments.scale = 0.5;
+  arguments.samples_per_pixel = 2;
+  arguments.max_depth = DepthLimit{};  // none
+  arguments.seed = 0;
+  arguments.filter = FilterKind::Gaussian;
+  arguments.exposure = 0;
+  arguments.camera = 1;
+  const RenderSettings s = settings(arguments, scene_with_wishes());
+  EXPECT_EQ(s.options.width, 20);
+  EXPECT_EQ(s.options.height, 15);
+  EXPECT_EQ(s.options.samples_per_pixel, 2);
+  EXPECT_EQ(s.options.max_depth, std::nullopt);
+  EXPECT_EQ(s.options.seed, 0u);
+  EXPECT_EQ(s.options.filter, FilterKind::Gaussian);
+  EXPECT_EQ(s.options.camera, 1u);
+  EXPECT_EQ(s.display.exposure, 0);
+}
+
+TEST(Unit_RenderSettings, ScaleMultipliesTheScenesSizeAndKeepsAPixel) {
+  RenderArguments arguments;
+  arguments.scale = 0.25;
+  EXPECT_EQ(settings(arguments, scene_with_wishes()).options.width, 25);
+  EXPECT_EQ(settings(arguments, scene_with_wishes()).options.height, 13);  // of 12.5
+  arguments.scale = 1e-9;
+  EXPECT_EQ(settings(arguments, scene_with_wishes()).options.width, 1);
+}
+
+TEST(Unit_RenderSettings, WhatDoesNotFitTheSceneIsRefused) {
+  RenderArguments arguments;
+  arguments.camera = 2;
+  expect_refused(arguments, scene_with_wishes(), ExitCode::Usage,
+                 "--camera 2: the scene has cameras 0 to 1");
+  arguments = {};
+  arguments.crop = PixelRect{0, 0, 101, 50};
+  expect_refused(arguments, scene_with_wishes(), ExitCode::Usage,
+                 "--crop 0,0,101,50 leaves the picture, which is 100x50");
+  arguments = {};
+  arguments.scale = 1e6;
+  expect_refused(arguments, scene_with_wishes(), ExitCode::Usage, "--scale 1000000");
+  arguments = {};
+  arguments.size = Size{65536, 65536};
+  expect_refused(arguments, scene_with_wishes(), ExitCode::Limit, "GB of memory");
+}
+
+TEST(Unit_RenderSettings, WishesThatNobodyCanGrantAreTheScenesErrors) {
+  description::SceneDescription scene;
+  scene.defaults.integrator = "pth";
+  expect_refused({}, scene, ExitCode::Scene, "unknown integrator 'pth', did you mean 'path'?");
+  scene = {};
+  scene.defaults.width = 0;
+  expect_refused({}, scene, ExitCode::Scene, "a picture of 0x512");
+  scene = {};
+  scene.defaults.samples_per_pixel = -1;
+  expect_refused({}, scene, ExitCode::Scene, "-1 samples a pixel");
+  RenderArguments arguments;  // what is said on the command line makes the scene's wish moot
+  arguments.samples_per_pixel = 1;
+  EXPECT_EQ(settings(arguments, scene).options.samples_per_pixel, 1);
+}
+
+}  // namespace
+}  // namespace candela::cli

@@ -1,0 +1,54 @@
+// candela bench SCENE
+#include <fmt/format.h>
+
+#include "integrators/ray_bench/ray_bench.h"
+#include "renderer/base/parallel.h"
+#include "tools/candela/commands.h"
+#include "tools/candela/console.h"
+#include "tools/candela/json_reports.h"
+#include "tools/candela/read_scene.h"
+
+namespace candela::cli {
+namespace {
+
+std::string back_end_line(std::string_view name, const BackEndFigures& figures) {
+  std::string text = fmt::format("  {:<8}{:>9.3f}{:>9.1f}", name, figures.build_seconds,
+                                 static_cast<double>(figures.bytes) * 1e-6);
+  for (std::size_t i = 0; i < ray_class_names.size(); ++i)
+    text +=
+        fmt::format("{:>9.2f}{:>9.2f}", figures.mrays_one_thread[i], figures.mrays_all_threads[i]);
+  return text + "\n";
+}
+
+std::string to_text(const std::string& scene, const RayBenchResult& result) {
+  std::string text =
+      fmt::format("{}: {} triangles, Embree {}, {} thread{}\n", scene, result.triangles,
+                  result.embree_version, result.threads, result.threads == 1 ? "" : "s");
+  text += fmt::format("  {:<8}{:>9}{:>9}", "", "build s", "MB");
+  for (const std::string_view name : ray_class_names) text += fmt::format("{:>18}", name);
+  text += fmt::format("   Mray/s on one thread, on all\n");
+  text += back_end_line("embree", result.embree) + back_end_line("bvh", result.bvh);
+  text += "  rays   ";
+  for (std::size_t i = 0; i < ray_class_names.size(); ++i)
+    text += fmt::format(" {} {}", result.ray_counts[i], ray_class_names[i]);
+  const AgreementCounts& agreement = result.agreement;
+  text += fmt::format("\n  agree   {} of {} rays; {} disagree, {} at one distance, {} at an edge\n",
+                      agreement.rays - agreement.disagreeing, agreement.rays, agreement.disagreeing,
+                      agreement.same_distance, agreement.at_edge);
+  return text;
+}
+
+}  // namespace
+
+ExitCode run_bench(const BenchArguments& arguments) {
+  Console console(false);
+  const ReadScene read = read_scene(arguments.scene, console);
+  if (!read.is_usable()) return ExitCode::Scene;
+  const int threads = arguments.threads > 0 ? arguments.threads : available_threads();
+  const RayBenchResult result = run_ray_bench(*read.scene, {}, threads);
+  return print_result(arguments.as_json ? to_json(arguments.scene.path, result)
+                                        : to_text(arguments.scene.path, result),
+                      console);
+}
+
+}  // namespace candela::cli
