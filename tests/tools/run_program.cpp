@@ -181,7 +181,7 @@ ProgramResult run_candela(const std::vector<std::string>& arguments, ErrorStream
 }
 
 std::string fresh_folder(const std::string& name) {
-  const std::string folder = std::string(CANDELA_TEST_OUTPUT) + "/command_line/" + name;
+  const std::string folder = fmt::format("{}/command_line/{}", CANDELA_TEST_OUTPUT, name);
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   return folder;
@@ -207,7 +207,7 @@ std::vector<std::string> file_names(const std::string& folder) {
 }
 
 std::string small_scene() {
-  return std::string(CANDELA_SOURCE_DIR) + "/assets/cornell_box_diffuse/cornell_box_diffuse.yaml";
+  return CANDELA_SOURCE_DIR "/assets/cornell_box_diffuse/cornell_box_diffuse.yaml";
 }
 
 }  // namespace candela::cli_test

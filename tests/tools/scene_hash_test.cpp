@@ -14,7 +14,10 @@ using cli_test::write_text;
 std::string hash_of(const std::vector<std::string>& files, const std::vector<std::string>& images) {
   description::SceneDescription description;
   description.files = files;
-  for (const std::string& path : images) description.images.push_back({.path = path});
+  for (const std::string& path : images) {
+    description.images.emplace_back();
+    description.images.back().path = path;
+  }
   return scene_hash(description);
 }
 
