@@ -1,11 +1,11 @@
 // The nine scenes of the course, unmodified, where they are present.
-#include <cstdlib>
 #include <filesystem>
 
 #include <gtest/gtest.h>
 
 #include "renderer/description/validate.h"
 #include "scene_io/load.h"
+#include "tests/scene_io/shared_scenes.h"
 
 namespace candela {
 namespace {
@@ -31,11 +31,6 @@ constexpr Expected expected_scenes[] = {
     {"white_oak", 36760, 4, 4, 4, 0, 1, 0, {0, 500, 1100}},
 };
 
-fs::path scenes_folder() {
-  const char* given = std::getenv("CANDELA_SCENES");
-  return given ? fs::path(given) : fs::path(CANDELA_SOURCE_DIR) / ".." / "shared" / "scenes";
-}
-
 template <class Kind>
 std::size_t count_lights(const SceneDescription& scene) {
   return static_cast<std::size_t>(
@@ -47,10 +42,9 @@ class Unit_Lab3Scenes : public ::testing::TestWithParam<Expected> {};
 
 TEST_P(Unit_Lab3Scenes, LoadsWithoutAWord) {
   const Expected& expected = GetParam();
-  const fs::path path =
-      scenes_folder() / "lab3" / expected.name / (std::string(expected.name) + ".yaml");
-  if (!fs::exists(path)) GTEST_SKIP() << path << " is not there";
-  const Result<SceneDescription> scene = load(path.string(), {});
+  const auto path = shared_scene(fmt::format("lab3/{0}/{0}.yaml", expected.name));
+  if (!path) GTEST_SKIP() << expected.name << " is not there";
+  const Result<SceneDescription> scene = load(*path, {});
   for (const Diagnostic& diagnostic : scene.diagnostics.list())
     ADD_FAILURE() << to_string(diagnostic);
   ASSERT_TRUE(scene);
