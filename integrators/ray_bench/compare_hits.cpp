@@ -61,9 +61,12 @@ bool is_at_cutout_edge(const Scene& scene, const Ray& ray, const Hit& hit, doubl
   return false;
 }
 
-// Whether rounding may decide whether this hit exists.
+// Whether rounding may decide whether this hit exists. Embree's fast test of boxes, plane/d - o/d,
+// rounds in units of the origin itself: a triangle of a few ulps of the origin's coordinates may be
+// lost with its box, however near.
 bool is_marginal(const Scene& scene, const Ray& ray, const Hit& hit) {
-  const ExactHit exact = intersect_exactly(scene, ray, hit);
+  const double box_error = 8 * unit_roundoff * length(Vec3d(ray.origin));
+  const ExactHit exact = intersect_exactly(scene, ray, hit, box_error);
   if (exact.t_error == std::numeric_limits<double>::infinity()) return true;
   const double smallest = std::min({exact.u, exact.v, 1 - exact.u - exact.v});
   if (is_near_zero(smallest, exact.weight_error)) return true;
@@ -80,7 +83,7 @@ bool is_same_primitive(const Hit& a, const Hit& b) {
 
 // With C the vertices relative to the origin, e the longest edge, n = e1 x e2 and d the direction:
 // a weight is a triple product of size |C||d||e| over n.d, the distance one of size |C||e|^2.
-ExactHit intersect_exactly(const Scene& scene, const Ray& ray, const Hit& hit) {
+ExactHit intersect_exactly(const Scene& scene, const Ray& ray, const Hit& hit, double extra_error) {
   const PlacedTriangle triangle = placed_triangle(scene, ray, hit);
   const Vec3d direction(ray.direction);
   const Vec3d a = triangle.vertices[0] - Vec3d(ray.origin);
@@ -90,7 +93,7 @@ ExactHit intersect_exactly(const Scene& scene, const Ray& ray, const Hit& hit) {
   const double denominator = dot(normal, direction);
   const double edge = std::max({length(b - a), length(c - a), length(c - b)});
   const double reach = std::max({length(a), length(b), length(c)});
-  const double error = roundings * unit_roundoff * reach + triangle.position_error;
+  const double error = roundings * unit_roundoff * reach + triangle.position_error + extra_error;
   ExactHit exact;
   exact.t = dot(a, normal) / denominator;
   exact.u = dot(cross(c, a), direction) / denominator;

@@ -28,6 +28,8 @@ struct ExactHit {
   double t_error = 0;       // infinite where the ray lies in the triangle's plane
   double weight_error = 0;  // of u, v and 1 - u - v
 };
-[[nodiscard]] ExactHit intersect_exactly(const Scene& scene, const Ray& ray, const Hit& hit);
+// extra_error: of positions, in units of length, beside what the ray-triangle tests make.
+[[nodiscard]] ExactHit intersect_exactly(const Scene& scene, const Ray& ray, const Hit& hit,
+                                         double extra_error = 0);
 
 }  // namespace candela

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <mutex>
 
 #include "integrators/ray_bench/compare_hits.h"
 #include "renderer/base/parallel.h"
@@ -63,15 +64,7 @@ void measure(const A& accelerator, const RecordedRays& rays, double seconds_each
   }
 }
 
-void add(const AgreementCounts& part, AgreementCounts& sum) {
-  sum.rays += part.rays;
-  sum.same_distance += part.same_distance;
-  sum.at_edge += part.at_edge;
-  sum.disagreeing += part.disagreeing;
-}
-
 void count(Agreement agreement, AgreementCounts& counts) {
-  ++counts.rays;
   switch (agreement) {
     case Agreement::Same:
       return;
@@ -87,23 +80,40 @@ void count(Agreement agreement, AgreementCounts& counts) {
   }
 }
 
+Agreement compare_occlusion(const Scene& scene, const EmbreeAccel& embree, const BvhAccel& bvh,
+                            const Ray& ray) {
+  if (embree.occluded(ray) == bvh.occluded(ray)) return Agreement::Same;
+  const Agreement hits = compare_hits(scene, ray, embree.intersect(ray), bvh.intersect(ray));
+  // Where the nearest hits agree all the same, one back end's two answers contradict each other.
+  return hits == Agreement::AtTheEdge ? hits : Agreement::Differs;
+}
+
 }  // namespace
+
+AgreementCounts& operator+=(AgreementCounts& sum, const AgreementCounts& part) {
+  sum.rays += part.rays;
+  sum.same_distance += part.same_distance;
+  sum.at_edge += part.at_edge;
+  sum.disagreeing += part.disagreeing;
+  return sum;
+}
 
 AgreementCounts count_agreement(const Scene& scene, const EmbreeAccel& embree, const BvhAccel& bvh,
                                 const std::vector<Ray>& rays, bool is_shadow) {
-  AgreementCounts counts;
-  for (const Ray& ray : rays) {
-    if (is_shadow && embree.occluded(ray) == bvh.occluded(ray)) {
-      ++counts.rays;
-      continue;
+  AgreementCounts sum;
+  std::mutex mutex;
+  parallel_for_chunks(rays.size(), rays_per_task, [&](std::size_t begin, std::size_t end) {
+    AgreementCounts part{.rays = end - begin};
+    for (std::size_t i = begin; i < end; ++i) {
+      const Ray& ray = rays[i];
+      count(is_shadow ? compare_occlusion(scene, embree, bvh, ray)
+                      : compare_hits(scene, ray, embree.intersect(ray), bvh.intersect(ray)),
+            part);
     }
-    Agreement agreement = compare_hits(scene, ray, embree.intersect(ray), bvh.intersect(ray));
-    // Occlusion differs though the nearest hits agree: an answer to the one call contradicts that
-    // to the other.
-    if (is_shadow && agreement != Agreement::AtTheEdge) agreement = Agreement::Differs;
-    count(agreement, counts);
-  }
-  return counts;
+    const std::lock_guard lock(mutex);
+    sum += part;
+  });
+  return sum;
 }
 
 RayBenchResult run_ray_bench(const Scene& scene, const RayBenchOptions& options, int threads) {
@@ -123,7 +133,7 @@ RayBenchResult run_ray_bench(const Scene& scene, const RayBenchOptions& options,
   for (std::size_t i = 0; i < rays.size(); ++i) {
     result.ray_counts[i] = rays[i].size();
     const bool is_shadow = static_cast<RayClass>(i) == RayClass::Shadow;
-    add(count_agreement(scene, *embree, *bvh, rays[i], is_shadow), result.agreement);
+    result.agreement += count_agreement(scene, *embree, *bvh, rays[i], is_shadow);
   }
   measure(*embree, rays, options.seconds_each, result.embree);
   measure(*bvh, rays, options.seconds_each, result.bvh);

@@ -34,6 +34,7 @@ struct AgreementCounts {
   std::uint64_t at_edge = 0;        // rounding decides, both are right
   std::uint64_t disagreeing = 0;    // one is wrong
 };
+AgreementCounts& operator+=(AgreementCounts& sum, const AgreementCounts& part);
 
 struct RayBenchResult {
   std::string embree_version;
@@ -51,7 +52,7 @@ struct RayBenchResult {
 [[nodiscard]] RayBenchResult run_ray_bench(const Scene& scene, const RayBenchOptions& options,
                                            int threads);
 
-// Compares the two back ends over rays, `is_shadow`: by occlusion.
+// Compares the two back ends over rays on the current arena's threads; is_shadow: by occlusion.
 [[nodiscard]] AgreementCounts count_agreement(const Scene& scene, const EmbreeAccel& embree,
                                               const BvhAccel& bvh, const std::vector<Ray>& rays,
                                               bool is_shadow);

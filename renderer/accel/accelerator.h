@@ -10,7 +10,8 @@
 namespace candela {
 
 // intersect: the nearest hit with 0 < t < ray.t_max, cut-outs seen through. occluded: whether there
-// is any. Both are pure and thread-safe.
+// is any. Both are pure and thread-safe. Whether a triangle is hit in whose plane the ray starts or
+// ends exactly is left open (Embree answers t = 0 then): offset the origin first.
 template <class A>
 concept Accelerator = requires(const A& accelerator, const Ray& ray) {
   { accelerator.intersect(ray) } -> std::same_as<Hit>;

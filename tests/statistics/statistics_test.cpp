@@ -2,6 +2,7 @@
 // small faults are found.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>

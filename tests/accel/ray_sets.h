@@ -1,0 +1,29 @@
+// Rays that accelerators must answer alike, ordinary and awkward ones.
+#pragma once
+
+#include <vector>
+
+#include "renderer/math/ray.h"
+#include "tests/scenes/soups.h"
+
+namespace candela::test {
+
+// From points about the soup towards points within it; every other one ends before infinity.
+[[nodiscard]] std::vector<Ray> random_rays(const Soup& soup, std::size_t count, std::uint32_t seed);
+
+// Along an axis, the other components +0 or -0; every other one starts at a vertex's coordinates,
+// in the planes of boxes.
+[[nodiscard]] std::vector<Ray> axis_rays(const Soup& soup, std::size_t count, std::uint32_t seed);
+
+// Within a triangle's own plane, as far as floats allow.
+[[nodiscard]] std::vector<Ray> in_plane_rays(const Soup& soup, std::size_t count,
+                                             std::uint32_t seed);
+
+// Towards vertices and points of edges, from points about the soup.
+[[nodiscard]] std::vector<Ray> edge_rays(const Soup& soup, std::size_t count, std::uint32_t seed);
+
+// From points of triangles, in all directions.
+[[nodiscard]] std::vector<Ray> surface_rays(const Soup& soup, std::size_t count,
+                                            std::uint32_t seed);
+
+}  // namespace candela::test
