@@ -4,6 +4,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cstring>
 #include <exception>
 #include <mutex>
 #include <new>
@@ -181,8 +182,7 @@ Diagnostics complaint_of(const OpenImage& image, const std::string& text) {
 Result<DecodedImage> decode_open_image(OpenImage& image, const DecodeLimits& limits) {
   DecodedImage decoded;
   decoded.header = header_of(image, limits);
-  decoded.samples = std::make_unique_for_overwrite<std::byte[]>(
-      decoded.header.sample_count() * size_of(decoded.header.sample_type));
+  decoded.samples = allocate_samples(decoded.header);
   const bool is_read = read_rows(image, decoded.header, decoded.samples.get());
   const std::string complaint = image.input->geterror();
   if (!is_read) return failure(fmt::format("is damaged: {}", first_line(complaint)));
@@ -253,6 +253,13 @@ std::size_t file_limit(const DecodeLimits& limits) {
 }
 
 }  // namespace
+
+std::unique_ptr<std::byte[]> allocate_samples(const ImageHeader& header) {
+  const std::size_t bytes = header.sample_count() * size_of(header.sample_type);
+  auto samples = std::make_unique_for_overwrite<std::byte[]>(bytes + sizeof(float));
+  std::memset(samples.get() + bytes, 0, sizeof(float));
+  return samples;
+}
 
 Result<ImageHeader> decode_header(const std::string& name, Bytes bytes,
                                   const DecodeLimits& limits) {

@@ -213,7 +213,7 @@ Result<DecodedImage> decode_tga(const Bytes& bytes) {
   if (!checked) return checked.diagnostics;
   DecodedImage image;
   image.header = std::move(*checked);
-  image.samples = std::make_unique_for_overwrite<std::byte[]>(image.header.sample_count());
+  image.samples = allocate_samples(image.header);
   const Result<TgaHeader> header = read_header(bytes);
   if (!Decoder(bytes, *header, image.samples.get()).run())
     return failure("is truncated or damaged: a pixel of the TGA is missing");

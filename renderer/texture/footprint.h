@@ -93,8 +93,12 @@ struct Footprint {
   AxisFootprint row;
 };
 
+// Nearly all textures repeat: that case is compiled into its place.
 [[nodiscard]] inline Footprint footprint_of(Vec2f uv, std::int32_t width, std::int32_t height,
                                             Wrap wrap) {
+  if (wrap == Wrap::Repeat)
+    return {repeated_footprint(fraction(uv.x), width),
+            repeated_footprint(1 - fraction(uv.y), height)};
   return {axis_footprint(uv.x, width, wrap, false), axis_footprint(uv.y, height, wrap, true)};
 }
 

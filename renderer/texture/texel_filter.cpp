@@ -5,98 +5,127 @@
 
 #include "renderer/image/half.h"
 #include "renderer/math/colour.h"
+#include "renderer/math/lanes_power.h"
 #include "renderer/math/transcendental.h"
 
 namespace candela {
 namespace {
 
-std::array<float, 256> byte_table(bool is_srgb) {
+std::array<float, 256> decoded_bytes() {
   std::array<float, 256> table{};
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const double value = static_cast<double>(i) / 255;
-    table[i] = static_cast<float>(is_srgb ? srgb_to_linear(value) : value);
-  }
+  for (std::size_t i = 0; i < table.size(); ++i)
+    table[i] = static_cast<float>(srgb_to_linear(static_cast<double>(i) / 255));
   return table;
 }
 
-const std::array<float, 256> linear_bytes = byte_table(false);
-const std::array<float, 256> srgb_bytes = byte_table(true);
+const std::array<float, 256> srgb_bytes = decoded_bytes();
 
 // IEC 61966-2-1 for samples that have no table.
 float decoded_srgb(float value) {
   return value <= 0.04045f ? value * (1 / 12.92f) : power((value + 0.055f) * (1 / 1.055f), 2.4);
 }
 
-template <class Sample>
-Sample sample_at(const std::byte* place) {
-  Sample sample;
-  std::memcpy(&sample, place, sizeof(Sample));
-  return sample;
+template <class Value>
+Value value_at(const std::byte* place) {
+  Value value;
+  std::memcpy(&value, place, sizeof(Value));
+  return value;
 }
+
+// What 1 is stored as.
+template <SampleType type>
+constexpr float unit = type == SampleType::U8    ? 255.0f
+                       : type == SampleType::U16 ? 65535.0f
+                                                 : 1.0f;
 
 template <SampleType type>
 float stored(const std::byte* place) {
   if constexpr (type == SampleType::U8)
-    return linear_bytes[sample_at<std::uint8_t>(place)];
+    return static_cast<float>(value_at<std::uint8_t>(place));
   else if constexpr (type == SampleType::U16)
-    return static_cast<float>(sample_at<std::uint16_t>(place)) * (1 / 65535.0f);
+    return static_cast<float>(value_at<std::uint16_t>(place));
   else if constexpr (type == SampleType::Half)
-    return half_to_float(sample_at<std::uint16_t>(place));
+    return half_to_float(value_at<std::uint16_t>(place));
   else
-    return sample_at<float>(place);
+    return value_at<float>(place);
 }
 
-template <SampleType type, bool is_srgb>
-float colour(const std::byte* place) {
-  if constexpr (!is_srgb)
-    return stored<type>(place);
-  else if constexpr (type == SampleType::U8)
-    return srgb_bytes[sample_at<std::uint8_t>(place)];
+template <SampleType type>
+float decoded(const std::byte* place) {
+  if constexpr (type == SampleType::U8)
+    return srgb_bytes[value_at<std::uint8_t>(place)];
   else
-    return decoded_srgb(stored<type>(place));
+    return decoded_srgb(stored<type>(place) / unit<type>);
 }
 
+// Four samples as stored; a texel of three brings its neighbour's first along, which is ignored.
+template <SampleType type>
+Float4 four_stored(const std::byte* place) {
+  if constexpr (type == SampleType::U8) {
+    using Byte4 = std::uint8_t __attribute__((vector_size(4)));
+    return __builtin_convertvector(value_at<Byte4>(place), Float4);
+  } else if constexpr (type == SampleType::Float) {
+    return value_at<Float4>(place);
+  } else {
+    return Float4{stored<type>(place), stored<type>(place + 2), stored<type>(place + 4),
+                  stored<type>(place + 6)};
+  }
+}
+
+// In stored units, or decoded with alpha beside it.
 template <SampleType type, int channels, bool is_srgb>
-Vec4f texel(const std::byte* place) {
+Float4 texel(const std::byte* place) {
   constexpr std::size_t step = size_of(type);
-  const float first = colour<type, is_srgb>(place);
-  if constexpr (channels == 1) return {first, first, first, 1};
-  if constexpr (channels == 2) return {first, first, first, stored<type>(place + step)};
-  const float second = colour<type, is_srgb>(place + step);
-  const float third = colour<type, is_srgb>(place + 2 * step);
-  if constexpr (channels == 3)
-    return {first, second, third, 1};
-  else
-    return {first, second, third, stored<type>(place + 3 * step)};
+  constexpr float one = is_srgb ? 1.0f : unit<type>;
+  const auto alpha = [place] {
+    const float value = stored<type>(place + (channels - 1) * step);
+    return is_srgb ? value / unit<type> : value;
+  };
+  if constexpr (channels <= 2) {
+    const float grey = is_srgb ? decoded<type>(place) : stored<type>(place);
+    return Float4{grey, grey, grey, channels == 2 ? alpha() : one};
+  } else if constexpr (is_srgb) {
+    return Float4{decoded<type>(place), decoded<type>(place + step),
+                  decoded<type>(place + 2 * step), channels == 4 ? alpha() : one};
+  } else {
+    return four_stored<type>(place);
+  }
+}
+
+// Black; a file without alpha is opaque beyond its edges too.
+template <SampleType type, int channels, bool is_srgb>
+Float4 border_texel() {
+  const float one = is_srgb ? 1.0f : unit<type>;
+  return Float4{0.0f, 0.0f, 0.0f, channels % 2 == 0 ? 0.0f : one};
 }
 
 // Exact where both ends are equal.
-Vec4f between(const Vec4f& a, const Vec4f& b, float weight) {
+Float4 between(Float4 a, Float4 b, float weight) {
   return a + weight * (b - a);
 }
 
 template <SampleType type, int channels, Encoding encoding, bool has_border>
 Vec4f filter(const TexelView& view, const Footprint& footprint) {
+  constexpr bool is_srgb = encoding == Encoding::Srgb;
+  constexpr bool has_alpha = channels % 2 == 0;
   constexpr std::size_t texel_bytes = size_of(type) * channels;
-  const auto at = [&](std::int32_t column, std::int32_t row) -> Vec4f {
+  const auto at = [&](std::int32_t column, std::int32_t row) -> Float4 {
     if constexpr (has_border)
-      if (column < 0 || row < 0) return {0, 0, 0, channels % 2 == 0 ? 0 : 1};
+      if (column < 0 || row < 0) return border_texel<type, channels, is_srgb>();
     const std::size_t index = static_cast<std::size_t>(row) * static_cast<std::size_t>(view.width) +
                               static_cast<std::size_t>(column);
-    return texel<type, channels, encoding == Encoding::Srgb>(view.samples + index * texel_bytes);
+    return texel<type, channels, is_srgb>(view.samples + index * texel_bytes);
   };
   const auto& [column, row] = footprint;
-  const Vec4f upper =
+  const Float4 upper =
       between(at(column.first, row.first), at(column.second, row.first), column.weight);
-  const Vec4f lower =
+  const Float4 lower =
       between(at(column.first, row.second), at(column.second, row.second), column.weight);
-  const Vec4f result = between(upper, lower, row.weight);
-  if constexpr (encoding != Encoding::LabGamma) return result;
-  if constexpr (channels <= 2) {
-    const float grey = power(result.x, 2.2);
-    return {grey, grey, grey, result.w};
-  }
-  return {power(result.x, 2.2), power(result.y, 2.2), power(result.z, 2.2), result.w};
+  Float4 result = between(upper, lower, row.weight);
+  if constexpr (!is_srgb) result = result / unit<type>;
+  const float alpha = has_alpha ? result[3] : 1.0f;
+  if constexpr (encoding == Encoding::LabGamma) result = power_2_2(result);
+  return {result[0], result[1], result[2], alpha};
 }
 
 template <SampleType type, int channels, Encoding encoding>
