@@ -4,7 +4,7 @@
 
 #include "renderer/bsdf/dispatch.h"
 #include "tests/bsdf/bsdf_cases.h"
-#include "tests/statistics/direction_test.h"
+#include "tests/statistics/direction_sampling.h"
 #include "tests/statistics/distributions.h"
 #include "tests/statistics/moments.h"
 

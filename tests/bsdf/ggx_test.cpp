@@ -4,7 +4,7 @@
 
 #include "renderer/sampling/sobol.h"
 #include "tests/bsdf/bsdf_cases.h"
-#include "tests/statistics/direction_test.h"
+#include "tests/statistics/direction_sampling.h"
 #include "tests/statistics/distributions.h"
 
 namespace candela {

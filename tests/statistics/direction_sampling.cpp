@@ -1,4 +1,4 @@
-#include "tests/statistics/direction_test.h"
+#include "tests/statistics/direction_sampling.h"
 
 #include <algorithm>
 #include <array>
