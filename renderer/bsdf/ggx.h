@@ -45,7 +45,7 @@ inline constexpr float smallest_ggx_width = 1e-4f;
                                           Vec2f u) {
   const float z = (1 - u.y) * (1 + bound) - bound;
   const float r = std::sqrt(std::max(0.0f, 1 - z * z));
-  const SinCos phi = sin_cos(two_pi * u.x);
+  const SinCos phi = sin_cos_of_turns(u.x);
   const Vec3f m = stretched_wo + Vec3f{r * phi.cos, r * phi.sin, z};
   const Vec3f normal{a * m.x, a * m.y, m.z};
   const float length2 = length_squared(normal);

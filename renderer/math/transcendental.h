@@ -16,22 +16,52 @@ struct SinCos {
   float cos;
 };
 
+// Sine and cosine for |x| <= pi/4, absolute error below 6.5e-8: the minimax polynomials of Cephes'
+// sinf and cosf [Moshier89].
+[[nodiscard]] inline SinCos sin_cos_of_octant(float x) {
+  const float z = x * x;
+  return {
+      ((-1.9515295891e-4f * z + 8.3321608736e-3f) * z - 1.6666654611e-1f) * z * x + x,
+      ((2.443315711809948e-5f * z - 1.388731625493765e-3f) * z + 4.166664568298827e-2f) * z * z -
+          0.5f * z + 1.0f};
+}
+
+// Exchanges two floats where `condition` holds, without a branch: for conditions that random
+// numbers decide.
+inline void swap_if(bool condition, float& a, float& b) {
+  const auto a_bits = std::bit_cast<std::uint32_t>(a);
+  const auto b_bits = std::bit_cast<std::uint32_t>(b);
+  const std::uint32_t change = (a_bits ^ b_bits) & (0u - static_cast<std::uint32_t>(condition));
+  a = std::bit_cast<float>(a_bits ^ change);
+  b = std::bit_cast<float>(b_bits ^ change);
+}
+
+// Sine and cosine of quadrant * pi/2 + x, |x| <= pi/4, without branches.
+[[nodiscard]] inline SinCos sin_cos_of_quadrant(std::uint32_t quadrant, float x) {
+  SinCos result = sin_cos_of_octant(x);
+  swap_if((quadrant & 1) != 0, result.sin, result.cos);
+  const std::uint32_t sine_sign = (quadrant & 2) << 30;
+  const std::uint32_t cosine_sign = ((quadrant + 1) & 2) << 30;
+  return {std::bit_cast<float>(std::bit_cast<std::uint32_t>(result.sin) ^ sine_sign),
+          std::bit_cast<float>(std::bit_cast<std::uint32_t>(result.cos) ^ cosine_sign)};
+}
+
 // Sine and cosine for |x| <= 1e4, absolute error below 1.2e-7. Reduction to [-pi/4, pi/4] in
-// double, then the minimax polynomials of Cephes' sinf and cosf [Moshier89].
+// double.
 [[nodiscard]] inline SinCos sin_cos(float x) {
   const double turns = static_cast<double>(x) * 0.63661977236758134308;  // 2 / pi
   const auto quadrant = static_cast<std::int64_t>(turns + (turns < 0 ? -0.5 : 0.5));
   const auto r =
       static_cast<float>((turns - static_cast<double>(quadrant)) * 1.57079632679489661923);
-  const float z = r * r;
-  const float s = ((-1.9515295891e-4f * z + 8.3321608736e-3f) * z - 1.6666654611e-1f) * z * r + r;
-  const float c =
-      ((2.443315711809948e-5f * z - 1.388731625493765e-3f) * z + 4.166664568298827e-2f) * z * z -
-      0.5f * z + 1.0f;
-  const bool is_swapped = (quadrant & 1) != 0;
-  const float sine = is_swapped ? c : s;
-  const float cosine = is_swapped ? s : c;
-  return {(quadrant & 2) != 0 ? -sine : sine, ((quadrant + 1) & 2) != 0 ? -cosine : cosine};
+  return sin_cos_of_quadrant(static_cast<std::uint32_t>(quadrant), r);
+}
+
+// Sine and cosine of 2 pi u for u in [0, 1], absolute error below 1.2e-7. The reduction to an
+// octant is exact.
+[[nodiscard]] inline SinCos sin_cos_of_turns(float u) {
+  const auto quadrant = static_cast<std::int32_t>(4 * u + 0.5f);
+  const float r = u - 0.25f * static_cast<float>(quadrant);
+  return sin_cos_of_quadrant(static_cast<std::uint32_t>(quadrant), r * 6.28318530717958647693f);
 }
 
 // The arc tangent of x in [0, 1], relative error below 2e-7: reduction to |x| <= tan(pi/8), then

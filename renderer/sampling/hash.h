@@ -25,6 +25,14 @@ namespace candela {
   return hash_combine(mix_bits(seed ^ 0x5851f42d4c957f2dull), (std::uint64_t{y} << 32) | x);
 }
 
+// Random bits of the n-th of many streams that share one key; half the cost of hash_combine. A full
+// product folded onto itself, as in wyhash [Wang20].
+[[nodiscard]] constexpr std::uint64_t hash_counter(std::uint64_t key, std::uint64_t n) {
+  const std::uint64_t a = key + 0x9e3779b97f4a7c15ull * (n + 1);
+  const unsigned __int128 product = static_cast<unsigned __int128>(a) * (a ^ 0xa0761d6478bd642full);
+  return static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
+}
+
 // 32 random bits -> [0, 1): the upper 24 bits, so that 1 is never reached.
 [[nodiscard]] constexpr float unit_float(std::uint32_t bits) {
   return static_cast<float>(bits >> 8) * 0x1p-24f;

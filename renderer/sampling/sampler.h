@@ -1,8 +1,9 @@
 // The stateless sampler: Owen-scrambled Sobol points by hashing, padded by named dimension.
 //
-// Each (pixel, bounce, dimension) sees its own Owen scramble of the first two Sobol dimensions with
-// its sample index shuffled by another [Burley20, section 5], so every pair is a (0,2)-sequence in
-// base 2 in every prefix of a power of two, and pairs are independent of each other.
+// Each (pixel, bounce, dimension) sees its own nested scramble of the first two Sobol dimensions
+// with its sample index shuffled by another [Burley20, section 5], so every pair is a
+// (0,2)-sequence in base 2 in every prefix of a power of two, and pairs are independent of each
+// other.
 #pragma once
 
 #include <cstdint>
@@ -16,30 +17,35 @@ namespace candela {
 class Sampler {
  public:
   Sampler(std::uint64_t seed, std::uint32_t pixel_x, std::uint32_t pixel_y, std::uint32_t sample)
-      : pixel_key_(hash_pixel(seed, pixel_x, pixel_y)), sample_(sample) {}
+      : pixel_key_(hash_pixel(seed, pixel_x, pixel_y)),
+        sample_(sample),
+        reversed_sample_(reverse_bits(sample)) {}
 
   // Both in [0, 1).
   [[nodiscard]] Vec2f sample_2d(std::uint32_t bounce, Dimension dimension) const {
-    return owen_sobol_2d(sample_, key(bounce, dimension));
+    const SobolPoint point = scrambled_sobol_2d(reversed_sample_, key(bounce, dimension));
+    return {unit_float(point.x), unit_float(point.y)};
   }
   // In [0, 1).
   [[nodiscard]] float sample_1d(std::uint32_t bounce, Dimension dimension) const {
-    return owen_sobol_1d(sample_, key(bounce, dimension));
+    return unit_float(sample_1d_bits(bounce, dimension));
   }
   // All 32 bits: for choices among so many things that 24 bits are too coarse.
   [[nodiscard]] std::uint32_t sample_1d_bits(std::uint32_t bounce, Dimension dimension) const {
-    return owen_sobol_1d_bits(sample_, key(bounce, dimension));
+    return scrambled_sobol_1d(reversed_sample_, key(bounce, dimension));
   }
   [[nodiscard]] std::uint32_t sample_index() const { return sample_; }
 
  private:
   [[nodiscard]] std::uint64_t key(std::uint32_t bounce, Dimension dimension) const {
-    return mix_bits(pixel_key_ +
-                    ((std::uint64_t{bounce} << 8) | static_cast<std::uint64_t>(dimension)));
+    const std::uint64_t place =
+        (std::uint64_t{bounce} << 8) | static_cast<std::uint64_t>(dimension);
+    return hash_counter(pixel_key_, place);
   }
 
   std::uint64_t pixel_key_;
   std::uint32_t sample_;
+  std::uint32_t reversed_sample_;
 };
 
 }  // namespace candela

@@ -7,17 +7,18 @@
 
 namespace candela {
 
-// Uniform on the unit disk, area-preserving and continuous [Shirley97].
+// Uniform on the unit disk, area-preserving and continuous [Shirley97]. The wedge about y is that
+// about x with the axes exchanged, so neither needs a branch.
 [[nodiscard]] inline Vec2f square_to_disk(Vec2f u) {
-  const float a = 2 * u.x - 1;
-  const float b = 2 * u.y - 1;
-  if (a == 0 && b == 0) return {0, 0};
-  if (a * a > b * b) {
-    const SinCos angle = sin_cos((pi / 4) * (b / a));
-    return {a * angle.cos, a * angle.sin};
-  }
-  const SinCos angle = sin_cos((pi / 2) - (pi / 4) * (a / b));
-  return {b * angle.cos, b * angle.sin};
+  float radius = 2 * u.x - 1;
+  float across = 2 * u.y - 1;
+  const bool is_about_y = std::abs(across) > std::abs(radius);
+  swap_if(is_about_y, radius, across);
+  if (radius == 0) return {0, 0};
+  const SinCos angle = sin_cos_of_octant((pi / 4) * (across / radius));
+  Vec2f disk{radius * angle.cos, radius * angle.sin};
+  swap_if(is_about_y, disk.x, disk.y);
+  return disk;
 }
 
 // Density cos(theta) / pi over the hemisphere about z [Malley].
@@ -33,7 +34,7 @@ namespace candela {
 [[nodiscard]] inline Vec3f square_to_uniform_hemisphere(Vec2f u) {
   const float z = u.x;
   const float r = std::sqrt(std::max(0.0f, 1 - z * z));
-  const SinCos phi = sin_cos(two_pi * u.y);
+  const SinCos phi = sin_cos_of_turns(u.y);
   return {r * phi.cos, r * phi.sin, z};
 }
 
@@ -41,7 +42,7 @@ namespace candela {
 [[nodiscard]] inline Vec3f square_to_uniform_sphere(Vec2f u) {
   const float z = 1 - 2 * u.x;
   const float r = std::sqrt(std::max(0.0f, 1 - z * z));
-  const SinCos phi = sin_cos(two_pi * u.y);
+  const SinCos phi = sin_cos_of_turns(u.y);
   return {r * phi.cos, r * phi.sin, z};
 }
 
