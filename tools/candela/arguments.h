@@ -80,6 +80,7 @@ struct CompareArguments {
 
 struct BenchArguments {
   SceneArguments scene;
+  double seconds_each = 0.5;  // for each kind of rays
   int threads = 0;
   bool as_json = false;
 };

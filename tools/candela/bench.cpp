@@ -45,7 +45,9 @@ ExitCode run_bench(const BenchArguments& arguments) {
   const ReadScene read = read_scene(arguments.scene, console);
   if (!read.is_usable()) return ExitCode::Scene;
   const int threads = arguments.threads > 0 ? arguments.threads : available_threads();
-  const RayBenchResult result = run_ray_bench(*read.scene, {}, threads);
+  RayBenchOptions options;
+  options.seconds_each = arguments.seconds_each;
+  const RayBenchResult result = run_ray_bench(*read.scene, options, threads);
   return print_result(arguments.as_json ? to_json(arguments.scene.path, result)
                                         : to_text(arguments.scene.path, result),
                       console);

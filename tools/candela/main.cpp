@@ -1,3 +1,98 @@
-int main() {
-  return 0;
+// The way of the data: load, compile, build, render, write.
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "integrators/render.h"
+#include "renderer/accel/any_accel.h"
+#include "renderer/base/parallel.h"
+#include "renderer/image/image_io.h"
+#include "renderer/scene/compile.h"
+#include "scene_io/load.h"
+#include "tools/candela/commands.h"
+#include "tools/candela/console.h"
+#include "tools/candela/guarded.h"
+#include "tools/candela/interrupt.h"
+#include "tools/candela/output_files.h"
+#include "tools/candela/parse_arguments.h"
+#include "tools/candela/render_run.h"
+#include "tools/candela/render_settings.h"
+
+namespace candela::cli {
+namespace {
+
+ExitCode render_scene(const RenderArguments& arguments) {
+  RenderRun run(arguments);
+  if (!run.outputs_are_writable()) return run.exit_code();
+
+  auto description = run.timed(&StageSeconds::load,
+                               [&] { return load(arguments.scene.path, arguments.scene.load); });
+  if (!run.accepts(description) || !run.settles(*description)) return run.exit_code();
+
+  const auto scene = run.timed(&StageSeconds::compile, [&] {
+    return compile(*description, compile_options(run.options()));
+  });
+  if (!run.accepts(scene) || !run.accepts_textures(*scene)) return run.exit_code();
+  description.value.reset();  // its meshes in double are not needed any more
+
+  const AnyAccelerator accelerator = run.timed(&StageSeconds::build, [&] {
+    return build_accelerator(*scene, arguments.accelerator, arguments.embree);
+  });
+
+  ProgressSink* const progress = run.start_rendering(*scene);
+  const RenderResult result = run.timed(&StageSeconds::render, [&] {
+    return render(*scene, accelerator, run.options(), progress, &cancel_flag());
+  });
+  run.rendered(*scene, result);
+  {
+    const WritingGuard guard(run.outputs());
+    const Image image = result.film.to_image(arguments.is_transparent);
+    for (const std::string& path : run.outputs())
+      run.wrote(path, run.timed(&StageSeconds::write,
+                                [&] { return write_image(path, image, run.write_options()); }));
+  }
+  return run.finish(*scene, accelerator);
+}
+
+ExitCode run_command(const RenderArguments& arguments) {
+  ExitCode code = ExitCode::Bug;
+  with_threads(arguments.threads, [&] { code = render_scene(arguments); });
+  return code;
+}
+ExitCode run_command(const InfoArguments& arguments) {
+  return run_info(arguments);
+}
+ExitCode run_command(const CheckArguments& arguments) {
+  return run_check(arguments);
+}
+ExitCode run_command(const CompareArguments& arguments) {
+  return run_compare(arguments);
+}
+ExitCode run_command(const BenchArguments& arguments) {
+  ExitCode code = ExitCode::Bug;
+  with_threads(arguments.threads, [&] { code = run_bench(arguments); });
+  return code;
+}
+
+ExitCode run(const std::vector<std::string>& words) {
+  Console console(false);
+  const ParsedArguments parsed = parse_arguments(words);
+  if (!parsed.error.empty()) std::fputs(parsed.error.c_str(), stderr);
+  if (!parsed.arguments) {
+    const ExitCode printed = print_result(parsed.output, console);
+    return parsed.exit_code == ExitCode::Done ? printed : parsed.exit_code;
+  }
+  return std::visit([](const auto& arguments) { return run_command(arguments); },
+                    *parsed.arguments);
+}
+
+}  // namespace
+}  // namespace candela::cli
+
+int main(int count, char** words) {
+  candela::cli::install_signal_handlers();
+  return static_cast<int>(candela::cli::guarded([&] {
+    return candela::cli::run({words + std::min(count, 1), words + count});
+  }));
 }

@@ -199,6 +199,8 @@ struct CommandLine {
         *app.add_subcommand("bench", "Measure Embree against the reference BVH on a scene");
     add_scene(command, bench.scene);
     add_threads(command, bench.threads);
+    add_value(command, "--seconds", "S", bench.seconds_each, parse_positive_number,
+              "Measure each kind of rays for so long [0.5]");
     add_json(command, bench.as_json);
     add_reading(command, bench.scene);
   }

@@ -1,0 +1,137 @@
+// `candela render` end to end on small pictures.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <filesystem>
+
+#include "renderer/image/image_io.h"
+#include "tests/tools/run_program.h"
+
+namespace candela::cli_test {
+namespace {
+
+Image image_at(const std::string& path) {
+  Result<Image> image = read_image(path);
+  EXPECT_TRUE(image) << path;
+  return image ? std::move(*image) : Image{};
+}
+
+Image rendered(const std::string& path, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{"render", small_scene(), "-q",    "-o", path,
+                                     "--size", "20x14",       "--spp", "2"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const ProgramResult result = run_candela(arguments);
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  return image_at(path);
+}
+
+bool are_same_bits(const Image& a, const Image& b) {
+  return a.width == b.width && a.height == b.height && a.channels == b.channels &&
+         std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(float)) == 0;
+}
+
+TEST(Unit_RenderCommand, TheSameSeedGivesTheSameBitsForAnyThreads) {
+  const std::string folder = fresh_folder("seed");
+  const Image first = rendered(folder + "/a.exr", {"--seed", "5", "-t", "1"});
+  const Image again = rendered(folder + "/b.exr", {"--seed", "5", "-t", "3"});
+  const Image other = rendered(folder + "/c.exr", {"--seed", "6"});
+  EXPECT_TRUE(are_same_bits(first, again));
+  EXPECT_FALSE(are_same_bits(first, other));
+}
+
+TEST(Unit_RenderCommand, ACropHasThePixelsOfTheWhole) {
+  const std::string folder = fresh_folder("crop");
+  const Image whole = rendered(folder + "/whole.exr", {});
+  const Image crop = rendered(folder + "/crop.exr", {"--crop", "3,5,17,11"});
+  ASSERT_EQ(crop.width, 14);
+  ASSERT_EQ(crop.height, 6);
+  for (int y = 0; y < crop.height; ++y)
+    EXPECT_EQ(std::memcmp(crop.pixel(0, y), whole.pixel(3, y + 5), 14 * 3 * sizeof(float)), 0) << y;
+}
+
+TEST(Unit_RenderCommand, WritesSeveralOutputsAtOnce) {
+  const std::string folder = fresh_folder("several");
+  rendered(folder + "/a.exr", {"-o", folder + "/a.png", "-o", folder + "/a.hdr"});
+  EXPECT_EQ(file_names(folder), (std::vector<std::string>{"a.exr", "a.hdr", "a.png"}));
+  for (const char* name : {"/a.exr", "/a.png", "/a.hdr"}) {
+    const Image image = image_at(folder + name);
+    EXPECT_EQ(image.width, 20);
+    EXPECT_EQ(image.height, 14);
+  }
+}
+
+TEST(Unit_RenderCommand, ADefaultOutputIsNamedAfterTheScene) {
+  const std::string folder = fresh_folder("default_output");
+  const ProgramResult result =
+      Program({"/bin/sh", "-c", "cd \"$1\" && exec \"$0\" render \"$2\" --size 2x2 --spp 1",
+               CANDELA_PROGRAM, folder, small_scene()},
+              ErrorStream::File)
+          .finish();
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_EQ(file_names(folder), std::vector<std::string>{"cornell_box_diffuse.exr"});
+}
+
+TEST(Unit_RenderCommand, LayersAreInTheExr) {
+  const Image image = rendered(fresh_folder("layers") + "/a.exr",
+                               {"--aov", "albedo,normal,depth,position,material_id,samples"});
+  for (const char* name :
+       {"R", "G", "B", "albedo.R", "albedo.G", "albedo.B", "normal.X", "normal.Y", "normal.Z",
+        "depth.Z", "position.X", "position.Y", "position.Z", "material_id.V", "samples.V"})
+    EXPECT_GE(image.channel_index(name), 0) << name;
+  EXPECT_EQ(image.pixel(10, 7)[image.channel_index("samples.V")], 2);
+}
+
+TEST(Unit_RenderCommand, LayersWithoutAnExrAreWarnedOf) {
+  const std::string path = fresh_folder("layers_png") + "/a.png";
+  const ProgramResult result = run_candela(
+      {"render", small_scene(), "-q", "-o", path, "--size", "4x4", "--spp", "1", "--aov", "depth"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.error.find("warning: --aov: only an EXR"), std::string::npos) << result.error;
+}
+
+TEST(Unit_RenderCommand, TransparencyIsAlpha) {
+  const Image image = rendered(fresh_folder("alpha") + "/a.exr", {"--transparent"});
+  ASSERT_GE(image.channel_index("A"), 0);
+  EXPECT_EQ(image.pixel(10, 7)[image.channel_index("A")], 1);  // the back wall
+}
+
+TEST(Unit_RenderCommand, QuietIsSilent) {
+  const std::string path = fresh_folder("quiet") + "/a.exr";
+  const ProgramResult result =
+      run_candela({"render", small_scene(), "--quiet", "-o", path, "--size", "4x4", "--spp", "1"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.output, "");
+  EXPECT_EQ(result.error, "");
+}
+
+TEST(Unit_RenderCommand, ElsewhereThanOnATerminalThereAreOnlyLines) {
+  const std::string path = fresh_folder("lines") + "/a.exr";
+  const ProgramResult result =
+      run_candela({"render", small_scene(), "-o", path, "--size", "4x4", "--spp", "1"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.output, "");
+  EXPECT_EQ(result.error.find_first_of("\r\x1b"), std::string::npos) << result.error;
+  EXPECT_NE(result.error.find("\n100 %"), std::string::npos) << result.error;
+  EXPECT_EQ(result.error.back(), '\n');
+}
+
+TEST(Unit_RenderCommand, OnATerminalThereIsABar) {
+  const std::string path = fresh_folder("bar") + "/a.exr";
+  const ProgramResult result =
+      run_candela({"render", small_scene(), "-o", path, "--size", "100x100", "--spp", "64"},
+                  ErrorStream::Terminal);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.error.find("\r\x1b[K["), std::string::npos) << result.error;
+  EXPECT_NE(result.error.find("Msamples/s"), std::string::npos) << result.error;
+  EXPECT_NE(result.error.find("\r\x1b[K100 %"), std::string::npos) << result.error;
+}
+
+TEST(Unit_RenderCommand, BothAcceleratorsRender) {
+  const std::string folder = fresh_folder("accel");
+  const Image embree = rendered(folder + "/embree.exr", {"--robust", "on"});
+  const Image bvh = rendered(folder + "/bvh.exr", {"--accel", "bvh"});
+  EXPECT_EQ(embree.values.size(), bvh.values.size());
+}
+
+}  // namespace
+}  // namespace candela::cli_test

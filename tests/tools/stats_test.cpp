@@ -1,0 +1,99 @@
+// --stats against docs/stats.schema.json, by a validator that is tested here too.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/json_schema.h"
+#include "tests/tools/run_program.h"
+
+namespace candela::cli_test {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string schema() {
+  return file_text(std::string(CANDELA_SOURCE_DIR) + "/docs/stats.schema.json");
+}
+
+Json stats_of(const std::vector<std::string>& more, const std::string& scene = small_scene()) {
+  const std::string folder = fresh_folder("stats");
+  std::vector<std::string> arguments{
+      "render", scene,   "-o", folder + "/a.exr", "--size",
+      "12x8",   "--spp", "3",  "--stats",         folder + "/stats.json"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const ProgramResult result = run_candela(arguments);
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  return Json::parse(file_text(folder + "/stats.json"));
+}
+
+void expect_valid(const Json& stats) {
+  for (const std::string& violation : schema_violations(schema(), stats.dump()))
+    ADD_FAILURE() << violation << "\n" << stats.dump(2);
+}
+
+TEST(Unit_Stats, KeepToTheirSchema) {
+  expect_valid(stats_of({}));
+  expect_valid(stats_of({"--ray-limit"}));
+  expect_valid(stats_of({"--crop", "1,2,5,6", "--max-depth", "3", "--transparent", "--accel", "bvh",
+                         "--filter", "box", "--seed", "18446744073709551615"}));
+}
+
+TEST(Unit_Stats, TellWhatWasAskedAndDone) {
+  const Json stats = stats_of({"-t", "2", "--seed", "9", "--max-depth", "4"});
+  EXPECT_EQ(stats["scene"], small_scene());
+  EXPECT_EQ(stats["width"], 12);
+  EXPECT_EQ(stats["height"], 8);
+  EXPECT_EQ(stats["spp"], 3);
+  EXPECT_EQ(stats["min_samples"], 3);
+  EXPECT_EQ(stats["max_samples"], 3);
+  EXPECT_EQ(stats["threads"], 2);
+  EXPECT_EQ(stats["seed"], 9);
+  EXPECT_EQ(stats["max_depth"], 4);
+  EXPECT_EQ(stats["invalid_samples"], 0);
+  EXPECT_EQ(stats["rays"]["camera"], 12 * 8 * 3);
+  EXPECT_GT(stats["rays"]["shadow"], 0);
+  EXPECT_GT(stats["rays"]["indirect"], 0);
+  EXPECT_GT(stats["peak_memory_bytes"], 1'000'000);
+  EXPECT_GT(stats["seconds"]["render"], 0);
+  EXPECT_EQ(stats["outputs"].size(), 1u);
+  EXPECT_EQ(stats["interrupted"], false);
+}
+
+TEST(Unit_Stats, TheLimitRatioIsThereWhenAskedFor) {
+  EXPECT_FALSE(stats_of({}).contains("limit_ratio"));
+  EXPECT_GT(stats_of({"--ray-limit"})["limit_ratio"], 0);
+}
+
+TEST(Unit_Stats, TheSceneHashDoesNotDependOnTheFolder) {
+  const std::string folder = fresh_folder("stats_copy");
+  std::filesystem::copy(std::filesystem::path(small_scene()).parent_path(), folder,
+                        std::filesystem::copy_options::recursive);
+  const std::string copy = folder + "/cornell_box_diffuse.yaml";
+  const Json hash = stats_of({})["scene_hash"];
+  EXPECT_EQ(hash, stats_of({}, copy)["scene_hash"]);
+  write_text(folder + "/tall_box.obj", file_text(folder + "/tall_box.obj") + "# changed\n");
+  EXPECT_NE(hash, stats_of({}, copy)["scene_hash"]);
+}
+
+// Each kind of lie is found.
+TEST(Unit_Stats, TheValidatorFindsViolations) {
+  const Json valid = stats_of({});
+  const auto count_after = [&](const char* patch) {
+    return schema_violations(schema(), valid.patch(Json::parse(patch)).dump()).size();
+  };
+  EXPECT_EQ(count_after("[]"), 0u);
+  EXPECT_EQ(count_after(R"([{"op":"remove","path":"/kernel"}])"), 1u);
+  EXPECT_EQ(count_after(R"([{"op":"add","path":"/surprise","value":1}])"), 1u);
+  EXPECT_EQ(count_after(R"([{"op":"replace","path":"/spp","value":1.5}])"), 1u);
+  EXPECT_EQ(count_after(R"([{"op":"replace","path":"/spp","value":0}])"), 1u);
+  EXPECT_EQ(count_after(R"([{"op":"replace","path":"/accel","value":"none"}])"), 1u);
+  EXPECT_EQ(count_after(R"([{"op":"replace","path":"/scene_hash","value":"xyz"}])"), 1u);
+  EXPECT_EQ(count_after(R"([{"op":"remove","path":"/seconds/write"}])"), 1u);
+  EXPECT_EQ(count_after(R"([{"op":"remove","path":"/crop/0"}])"), 1u);
+  EXPECT_EQ(count_after(R"([{"op":"add","path":"/warnings/0","value":3}])"), 1u);
+  EXPECT_EQ(schema_violations(R"({"maximum":3})", "1").size(), 1u);
+}
+
+}  // namespace
+}  // namespace candela::cli_test
