@@ -1,13 +1,13 @@
 // Every asset and integrator against its reference image, by z-tests on pixels, blocks and the
 // whole.
 //
-// References are 64x64 EXRs in this folder: R G B the mean of 128 renders of 32 samples a pixel,
-// variance.R .G .B the variance of that mean. An image under test is the mean of 16 such renders;
-// its variance follows from the reference's, whose estimate has seen eight times more (a pixel
-// that rare events make bright would look certain in 16 renders that missed them).
-// `CANDELA_WRITE_REFERENCES=1 candela_tests --gtest_filter='Regression_*'` renders them anew (look
-// at them before committing). On failure image, reference and difference are kept in the test's
-// output folder.
+// References are 64x64 EXRs in this folder, of 128 renders of 32 samples a pixel: R G B the mean
+// radiance (to look at), bounded.R .G .B and variance.R .G .B the mean of x / (1 + x) and the
+// variance of that mean. An image under test is 16 such renders; its variance follows from the
+// reference's, which has seen eight times more, pooled with its neighbours': a pixel that rare
+// events make bright would look certain in renders that missed them. `CANDELA_WRITE_REFERENCES=1
+// candela_tests --gtest_filter='Regression_*'` renders them anew (look at them before committing).
+// On failure image, reference and difference are kept in the test's output folder.
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -57,7 +57,8 @@ description::SceneDescription described(const Case& c) {
 
 // The mean of independent renders and the variance of that mean.
 struct Measured {
-  Image mean{size, size, {"R", "G", "B"}};
+  Image radiance{size, size, {"R", "G", "B"}};
+  Image mean{size, size, {"R", "G", "B"}};  // of x / (1 + x)
   Image variance{size, size, {"R", "G", "B"}};
 };
 
@@ -66,12 +67,14 @@ Measured measure(const description::SceneDescription& description, const Case& c
   RenderSettings settings = test::settings_of(size, samples_a_replicate);
   settings.options.integrator = c.integrator;
   const Scene scene = test::compiled(description, settings.options);
-  std::vector<double> sum(size * size * 3), squares(size * size * 3);
+  std::vector<double> radiance(size * size * 3), sum(radiance), squares(radiance);
   for (int i = 0; i < count; ++i) {
     settings.options.seed = first_seed + static_cast<std::uint64_t>(i);
     const Image image = test::rendered(scene, settings).film.to_image(false);
     for (std::size_t k = 0; k < sum.size(); ++k) {
-      const double v = image.values[k];
+      const double x = image.values[k];
+      const double v = x / (1 + x);
+      radiance[k] += x;
       sum[k] += v;
       squares[k] += v * v;
     }
@@ -79,6 +82,7 @@ Measured measure(const description::SceneDescription& description, const Case& c
   Measured out;
   for (std::size_t k = 0; k < sum.size(); ++k) {
     const double mean = sum[k] / count;
+    out.radiance.values[k] = static_cast<float>(radiance[k] / count);
     out.mean.values[k] = static_cast<float>(mean);
     out.variance.values[k] =
         static_cast<float>(std::max(0.0, squares[k] / count - mean * mean) / (count - 1));
@@ -88,11 +92,14 @@ Measured measure(const description::SceneDescription& description, const Case& c
 
 void write_reference(const Case& c) {
   const Measured m = measure(described(c), c, reference_replicates, first_reference_seed);
-  Image image(size, size, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
+  Image image(size, size,
+              {"R", "G", "B", "bounded.R", "bounded.G", "bounded.B", "variance.R", "variance.G",
+               "variance.B"});
   for (std::size_t i = 0; i < image.pixel_count(); ++i)
     for (std::size_t k = 0; k < 3; ++k) {
-      image.values[6 * i + k] = m.mean.values[3 * i + k];
-      image.values[6 * i + 3 + k] = m.variance.values[3 * i + k];
+      image.values[9 * i + k] = m.radiance.values[3 * i + k];
+      image.values[9 * i + 3 + k] = m.mean.values[3 * i + k];
+      image.values[9 * i + 6 + k] = m.variance.values[3 * i + k];
     }
   EXPECT_FALSE(write_image(reference_path(c).string(), image, {}).has_errors());
 }
@@ -109,7 +116,7 @@ Measured read_reference(const Case& c) {
     EXPECT_GE(index, 0) << name;
     return static_cast<std::size_t>(std::max(index, 0));
   };
-  const std::array mean{channel("R"), channel("G"), channel("B")};
+  const std::array mean{channel("bounded.R"), channel("bounded.G"), channel("bounded.B")};
   const std::array variance{channel("variance.R"), channel("variance.G"), channel("variance.B")};
   for (std::size_t i = 0; i < image->pixel_count(); ++i)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -119,14 +126,31 @@ Measured read_reference(const Case& c) {
   return out;
 }
 
+// Each value, or the mean of its 5 x 5 neighbourhood where that is larger.
+Image pooled(const Image& variance) {
+  Image out = variance;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x)
+      for (int c = 0; c < 3; ++c) {
+        float sum = 0;
+        float count = 0;
+        for (int v = std::max(y - 2, 0); v <= std::min(y + 2, size - 1); ++v)
+          for (int u = std::max(x - 2, 0); u <= std::min(x + 2, size - 1); ++u, ++count)
+            sum += variance.pixel(u, v)[c];
+        out.pixel(x, y)[c] = std::max(variance.pixel(x, y)[c], sum / count);
+      }
+  return out;
+}
+
 statistics::ImageTestResult compare(const Measured& image, const Measured& reference) {
-  Image variance = reference.variance;
+  const Image reference_variance = pooled(reference.variance);
+  Image variance = reference_variance;
   for (float& v : variance.values) v *= static_cast<float>(reference_replicates) / replicates;
   statistics::ImageTestOptions options;
   options.level = 1e-3;
   options.degrees_of_freedom = replicates - 1;  // means of so few renders have tails
   return statistics::compare_images({&image.mean, &variance},
-                                    {&reference.mean, &reference.variance}, options);
+                                    {&reference.mean, &reference_variance}, options);
 }
 
 void keep_evidence(const Case& c, const Measured& a, const Measured& reference) {
