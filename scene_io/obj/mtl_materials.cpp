@@ -14,7 +14,7 @@ using namespace description;
 
 constexpr double default_glass_index = 1.5;
 constexpr double dielectric_reflectance = 0.04;  // of index 1.5 at normal incidence
-constexpr double smooth_glass_exponent = 100.0;
+constexpr double smooth_exponent = 100.0;        // Ns from which glass and mirrors are smooth
 
 class ImageTable {
  public:
@@ -72,8 +72,9 @@ bool transmits(const MtlStatements& s) {
 
 bool mirrors(const MtlStatements& s) {
   const int illum = s.illum.value_or(2);
-  return illum >= 3 && illum <= 9 && !s.map_kd && !s.map_ks && is_black(clamped(s.kd)) &&
-         !is_black(clamped(s.ks));
+  const bool is_smooth = s.ns.value_or(smooth_exponent) >= smooth_exponent;
+  return illum >= 3 && illum <= 9 && is_smooth && !s.map_kd && !s.map_ks &&
+         is_black(clamped(s.kd)) && !is_black(clamped(s.ks));
 }
 
 DielectricMaterial dielectric(const MtlStatements& s) {
@@ -82,7 +83,7 @@ DielectricMaterial dielectric(const MtlStatements& s) {
   glass.is_thin = index <= 1.0;
   glass.ior = glass.is_thin ? default_glass_index : index;
   glass.transmittance = glm::clamp(s.tf.value_or(Vec3d{1.0}), 0.0, 1.0);
-  const bool is_rough = !glass.is_thin && s.ns && *s.ns > 0.0 && *s.ns < smooth_glass_exponent;
+  const bool is_rough = !glass.is_thin && s.ns && *s.ns > 0.0 && *s.ns < smooth_exponent;
   glass.roughness.factor = is_rough ? std::sqrt(2.0 / (*s.ns + 2.0)) : 0.0;
   return glass;
 }

@@ -16,7 +16,8 @@
 //     any illum with Ni > 1 and        smooth. (Exporters write illum 4, Tf 1, Ni 1 for what is
 //     Tf < 1 or d < 1                  opaque, so illum alone says nothing.)
 //   mirrors: illum 3 to 9, Kd black,   Mirror of reflectance Ks
-//     Ks not, no map of either
+//     Ks not, no map of either, Ns
+//     absent or at least 100
 //   else                               LabMaterial as above; Ns is not clamped above
 // For each: Ke = radiance emitted on both sides (MTL does not say on which), map_d = opacity
 // (-imfchan names the channel; absent: alpha where the file has it), or d where the model has no

@@ -149,6 +149,7 @@ TEST(Unit_Mtl, FullMirrors) {
   const Material m = only("illum 3\nKd 0 0 0\nKs .9 .8 .7\nNi 1\n", MtlUse::Full);
   EXPECT_EQ(std::get<MirrorMaterial>(m.model).reflectance.factor, Vec3d(0.9, 0.8, 0.7));
   EXPECT_EQ(lab("illum 3\nKd .1 0 0\nKs .9 .8 .7\n", MtlUse::Full).specular.factor.x, 0.9);
+  EXPECT_EQ(lab("illum 4\nKd 0 0 0\nKs .1 .1 .1\nNs 20\n", MtlUse::Full).specular.factor.x, 0.1);
   EXPECT_EQ(lab("illum 2\nKd 0 0 0\nKs .9 .8 .7\n", MtlUse::Full).specular.factor.x, 0.9);
 }
 

@@ -235,8 +235,8 @@ TEST(Unit_Obj, EqualImagesOfSeveralFilesAreOne) {
 
 TEST(Unit_Obj, OneMtllibMayNameSeveralFiles) {
   const TemporaryFolder folder;
-  folder.put("a.mtl", std::string("newmtl a\n"));
-  folder.put("b.mtl", std::string("newmtl b\n"));
+  folder.put("a.mtl", std::string("newmtl a\nmap_Kd 1.png\n"));
+  folder.put("b.mtl", std::string("newmtl b\nmap_Kd 2.png\nbump 2.png\n"));
   const std::string obj = folder.put("x.obj", "mtllib a.mtl b.mtl\nmtllib a.mtl\n" + square +
                                                   "usemtl b\nf 1 2 3\nusemtl a\nf 1 2 4\n");
   Diagnostics diagnostics;
@@ -244,7 +244,8 @@ TEST(Unit_Obj, OneMtllibMayNameSeveralFiles) {
   EXPECT_TRUE(diagnostics.list().empty());
   ASSERT_EQ(model.meshes.size(), 2u);
   EXPECT_EQ(model.meshes[0].name, "a");
-  EXPECT_EQ(model.materials.size(), 2u);
+  ASSERT_EQ(model.materials.size(), 2u);
+  EXPECT_EQ(model.images.at(model.materials[1].height.index).path, folder.file("2.png"));
 }
 
 TEST(Unit_Obj, FacesWithoutAMaterialAreDroppedInLabModeAndGreyInFullMode) {

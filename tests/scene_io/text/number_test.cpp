@@ -57,6 +57,8 @@ TEST(Unit_Number, AMillionDigitsAreOneNumber) {
   EXPECT_EQ(parse_double("1" + zeros).fault, NumberFault::TooLarge);
   EXPECT_EQ(parse_double("0." + zeros + "1").value, 0.0);
   EXPECT_TRUE(parse_double("0." + zeros + "1"));
+  EXPECT_EQ(parse_double("1" + zeros + "e-50").fault, NumberFault::TooLarge);
+  EXPECT_TRUE(parse_double("0." + zeros + "1e50"));
   EXPECT_EQ(parse_double("1." + zeros + "e2").value, 100.0);
   EXPECT_EQ(parse_double(zeros + "7").value, 7.0);
 }
