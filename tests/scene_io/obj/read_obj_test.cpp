@@ -226,7 +226,8 @@ TEST(Unit_Obj, EqualImagesOfSeveralFilesAreOne) {
   Diagnostics diagnostics;
   for (const std::string name : {"a", "b"}) {
     const std::string obj =
-        folder.put(name + ".obj", "mtllib " + name + ".mtl\n" + square + "usemtl blue\nf 1 2 3\n");
+        folder.put(fmt::format("{}.obj", name),
+                   fmt::format("mtllib {}.mtl\n{}usemtl blue\nf 1 2 3\n", name, square));
     append_obj(obj, {}, scene, diagnostics);
   }
   EXPECT_FALSE(diagnostics.has_errors());
