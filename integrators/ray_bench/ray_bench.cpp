@@ -116,10 +116,11 @@ AgreementCounts count_agreement(const Scene& scene, const EmbreeAccel& embree, c
   return sum;
 }
 
-RayBenchResult run_ray_bench(const Scene& scene, const RayBenchOptions& options, int threads) {
+namespace {
+
+RayBenchResult run_in_arena(const Scene& scene, const RayBenchOptions& options) {
   RayBenchResult result;
   result.embree_version = embree_version();
-  result.threads = threads;
   for (const Geometry& geometry : scene.geometries) result.triangles += geometry.triangles.size();
 
   std::optional<EmbreeAccel> embree;
@@ -137,6 +138,16 @@ RayBenchResult run_ray_bench(const Scene& scene, const RayBenchOptions& options,
   }
   measure(*embree, rays, options.seconds_each, result.embree);
   measure(*bvh, rays, options.seconds_each, result.bvh);
+  return result;
+}
+
+}  // namespace
+
+RayBenchResult run_ray_bench(const Scene& scene, const RayBenchOptions& options, int threads) {
+  RayBenchResult result;
+  const int count = threads > 0 ? threads : available_threads();
+  with_threads(count, [&] { result = run_in_arena(scene, options); });
+  result.threads = count;
   return result;
 }
 

@@ -18,7 +18,7 @@ struct RayBenchOptions {
 };
 
 struct BackEndFigures {
-  double build_seconds = 0;  // by the arena's threads
+  double build_seconds = 0;  // by all threads
   std::size_t bytes = 0;
   // Million rays a second by RayClass; 0 where there are none of that class.
   std::array<double, 3> mrays_one_thread{};
@@ -37,7 +37,7 @@ struct AgreementCounts {
 AgreementCounts& operator+=(AgreementCounts& sum, const AgreementCounts& part);
 
 struct RayBenchResult {
-  std::string embree_version;
+  std::string embree_version;  // "3.13.5"
   int threads = 0;
   std::uint64_t triangles = 0;                // in the scene's arrays, instances not multiplied
   std::array<std::uint64_t, 3> ray_counts{};  // by RayClass
@@ -46,8 +46,7 @@ struct RayBenchResult {
   AgreementCounts agreement;
 };
 
-// Runs on the current arena's threads (base/parallel.h: with_threads); `threads` is their number,
-// for the report. The scene has the camera that the options name. Throws std::bad_alloc as the
+// On `threads` threads (0: as many as the process may use). Throws std::bad_alloc as the
 // accelerators do.
 [[nodiscard]] RayBenchResult run_ray_bench(const Scene& scene, const RayBenchOptions& options,
                                            int threads);

@@ -1,5 +1,6 @@
 #include "integrators/ray_bench/record_rays.h"
 
+#include "renderer/geometry/surface_point.h"
 #include "renderer/light/sample_light.h"
 #include "renderer/math/frame.h"
 #include "renderer/sampling/sampler.h"
@@ -8,31 +9,9 @@
 namespace candela {
 namespace {
 
-// Where a ray left from: a point moved off its surface, and the normal on the side it came from.
-struct Departure {
-  Vec3f point;
-  Vec3f normal;
-};
-
-// Zero for a triangle without area.
-Vec3f geometric_normal(const Scene& scene, const Hit& hit) {
-  const Geometry& geometry = scene.geometries[hit.geometry];
-  const auto& [a, b, c] = geometry.triangles[hit.triangle];
-  const Vec3f& origin = geometry.positions[a];
-  Vec3f n = cross(geometry.positions[b] - origin, geometry.positions[c] - origin);
-  if (hit.is_instanced()) n = scene.instances[hit.instance].normal(n);
-  const float size = length(n);
-  return size > 0 && std::isfinite(size) ? n / size : Vec3f(0);
-}
-
-// The offset is a generous bound of the hit point's rounding error: these rays need not be free of
-// leaks, only like those that a renderer shoots.
-Departure departure(const Scene& scene, const Ray& ray, const Hit& hit) {
-  Vec3f normal = geometric_normal(scene, hit);
-  if (dot(normal, ray.direction) > 0) normal = -normal;
-  const Vec3f point = ray.origin + ray.direction * hit.t;
-  const float reach = max_component(glm::abs(point)) + max_component(glm::abs(ray.origin));
-  return {point + normal * (reach * 0x1p-18f), normal};
+SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit) {
+  const Instance* instance = hit.is_instanced() ? &scene.instances[hit.instance] : nullptr;
+  return make_surface_point(scene.geometries[hit.geometry], instance, hit, -ray.direction, false);
 }
 
 const Light* pick_light(const Scene& scene, std::uint32_t bits) {
@@ -46,16 +25,17 @@ const Light* pick_light(const Scene& scene, std::uint32_t bits) {
   return &scene.lights[light];
 }
 
-void record_shadow_ray(const Scene& scene, const Departure& from, const Sampler& sampler,
+void record_shadow_ray(const Scene& scene, const SurfacePoint& from, const Sampler& sampler,
                        std::uint32_t bounce, std::vector<Ray>& rays) {
   const Light* light = pick_light(scene, sampler.sample_1d_bits(bounce, Dimension::LightChoice));
   if (!light) return;
   const LightTables tables{scene.environment ? &*scene.environment : nullptr, &scene.textures};
   const LightSample sample =
-      sample_light(tables, *light, from.point, sampler.sample_2d(bounce, Dimension::LightPoint));
-  if (!sample.is_valid() || !(dot(sample.wi, from.normal) > 0)) return;
-  const float distance = sample.is_infinite ? infinity : length(sample.point - from.point);
-  const Ray ray{from.point, sample.wi, distance * (1 - 0x1p-12f)};  // short of the light's surface
+      sample_light(tables, *light, from.position, sampler.sample_2d(bounce, Dimension::LightPoint));
+  if (!sample.is_valid() || !(dot(sample.wi, from.geometric_normal) > 0)) return;
+  Ray ray = spawn_ray(from, sample.wi);
+  if (!sample.is_infinite)  // short of the light's own surface
+    ray.t_max = length(sample.point - ray.origin) * (1 - 0x1p-12f);
   if (is_traceable(ray)) rays.push_back(ray);
 }
 
@@ -65,15 +45,15 @@ void record_path(const Scene& scene, const EmbreeAccel& accelerator, const Recor
   for (int bounce = 0; bounce <= options.bounces; ++bounce) {
     const Hit hit = accelerator.intersect(ray);
     if (!hit.is_hit()) return;
-    const Departure from = departure(scene, ray, hit);
-    if (from.normal == Vec3f(0)) return;
+    const SurfacePoint from = surface_point(scene, ray, hit);
+    if (!is_finite(from.geometric_normal)) return;  // no area
     const auto dimension_bounce = static_cast<std::uint32_t>(bounce);
     record_shadow_ray(scene, from, sampler, dimension_bounce,
                       rays[static_cast<std::size_t>(RayClass::Shadow)]);
     if (bounce == options.bounces) return;
     const Vec3f local =
         square_to_cosine_hemisphere(sampler.sample_2d(dimension_bounce, Dimension::Direction));
-    ray = {from.point, normalize(frame_from_normal(from.normal).to_world(local)), infinity};
+    ray = spawn_ray(from, normalize(frame_from_normal(from.geometric_normal).to_world(local)));
     if (!is_traceable(ray)) return;
     rays[static_cast<std::size_t>(RayClass::Bounce)].push_back(ray);
   }
@@ -84,6 +64,7 @@ void record_path(const Scene& scene, const EmbreeAccel& accelerator, const Recor
 RecordedRays record_rays(const Scene& scene, const EmbreeAccel& accelerator,
                          const RecordOptions& options) {
   RecordedRays rays;
+  if (options.camera >= scene.cameras.size()) return rays;
   const Camera& camera = scene.cameras[options.camera];
   for (int y = 0; y < options.height; ++y) {
     for (int x = 0; x < options.width; ++x) {

@@ -252,7 +252,7 @@ std::size_t EmbreeAccel::memory_bytes() const {
 }
 
 const char* embree_version() {
-  return "Embree " RTC_VERSION_STRING;
+  return RTC_VERSION_STRING;
 }
 
 }  // namespace candela

@@ -37,7 +37,7 @@ class EmbreeAccel {
   std::unique_ptr<State> state_;
 };
 
-// "Embree 3.13.5" or the like, for reports.
+// "3.13.5" or the like, for reports.
 [[nodiscard]] const char* embree_version();
 
 }  // namespace candela
