@@ -77,7 +77,7 @@ TEST(Unit_Check, CountsWhatIsWrong) {
   const std::string scene = fresh_folder("check") + "/scene.yaml";
   write_text(scene,
              "Cameras:\n  - Eye: [0, 0, 1]\n    Target: [0, 0, 0]\n    Fovi: 3\n"
-             "Lights:\n  - Type: Point\n"
+             "Lights:\n  - Type: Point\nMaterials:\n  - Name: m\n"
              "Models:\n  - Mesh: absent.obj\n  - Mesh: missing.obj\n");
   const ProgramResult bad = run_candela({"check", scene});
   EXPECT_EQ(bad.exit_code, 3);

@@ -154,4 +154,17 @@ std::string to_json(const std::string& scene, const RayBenchResult& result) {
   return text_of(json);
 }
 
+std::string to_json(const ImageComparison& comparison) {
+  Json json;
+  json["relmse"] = comparison.rel_mse;
+  json["relmse_trimmed"] = comparison.rel_mse_trimmed;
+  json["rmse"] = comparison.r_mse;
+  json["psnr"] = comparison.psnr;
+  json["mean_ratio"] = comparison.mean_ratio;
+  json["worst_pixel"] = {
+      {"x", comparison.worst_x}, {"y", comparison.worst_y}, {"error", comparison.worst_error}};
+  json["invalid_values"] = comparison.invalid_values;
+  return text_of(json);
+}
+
 }  // namespace candela::cli

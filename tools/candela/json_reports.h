@@ -5,6 +5,7 @@
 #include <string>
 
 #include "integrators/ray_bench/ray_bench.h"
+#include "renderer/image/compare.h"
 #include "tools/candela/render_report.h"
 #include "tools/candela/scene_info.h"
 
@@ -13,5 +14,7 @@ namespace candela::cli {
 [[nodiscard]] std::string to_json(const RenderReport& report);
 [[nodiscard]] std::string to_json(const SceneInfo& info);
 [[nodiscard]] std::string to_json(const std::string& scene, const RayBenchResult& result);
+// What is not finite becomes null: PSNR of equal images, ratios of black ones.
+[[nodiscard]] std::string to_json(const ImageComparison& comparison);
 
 }  // namespace candela::cli
