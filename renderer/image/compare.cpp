@@ -5,164 +5,189 @@
 #include <functional>
 #include <limits>
 #include <numeric>
-#include <optional>
+#include <vector>
 
 #include <fmt/format.h>
+
+#include "renderer/image/display_transform.h"
 
 namespace candela {
 namespace {
 
-using ColourChannels = std::array<std::size_t, 3>;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double trimmed_share = 1e-3;
+using Colour = std::array<double, 3>;
 
-std::optional<ColourChannels> colour_channels(const Image& image) {
-  if (image.channel_count() == 1) return ColourChannels{0, 0, 0};
-  ColourChannels found{};
-  constexpr std::array<const char*, 3> names{"R", "G", "B"};
-  for (std::size_t c = 0; c < 3; ++c) {
-    const int index = image.channel_index(names[c]);
-    if (index < 0) return std::nullopt;
-    found[c] = static_cast<std::size_t>(index);
-  }
-  return found;
+Colour colour_at(const Image& image, const ColourChannels& channels, std::size_t pixel) {
+  const float* values = image.values.data() + pixel * image.channel_count();
+  Colour colour{};
+  for (std::size_t c = 0; c < 3; ++c) colour[c] = static_cast<double>(values[channels.rgb[c]]);
+  return colour;
 }
 
-// Both images' colours side by side, in double.
-struct Pair {
-  std::size_t pixels = 0;
-  std::vector<std::array<double, 3>> x;
-  std::vector<std::array<double, 3>> r;
-  double epsilon = 0;
-};
-
-std::vector<std::array<double, 3>> colours_of(const Image& image, const ColourChannels& channels) {
-  std::vector<std::array<double, 3>> colours(image.pixel_count());
-  for (std::size_t i = 0; i < colours.size(); ++i)
-    for (std::size_t c = 0; c < 3; ++c)
-      colours[i][c] = static_cast<double>(image.values[i * image.channel_count() + channels[c]]);
-  return colours;
+bool has_colour(const Image& image) {
+  const bool has_all = image.channel_index("R") >= 0 && image.channel_index("G") >= 0 &&
+                       image.channel_index("B") >= 0;
+  return has_all || image.channel_count() == 1 || image.channel_index("Y") == 0;
 }
 
-double mean_of(const std::vector<std::array<double, 3>>& colours, std::size_t channel) {
-  double sum = 0;
-  for (const auto& colour : colours) sum += colour[channel];
-  return sum / static_cast<double>(colours.size());
-}
-
-Result<Pair> paired(const Image& image, const Image& reference) {
+Diagnostics check_comparable(const Image& image, const Image& reference) {
   if (image.width != reference.width || image.height != reference.height)
     return failure(
         fmt::format("the image has {} x {} pixels and the reference {} x {}: they must "
                     "be of one size",
                     image.width, image.height, reference.width, reference.height));
   if (image.pixel_count() == 0) return failure("the images have no pixels");
-  const auto image_channels = colour_channels(image);
-  const auto reference_channels = colour_channels(reference);
-  if (!image_channels || !reference_channels)
-    return failure(
-        fmt::format("the {} has no channels R, G and B", image_channels ? "reference" : "image"));
-  Pair pair{image.pixel_count(), colours_of(image, *image_channels),
-            colours_of(reference, *reference_channels), 0};
-  const double mean = (mean_of(pair.r, 0) + mean_of(pair.r, 1) + mean_of(pair.r, 2)) / 3;
-  pair.epsilon = 1e-2 * mean * mean;
-  return pair;
+  if (!has_colour(image)) return failure("the image has no channels R, G and B");
+  if (!has_colour(reference)) return failure("the reference has no channels R, G and B");
+  return {};
 }
 
-// (x - r)^2 / (r^2 + eps), averaged over a pixel's channels. A black reference has eps 0: what is
-// black as well has no error then.
-double pixel_error(const Pair& pair, std::size_t i) {
-  double sum = 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double difference = pair.x[i][c] - pair.r[i][c];
-    if (difference == 0) continue;
-    sum += difference * difference / (pair.r[i][c] * pair.r[i][c] + pair.epsilon);
-  }
-  return sum / 3;
-}
+struct Sums {
+  Colour total{};
+  double largest = 0;
+  std::uint64_t invalid = 0;
+};
 
-std::uint64_t count_invalid(const Pair& pair) {
-  std::uint64_t count = 0;
-  for (const auto* colours : {&pair.x, &pair.r})
-    for (const auto& colour : *colours)
-      for (const double v : colour) count += std::isfinite(v) ? 0 : 1;
-  return count;
-}
-
-double psnr_of(const Pair& pair) {
-  double squares = 0;
-  double peak = 0;
-  for (std::size_t i = 0; i < pair.pixels; ++i)
+Sums sums_of(const Image& image) {
+  Sums sums;
+  const ColourChannels channels = colour_channels(image);
+  for (std::size_t i = 0; i < image.pixel_count(); ++i) {
+    const Colour colour = colour_at(image, channels, i);
     for (std::size_t c = 0; c < 3; ++c) {
-      squares += std::pow(pair.x[i][c] - pair.r[i][c], 2);
-      peak = std::max(peak, std::abs(pair.r[i][c]));
+      if (!std::isfinite(colour[c])) {
+        ++sums.invalid;
+        continue;
+      }
+      sums.total[c] += colour[c];
+      sums.largest = std::max(sums.largest, colour[c]);
     }
-  const double mse = squares / static_cast<double>(3 * pair.pixels);
-  return mse == 0 ? std::numeric_limits<double>::infinity() : 10 * std::log10(peak * peak / mse);
+  }
+  return sums;
 }
 
-double mean_without_worst(std::vector<double> errors, std::size_t left_out) {
-  std::sort(errors.begin(), errors.end());
-  errors.resize(errors.size() - left_out);
-  return std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
+double epsilon_of(const Sums& reference, std::size_t pixels) {
+  const double sum = reference.total[0] + reference.total[1] + reference.total[2];
+  const double mean = sum / (3 * static_cast<double>(pixels));
+  return 1e-2 * mean * mean;
 }
 
-ImageComparison all_nan(std::uint64_t invalid) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  ImageComparison result;
-  result.rel_mse = result.rel_mse_trimmed = result.r_mse = result.psnr = result.worst_error = nan;
-  result.mean_ratio = {nan, nan, nan};
-  result.invalid_values = invalid;
-  return result;
+struct PixelError {
+  double relative = 0;
+  double squared = 0;
+};
+
+// Black on black is no error even where the whole reference is black and epsilon is 0.
+double relative_error(double x, double r, double epsilon) {
+  const double difference = x - r;
+  if (difference == 0) return 0;
+  return difference * difference / (r * r + epsilon);
 }
 
-// Control points of the heat map, evenly spaced over its decades; linear colours.
-std::array<float, 3> heat(double error) {
-  constexpr std::array<std::array<float, 3>, 5> points{
-      {{0, 0, 0}, {0.12f, 0.01f, 0.25f}, {0.6f, 0.03f, 0.05f}, {1, 0.4f, 0.02f}, {1, 1, 1}}};
-  if (std::isnan(error)) return {0, 1, 1};
-  const double decades = std::clamp(std::log10(std::max(error, 1e-30)), -6.0, 0.0) + 6;
-  const double place = decades / 6 * (points.size() - 1);
-  const auto first = std::min(static_cast<std::size_t>(place), points.size() - 2);
-  const auto weight = static_cast<float>(place - static_cast<double>(first));
-  std::array<float, 3> colour{};
-  for (std::size_t c = 0; c < 3; ++c)
-    colour[c] = points[first][c] * (1 - weight) + points[first + 1][c] * weight;
-  return colour;
+PixelError error_of(const Colour& x, const Colour& r, double epsilon) {
+  PixelError error;
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (!std::isfinite(x[c]) || !std::isfinite(r[c])) return {infinity, infinity};
+    error.relative += relative_error(x[c], r[c], epsilon) / 3;
+    error.squared += (x[c] - r[c]) * (x[c] - r[c]) / 3;
+  }
+  return error;
+}
+
+std::vector<PixelError> errors_of(const Image& image, const Image& reference, double epsilon) {
+  const ColourChannels image_channels = colour_channels(image);
+  const ColourChannels reference_channels = colour_channels(reference);
+  std::vector<PixelError> errors(image.pixel_count());
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    errors[i] = error_of(colour_at(image, image_channels, i),
+                         colour_at(reference, reference_channels, i), epsilon);
+  return errors;
+}
+
+double mean_of(const std::vector<double>& values, std::size_t count) {
+  const auto end = values.begin() + static_cast<std::ptrdiff_t>(count);
+  return std::accumulate(values.begin(), end, 0.0) / static_cast<double>(count);
+}
+
+// Sorts `errors` as far as it needs.
+double trimmed_mean(std::vector<double>& errors) {
+  const auto left_out =
+      static_cast<std::size_t>(trimmed_share * static_cast<double>(errors.size()));
+  const std::size_t kept = errors.size() - left_out;
+  if (left_out > 0)
+    std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(kept),
+                     errors.end());
+  return mean_of(errors, kept);
+}
+
+double ratio_of(double x, double r) {
+  if (r != 0) return x / r;
+  return x == 0 ? 1.0 : std::copysign(infinity, x);
+}
+
+double psnr_of(double largest, double mse) {
+  if (mse == 0) return infinity;
+  return 10 * std::log10(largest * largest / mse);
+}
+
+void add_worst(ImageComparison& result, const Image& image, const Image& reference,
+               const std::vector<PixelError>& errors) {
+  const auto worst = std::ranges::max_element(errors, {}, &PixelError::relative);
+  const auto index = static_cast<std::size_t>(worst - errors.begin());
+  const auto width = static_cast<std::size_t>(image.width);
+  result.worst_x = static_cast<int>(index % width);
+  result.worst_y = static_cast<int>(index / width);
+  result.worst_error = worst->relative;
+  result.worst_image = colour_at(image, colour_channels(image), index);
+  result.worst_reference = colour_at(reference, colour_channels(reference), index);
+}
+
+void add_errors(ImageComparison& result, const std::vector<PixelError>& errors,
+                double largest_reference) {
+  std::vector<double> relative(errors.size());
+  std::ranges::transform(errors, relative.begin(), &PixelError::relative);
+  double squared = 0;
+  for (const PixelError& error : errors) squared += error.squared;
+  result.rel_mse = mean_of(relative, relative.size());
+  result.r_mse = std::sqrt(result.rel_mse);
+  result.rel_mse_trimmed = trimmed_mean(relative);
+  result.mse = squared / static_cast<double>(errors.size());
+  result.psnr = psnr_of(largest_reference, result.mse);
 }
 
 }  // namespace
 
 Result<ImageComparison> compare_images(const Image& image, const Image& reference) {
-  const Result<Pair> pair = paired(image, reference);
-  if (!pair) return pair.diagnostics;
-  if (const std::uint64_t invalid = count_invalid(*pair)) return all_nan(invalid);
-
-  std::vector<double> errors(pair->pixels);
-  for (std::size_t i = 0; i < errors.size(); ++i) errors[i] = pixel_error(*pair, i);
-  const auto worst =
-      static_cast<std::size_t>(std::max_element(errors.begin(), errors.end()) - errors.begin());
-
+  if (Diagnostics found = check_comparable(image, reference); found.has_errors()) return found;
+  const Sums image_sums = sums_of(image);
+  const Sums reference_sums = sums_of(reference);
+  const std::vector<PixelError> errors =
+      errors_of(image, reference, epsilon_of(reference_sums, image.pixel_count()));
   ImageComparison result;
-  result.rel_mse =
-      std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
-  result.rel_mse_trimmed = mean_without_worst(errors, errors.size() / 1000);
-  result.r_mse = std::sqrt(result.rel_mse);
-  result.psnr = psnr_of(*pair);
+  result.width = image.width;
+  result.height = image.height;
+  result.invalid_in_image = image_sums.invalid;
+  result.invalid_in_reference = reference_sums.invalid;
+  result.invalid_values = image_sums.invalid + reference_sums.invalid;
   for (std::size_t c = 0; c < 3; ++c)
-    result.mean_ratio[c] = mean_of(pair->x, c) / mean_of(pair->r, c);
-  result.worst_x = static_cast<int>(worst % static_cast<std::size_t>(image.width));
-  result.worst_y = static_cast<int>(worst / static_cast<std::size_t>(image.width));
-  result.worst_error = errors[worst];
+    result.mean_ratio[c] = ratio_of(image_sums.total[c], reference_sums.total[c]);
+  add_errors(result, errors, reference_sums.largest);
+  add_worst(result, image, reference, errors);
   return result;
 }
 
 Result<Image> error_heatmap(const Image& image, const Image& reference) {
-  const Result<Pair> pair = paired(image, reference);
-  if (!pair) return pair.diagnostics;
+  if (Diagnostics found = check_comparable(image, reference); found.has_errors()) return found;
+  const std::vector<PixelError> errors =
+      errors_of(image, reference, epsilon_of(sums_of(reference), image.pixel_count()));
+  constexpr std::array<float, 3> invalid{1, 0, 0};
+  constexpr double lowest = -6, highest = 2;
   Image map(image.width, image.height, {"R", "G", "B"});
-  for (std::size_t i = 0; i < pair->pixels; ++i) {
-    const std::array<float, 3> colour = heat(pixel_error(*pair, i));
-    std::copy(colour.begin(), colour.end(),
-              map.values.begin() + static_cast<std::ptrdiff_t>(3 * i));
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const double error = errors[i].relative;
+    const double place = (std::log10(error) - lowest) / (highest - lowest);
+    const auto colour = std::isfinite(error) ? heat_colour(place) : invalid;
+    std::ranges::copy(colour, map.values.begin() + static_cast<std::ptrdiff_t>(3 * i));
   }
   return map;
 }
