@@ -10,6 +10,7 @@
 
 #include "renderer/image/image_io.h"
 #include "tests/tools/run_program.h"
+#include "tools/candela/interrupt.h"
 #include "tools/candela/output_files.h"
 
 namespace candela::cli_test {
@@ -102,6 +103,25 @@ TEST(Errors_Interrupt, ASignalThatTheParentIgnoresStaysIgnored) {
               ErrorStream::File)
           .finish();
   EXPECT_EQ(result.exit_code, 0) << result.error;
+}
+
+// In a process of its own: a signal while files are written, then a second.
+void signal_while_writing(const std::string& folder) {
+  std::signal(SIGINT, SIG_DFL);  // an ignored one would stay ignored
+  cli::install_signal_handlers();
+  const cli::WritingGuard guard({folder + "/a.exr"});
+  write_text(folder + "/" + cli::temporary_file_name(::getpid(), 0), "half");
+  ::raise(SIGINT);
+  write_text(folder + "/still_here", "");
+  ::raise(SIGINT);
+  write_text(folder + "/too_late", "");
+}
+
+TEST(Errors_Interrupt, ASecondSignalWhileWritingRemovesWhatIsHalfWritten) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  const std::string folder = fresh_folder("interrupt_writing");
+  EXPECT_EXIT(signal_while_writing(folder), testing::ExitedWithCode(130), "interrupted twice");
+  EXPECT_EQ(file_names(folder), std::vector<std::string>{"still_here"});
 }
 
 // What the handler removes is what the writer makes: names that the folder saw while writing.

@@ -60,6 +60,28 @@ TEST(Unit_Stats, TellWhatWasAskedAndDone) {
   EXPECT_EQ(stats["interrupted"], false);
 }
 
+TEST(Unit_Stats, TheImageTellsTheSame) {
+  const std::string folder = fresh_folder("metadata");
+  const ProgramResult result =
+      run_candela({"render", small_scene(), "-q", "-o", folder + "/a.exr", "--size", "4x4", "--spp",
+                   "1", "--seed", "77", "--stats", folder + "/stats.json"});
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Json stats = Json::parse(file_text(folder + "/stats.json"));
+  const std::string exr = file_text(folder + "/a.exr");
+  // An EXR header holds a text as name, 0, type, 0, size (four bytes), characters.
+  const auto text_in_exr = [&](const std::string& name) {
+    const std::size_t place = exr.find(name + '\0' + "string" + '\0');
+    return place == std::string::npos ? "" : exr.substr(place + name.size() + 12);
+  };
+  for (const char* name : {"version", "command", "scene", "scene_hash", "integrator", "kernel"})
+    EXPECT_TRUE(
+        text_in_exr("candela:" + std::string(name)).starts_with(stats[name].get<std::string>()))
+        << name;
+  EXPECT_TRUE(text_in_exr("candela:seed").starts_with("77"));
+  for (const char* name : {"candela:options", "candela:spp", "candela:seconds_render"})
+    EXPECT_NE(exr.find(name), std::string::npos) << name;
+}
+
 TEST(Unit_Stats, TheLimitRatioIsThereWhenAskedFor) {
   EXPECT_FALSE(stats_of({}).contains("limit_ratio"));
   EXPECT_GT(stats_of({"--ray-limit"})["limit_ratio"], 0);
