@@ -18,6 +18,7 @@ struct SurfacePoint {
   Vec3f position_error{0};          // per axis, >= 0
   Vec3f geometric_normal{0, 0, 1};  // unit, on the side of wo
   bool is_front = true;             // wo is on the side that the winding calls outside
+  bool is_flat = true;              // the front normal is the geometric one
   Vec3f front_normal{0, 0, 1};      // unit shading normal as the file has it, on the front side
   Frame shading;                    // z on the side of wo; set by set_shading_frame
   Vec2f uv{0.5f, 0.5f};
@@ -99,7 +100,10 @@ struct Corners {
               geometry.normals[index[2]] * hit.v;
     if (instance != nullptr) n = instance->normal(n);
     const float length2 = dot(n, n);
-    if (length2 > 0) point.front_normal = n / std::sqrt(length2);
+    if (length2 > 0) {
+      point.front_normal = n / std::sqrt(length2);
+      point.is_flat = false;
+    }
   }
   if (with_uv && !geometry.uvs.empty()) {
     const Vec2f t0 = geometry.uvs[index[0]];
@@ -117,6 +121,10 @@ struct Corners {
 
 // Fixes the shading frame from the front normal, on the side of wo and bent as far as it must be.
 inline void set_shading_frame(SurfacePoint& point, const Vec3f& wo) {
+  if (point.is_flat) {
+    point.shading = frame_from_normal(point.geometric_normal);
+    return;
+  }
   const Vec3f& front = point.front_normal;
   const Vec3f facing = dot(front, point.geometric_normal) < 0 ? -front : front;
   point.shading = frame_from_normal(valid_shading_normal(facing, point.geometric_normal, wo));
