@@ -69,9 +69,11 @@ template <FeatureSet F>
   }
   SurfacePoint point = make_surface_point(geometry, instance, hit, wo, F.textures);
   if constexpr (F.textures) {
-    if (has_bump(material))
+    if (has_bump(material)) {
       point.front_normal = shading_normal_at(material, scene.textures, point.uv, point.front_normal,
                                              point.dpdu, point.dpdv);
+      point.is_flat = false;
+    }
   }
   set_shading_frame(point, wo);
   return point;
