@@ -41,7 +41,7 @@ TEST_F(Unit_CompareCommand, MeasuresAndDrawsTheDifference) {
   const ProgramResult result =
       compare("/b.exr", "/a.exr", {"--json", "--heatmap", folder + "/heat.png"});
   EXPECT_EQ(result.exit_code, 0) << result.error;
-  const auto json = nlohmann::json::parse(result.output);
+  auto json = nlohmann::json::parse(result.output);
   // One of 16 pixels is off by 0.5; epsilon is a hundredth of 0.5 squared.
   EXPECT_NEAR(json["relmse"].get<double>(), 0.25 / (0.25 * 1.01) / 16, 1e-6);
   EXPECT_NEAR(json["mean_ratio"][0].get<double>(), 17.0 / 16, 1e-6);

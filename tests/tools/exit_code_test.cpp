@@ -129,6 +129,7 @@ TEST(Errors_CommandLine, OutputsAreCheckedByFolderExtensionAndName) {
   EXPECT_EQ(check({folder + "/none/a.exr"}, ""), ExitCode::Output);
   EXPECT_EQ(check({folder + "/a.xyz"}, ""), ExitCode::Output);
   EXPECT_EQ(check({folder + "/a"}, ""), ExitCode::Output);
+  EXPECT_EQ(check({"/proc/a.exr"}, ""), ExitCode::Output);  // nobody may write there, root included
   EXPECT_EQ(check({folder + "/folder.exr"}, ""), ExitCode::Output);
   EXPECT_EQ(check({folder + "/a.exr"}, folder + "/none/s.json"), ExitCode::Output);
   EXPECT_EQ(check({folder + "/a.exr", folder + "/./a.exr"}, ""), ExitCode::Usage);

@@ -21,7 +21,7 @@ Json json_of(const std::vector<std::string>& arguments) {
 }
 
 TEST(Unit_Info, TellsWhatIsInTheCornellBox) {
-  const Json info = json_of({"info", small_scene(), "--json", "--accel", "embree"});
+  Json info = json_of({"info", small_scene(), "--json", "--accel", "embree"});
   EXPECT_EQ(info["scene"], small_scene());
   EXPECT_EQ(info["scene_hash"].get<std::string>().size(), 32u);
   EXPECT_EQ(info["lights"], Json({{"triangle", 2}}));
@@ -49,9 +49,9 @@ TEST(Unit_Info, TellsWhichTexturesAreRead) {
              text.substr(0, materials + 11) +
                  "  - Name: nobody_uses_this\n    Type: diffuse\n    kd_map: unused.png\n" +
                  text.substr(materials + 11));
-  const Json info = json_of({"info", folder + "/cutouts.yaml", "--json"});
+  Json info = json_of({"info", folder + "/cutouts.yaml", "--json"});
   const auto is_used = [&](const std::string& name) {
-    for (const Json& texture : info["textures"])
+    for (Json& texture : info["textures"])
       if (texture["path"].get<std::string>().ends_with("/" + name)) return texture["used"] == true;
     ADD_FAILURE() << name << " is not listed";
     return false;
@@ -101,7 +101,7 @@ TEST(Unit_Check, FindsImagesThatBreakOffInTheirPixels) {
 }
 
 TEST(Unit_Bench, MeasuresBothBackEnds) {
-  const Json bench = json_of({"bench", small_scene(), "--json", "-t", "1", "--seconds", "0.01"});
+  Json bench = json_of({"bench", small_scene(), "--json", "-t", "1", "--seconds", "0.01"});
   EXPECT_EQ(bench["agreement"]["disagreeing"], 0);
   for (const char* back_end : {"embree", "bvh"}) {
     EXPECT_GT(bench[back_end]["bytes"], 0);

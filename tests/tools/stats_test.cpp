@@ -40,7 +40,7 @@ TEST(Unit_Stats, KeepToTheirSchema) {
 }
 
 TEST(Unit_Stats, TellWhatWasAskedAndDone) {
-  const Json stats = stats_of({"-t", "2", "--seed", "9", "--max-depth", "4"});
+  Json stats = stats_of({"-t", "2", "--seed", "9", "--max-depth", "4"});
   EXPECT_EQ(stats["scene"], small_scene());
   EXPECT_EQ(stats["width"], 12);
   EXPECT_EQ(stats["height"], 8);
@@ -66,7 +66,7 @@ TEST(Unit_Stats, TheImageTellsTheSame) {
       run_candela({"render", small_scene(), "-q", "-o", folder + "/a.exr", "--size", "4x4", "--spp",
                    "1", "--seed", "77", "--stats", folder + "/stats.json"});
   ASSERT_EQ(result.exit_code, 0) << result.error;
-  const Json stats = Json::parse(file_text(folder + "/stats.json"));
+  Json stats = Json::parse(file_text(folder + "/stats.json"));
   const std::string exr = file_text(folder + "/a.exr");
   // An EXR header holds a text as name, 0, type, 0, size (four bytes), characters.
   const auto text_in_exr = [&](const std::string& name) {
@@ -92,7 +92,7 @@ TEST(Unit_Stats, TheSceneHashDoesNotDependOnTheFolder) {
   std::filesystem::copy(std::filesystem::path(small_scene()).parent_path(), folder,
                         std::filesystem::copy_options::recursive);
   const std::string copy = folder + "/cornell_box_diffuse.yaml";
-  const Json hash = stats_of({})["scene_hash"];
+  const Json hash = stats_of({}).at("scene_hash");
   EXPECT_EQ(hash, stats_of({}, copy)["scene_hash"]);
   write_text(folder + "/tall_box.obj", file_text(folder + "/tall_box.obj") + "# changed\n");
   EXPECT_NE(hash, stats_of({}, copy)["scene_hash"]);
