@@ -1,0 +1,113 @@
+#include "renderer/light/light_sampler.h"
+
+#include <gtest/gtest.h>
+
+#include "renderer/light/light_power.h"
+#include "renderer/light/make_light.h"
+#include "renderer/sampling/hash.h"
+#include "tests/statistics/chi_square.h"
+
+namespace candela {
+namespace {
+
+const std::array<Vec3f, 3> unit_triangle{Vec3f(0), {1, 0, 0}, {0, 1, 0}};
+
+Light triangle_of(float radiance) {
+  return make_triangle_light(unit_triangle, Rgb(radiance), false);
+}
+
+LightSampler sampler_of(const std::vector<Light>& lights) {
+  std::vector<double> powers;
+  for (const Light& light : lights) powers.push_back(light_power(light, nullptr, 2));
+  return LightSampler(lights, powers);
+}
+
+double probability_sum(const LightSampler& sampler, std::size_t count) {
+  double sum = 0;
+  for (std::uint32_t i = 0; i < count; ++i) sum += static_cast<double>(sampler.probability(i));
+  return sum;
+}
+
+TEST(Unit_LightPower, IsTheFlux) {
+  EXPECT_NEAR(light_power(make_point_light(Vec3f(0), Rgb(2)), nullptr, 3), 8 * pi_double, 1e-5);
+  EXPECT_NEAR(light_power(make_directional_light({1, 0, 0}, Rgb(2)), nullptr, 3), 18 * pi_double,
+              1e-5);
+  EXPECT_NEAR(light_power(triangle_of(2), nullptr, 3), pi_double, 1e-6);
+  EXPECT_NEAR(light_power(make_triangle_light(unit_triangle, Rgb(2), true), nullptr, 3),
+              2 * pi_double, 1e-6);
+  Environment environment;
+  environment.mean_luminance = 0.5;
+  EXPECT_NEAR(light_power(make_environment_light(), &environment, 3),
+              0.5 * 4 * pi_double * pi_double * 9, 1e-5);
+}
+
+TEST(Unit_LightSampler, IsEmptyWithoutLights) {
+  const LightSampler sampler = sampler_of({});
+  EXPECT_TRUE(sampler.always().empty());
+  EXPECT_FALSE(sampler.has_table());
+  EXPECT_FALSE(LightSampler().has_table());
+}
+
+TEST(Unit_LightSampler, AlwaysSamplesFewDeltaLightsAndPicksAmongTheRest) {
+  const std::vector<Light> lights{make_point_light(Vec3f(0), Rgb(1)), triangle_of(1),
+                                  make_directional_light({0, 1, 0}, Rgb(1)), triangle_of(3)};
+  const LightSampler sampler = sampler_of(lights);
+  EXPECT_EQ(sampler.always(), (std::vector<std::uint32_t>{0, 2}));
+  EXPECT_EQ(sampler.probability(0), 0.0f);
+  EXPECT_NEAR(sampler.probability(1), 0.25, 1e-7);
+  EXPECT_NEAR(sampler.probability(3), 0.75, 1e-7);
+}
+
+TEST(Unit_LightSampler, PicksAllByPowerWhereDeltaLightsAreMany) {
+  std::vector<Light> lights(LightSampler::delta_limit, make_point_light(Vec3f(0), Rgb(1)));
+  lights.push_back(triangle_of(1));
+  EXPECT_EQ(sampler_of(lights).always().size(), LightSampler::delta_limit);
+  lights.push_back(make_point_light(Vec3f(1), Rgb(2)));
+  const LightSampler many = sampler_of(lights);
+  EXPECT_TRUE(many.always().empty());
+  EXPECT_NEAR(many.probability(5) / many.probability(0), 2, 1e-6);
+  EXPECT_NEAR(probability_sum(many, lights.size()), 1, 1e-7);
+}
+
+// Black delta lights do not count towards the limit either.
+TEST(Unit_LightSampler, DropsBlackLights) {
+  std::vector<Light> lights(10, make_point_light(Vec3f(0), Rgb(0)));
+  lights.push_back(triangle_of(0));
+  EXPECT_FALSE(sampler_of(lights).has_table());
+  EXPECT_TRUE(sampler_of(lights).always().empty());
+  lights.push_back(make_point_light(Vec3f(0), Rgb(1)));
+  lights.push_back(triangle_of(1));
+  const LightSampler sampler = sampler_of(lights);
+  EXPECT_EQ(sampler.always(), (std::vector<std::uint32_t>{11}));
+  EXPECT_EQ(sampler.probability(12), 1.0f);
+  EXPECT_EQ(sampler.probability(10), 0.0f);
+}
+
+TEST(Unit_LightSampler, HoldsPowersSixtyDecadesApart) {
+  const std::vector<Light> lights{triangle_of(1e-30f), triangle_of(1), triangle_of(1e30f)};
+  const LightSampler sampler = sampler_of(lights);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    EXPECT_GT(sampler.probability(i), 0.0f);
+    EXPECT_TRUE(std::isfinite(1 / sampler.probability(i)));
+  }
+  EXPECT_NEAR(probability_sum(sampler, 3), 1, 1e-7);
+}
+
+TEST(Statistical_LightSampler, FrequenciesFitTheProbabilities) {
+  std::vector<Light> lights;
+  for (int i = 0; i < 300; ++i) lights.push_back(triangle_of(static_cast<float>(i % 17)));
+  const LightSampler sampler = sampler_of(lights);
+  constexpr std::uint64_t count = 1'000'000;
+  std::vector<double> observed(lights.size(), 0), expected;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const LightPick pick = sampler.pick(static_cast<std::uint32_t>(mix_bits(i) >> 32));
+    ASSERT_EQ(pick.probability, sampler.probability(pick.light));
+    observed[pick.light] += 1;
+  }
+  for (std::uint32_t i = 0; i < lights.size(); ++i)
+    expected.push_back(static_cast<double>(sampler.probability(i)) * count);
+  EXPECT_GT(statistics::chi_square_test(observed, expected).p_value, 1e-4);
+}
+
+}  // namespace
+}  // namespace candela
