@@ -86,7 +86,7 @@ double chi_square_p_value(const Cap& cap, int bins, std::uint64_t count,
   double inside = 0;
   for (int i = 0; i < bins; ++i)
     for (int j = 0; j < bins; ++j) {
-      const double mass = bin_mass(cap, bins, i, j, pdf);
+      const double mass = j + 1 < bins ? bin_mass(cap, bins, i, j, pdf) : 0;
       inside += mass;
       expected.push_back(mass * static_cast<double>(count));
     }
@@ -102,6 +102,16 @@ double chi_square_p_value(const Cap& cap, int bins, std::uint64_t count,
     observed[cell] += 1;
   }
   return statistics::chi_square_test(observed, expected).p_value;
+}
+
+double lambert_irradiance(const std::vector<Vec3d>& polygon, const Vec3d& p, const Vec3d& n) {
+  double sum = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3d a = normalize(polygon[i] - p);
+    const Vec3d b = normalize(polygon[(i + 1) % polygon.size()] - p);
+    sum += std::acos(dot(a, b)) * dot(normalize(cross(a, b)), n);
+  }
+  return std::abs(sum) / 2;
 }
 
 }  // namespace candela::light_test

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "renderer/math/frame.h"
 #include "renderer/math/vec.h"
@@ -43,9 +44,15 @@ using DirectionSampler = std::function<std::optional<Vec3f>(Vec2f)>;
 // The p-value of `count` samples on bins x bins pieces of the cap against the density, which is
 // integrated over each piece by the midpoint rule. Pieces in which the density vanishes anywhere
 // (the quadrature of an edge would be poor), what falls outside of the cap and what is rejected
-// share one cell, which expects what the others lack to 1.
+// share one cell, which expects what the others lack to 1. So that this cell never expects so
+// little that the quadrature's error matters, the last slice of azimuth is thrown in.
 [[nodiscard]] double chi_square_p_value(const Cap& cap, int bins, std::uint64_t count,
                                         const DirectionSampler& sample,
                                         const DirectionFunction& pdf);
+
+// Irradiance from a polygon of unit radiance by Lambert's formula: half the sum over edges of the
+// angle they subtend times the cosine of their plane's normal; all of the polygon lies above.
+[[nodiscard]] double lambert_irradiance(const std::vector<Vec3d>& polygon, const Vec3d& p,
+                                        const Vec3d& n);
 
 }  // namespace candela::light_test

@@ -111,18 +111,6 @@ TEST(Unit_TriangleLight, EmitsOnTheSideOfItsWindingOrOnBoth) {
   EXPECT_TRUE(sample_light({}, both, {0, 0, -1}, {0.5f, 0.25f}).is_valid());
 }
 
-// Irradiance from a polygon of unit radiance by Lambert's formula: half the sum over edges of the
-// angle they subtend times the cosine of their plane's normal; all of the polygon lies above.
-double lambert_irradiance(const std::vector<Vec3d>& polygon, const Vec3d& p, const Vec3d& n) {
-  double sum = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3d a = normalize(polygon[i] - p);
-    const Vec3d b = normalize(polygon[(i + 1) % polygon.size()] - p);
-    sum += std::acos(dot(a, b)) * dot(normalize(cross(a, b)), n);
-  }
-  return std::abs(sum) / 2;
-}
-
 TEST(Statistical_TriangleLight, RectangleOverPlaneGivesLambertsIrradiance) {
   const std::array<Vec3f, 4> corners{
       Vec3f(-1, 2, -0.5f), {1, 2, -0.5f}, {1, 2, 0.5f}, {-1, 2, 0.5f}};
@@ -140,9 +128,9 @@ TEST(Statistical_TriangleLight, RectangleOverPlaneGivesLambertsIrradiance) {
     }
     moments.add(estimate);
   }
-  const double exact = 3 * lambert_irradiance({Vec3d(corners[0]), Vec3d(corners[1]),
-                                               Vec3d(corners[2]), Vec3d(corners[3])},
-                                              Vec3d(p), Vec3d(n));
+  const double exact = 3 * light_test::lambert_irradiance({Vec3d(corners[0]), Vec3d(corners[1]),
+                                                           Vec3d(corners[2]), Vec3d(corners[3])},
+                                                          Vec3d(p), Vec3d(n));
   EXPECT_GT(moments.p_value(exact), 1e-4)
       << moments.mean() << " +- " << moments.standard_error() << ", exact " << exact;
   EXPECT_LT(moments.standard_error() / exact, 1e-3);  // sharp enough to see a dimming by 1 %

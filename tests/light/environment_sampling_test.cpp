@@ -1,0 +1,217 @@
+// Sampling of environments: the density is that of the samples, and what they estimate is right.
+#include <gtest/gtest.h>
+
+#include "renderer/light/make_light.h"
+#include "renderer/light/sample_light.h"
+#include "renderer/math/colour.h"
+#include "tests/light/directions.h"
+#include "tests/light/map_images.h"
+#include "tests/statistics/moments.h"
+
+namespace candela {
+namespace {
+
+using light_test::Cap;
+using light_test::cube;
+using light_test::lat_long;
+using light_test::MapEnvironment;
+using light_test::write_float_map;
+
+// Bright spots on a gradient, nothing in one corner; no symmetry.
+Vec3f varied_texel(int x, int y) {
+  if (x < 5 && y < 4) return Vec3f(0);
+  const float spot = (x * 5 + y * 3) % 23 == 0 ? 20.0f : 0.0f;
+  return {1 + 0.1f * static_cast<float>(x) + spot, 0.2f * static_cast<float>(y), spot};
+}
+
+std::array<description::Image, 6> varied_faces() {
+  std::array<description::Image, 6> faces;
+  for (std::size_t i = 0; i < 6; ++i)
+    faces[i] = write_float_map(fmt::format("varied{}", i), 8, 8, [&](int x, int y) {
+      return varied_texel(x + 3 * static_cast<int>(i), y) * (1 + static_cast<float>(i));
+    });
+  return faces;
+}
+
+MapEnvironment varied_lat_long(std::size_t max_cells = default_environment_cells) {
+  return lat_long(write_float_map("varied", 16, 8, varied_texel), Mat3d(1.0), max_cells);
+}
+
+MapEnvironment constant(double radiance) {
+  MapEnvironment result;
+  description::ConstantEnvironment description;
+  description.radiance = Vec3d(radiance);
+  result.environment = build_environment(description);
+  return result;
+}
+
+struct NamedMap {
+  const char* name;
+  MapEnvironment map;
+};
+std::vector<NamedMap> all_maps() {
+  std::vector<NamedMap> maps;
+  maps.push_back({"constant", constant(2)});
+  maps.push_back({"lat-long", varied_lat_long()});
+  maps.push_back({"coarse lat-long", varied_lat_long(50)});
+  maps.push_back({"cube", cube(varied_faces())});
+  maps.push_back({"coarse cube", cube(varied_faces(), 100)});
+  return maps;
+}
+
+TEST(Statistical_Environment, DensityIntegratesToOne) {
+  for (const NamedMap& m : all_maps()) {
+    if (m.map.environment.mapping == EnvironmentMapping::Constant) continue;  // without spread
+    const statistics::Moments sum =
+        light_test::random_integral(Cap{}, 1'000'000, [&](const Vec3f& d) { return m.map.pdf(d); });
+    EXPECT_GT(sum.p_value(1), 1e-4) << m.name << ": " << sum.mean();
+    EXPECT_LT(sum.standard_error(), 0.01) << m.name;
+  }
+}
+
+TEST(Statistical_Environment, SamplesFitTheDensity) {
+  for (const NamedMap& m : all_maps()) {
+    const auto sample = [&](Vec2f u) -> std::optional<Vec3f> {
+      return sample_environment(m.map.environment, u).direction;
+    };
+    EXPECT_GT(light_test::chi_square_p_value(Cap{}, 64, 1'000'000, sample,
+                                             [&](const Vec3f& d) { return m.map.pdf(d); }),
+              1e-4)
+        << m.name;
+  }
+}
+
+// The polar rows by themselves, where a cell's solid angle shrinks to nothing.
+TEST(Statistical_Environment, SamplesFitTheDensityNextToThePoles) {
+  const MapEnvironment map = lat_long(write_float_map(
+      "poles", 64, 256, [](int x, int y) { return Vec3f(y < 2 || y > 253 ? 1 + x % 5 : 0); }));
+  const auto sample = [&](Vec2f u) -> std::optional<Vec3f> {
+    return sample_environment(map.environment, u).direction;
+  };
+  const double cos_min = std::cos(pi_double * 3 / 256);
+  for (const float up : {1.0f, -1.0f}) {
+    const Cap cap{{{1, 0, 0}, {0, 0, up}, {0, up, 0}}, cos_min};
+    EXPECT_GT(light_test::chi_square_p_value(cap, 48, 1'000'000, sample,
+                                             [&](const Vec3f& d) { return map.pdf(d); }),
+              1e-4)
+        << up;
+  }
+}
+
+// pdf() is asked about directions that sample() gave; but for cells' edges both say the same.
+TEST(Unit_Environment, SampleAndPdfAgree) {
+  for (const NamedMap& m : all_maps()) {
+    int differing = 0;
+    for (std::uint64_t i = 0; i < 100'000; ++i) {
+      const EnvironmentSample s =
+          sample_environment(m.map.environment, light_test::random_pair(i, 7));
+      ASSERT_NEAR(length(s.direction), 1, 1e-6) << m.name;
+      differing += std::abs(m.map.pdf(s.direction) / static_cast<double>(s.pdf) - 1) > 1e-5 ? 1 : 0;
+    }
+    EXPECT_LT(differing, 10) << m.name;
+  }
+}
+
+// Irradiance on a plane with normal n, by sampling the light.
+statistics::Moments irradiance(const MapEnvironment& map, const Vec3f& n, std::uint64_t count) {
+  const LightTables tables{&map.environment, &map.textures};
+  const Light light = make_environment_light();
+  statistics::Moments moments;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const LightSample s = sample_light(tables, light, Vec3f(0), light_test::random_pair(i, 8));
+    moments.add(s.is_valid() ? static_cast<double>(average(s.radiance)) *
+                                   std::max(0.0f, dot(n, s.wi)) / static_cast<double>(s.pdf)
+                             : 0);
+  }
+  return moments;
+}
+
+TEST(Statistical_Environment, ConstantGivesPiTimesItsRadiance) {
+  const statistics::Moments moments = irradiance(constant(2), {0.6f, 0, 0.8f}, 1'000'000);
+  EXPECT_GT(moments.p_value(2 * pi_double), 1e-4) << moments.mean();
+  EXPECT_LT(moments.standard_error() / moments.mean(), 2e-3);
+}
+
+// Each face of its own constant radiance: the top is a square over the plane, and the upper halves
+// of the four sides share what it leaves of pi.
+TEST(Statistical_Environment, CubeOfConstantFacesGivesLambertsIrradiance) {
+  std::array<description::Image, 6> faces;
+  const double radiance[6] = {1, 2, 30, 4, 5, 6};
+  for (std::size_t i = 0; i < 6; ++i)
+    faces[i] = write_float_map(fmt::format("constant{}", i), 4, 4,
+                               [&](int, int) { return Vec3f(Vec3d(radiance[i])); });
+  const double top = light_test::lambert_irradiance(
+      {{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}}, Vec3d(0), Vec3d(0, 1, 0));
+  const double exact = 30 * top + (1 + 2 + 5 + 6) * (pi_double - top) / 4;
+  const statistics::Moments moments = irradiance(cube(faces), {0, 1, 0}, 1'000'000);
+  EXPECT_GT(moments.p_value(exact), 1e-4) << moments.mean() << ", exact " << exact;
+  EXPECT_LT(moments.standard_error(), 2e-3 * exact);
+}
+
+// Bilinear interpolation of the same map in double, by the convention in words: row 0 is up, the
+// centre is -z, right of it +x; columns wrap, rows end.
+double reference_radiance(int width, int height, const light_test::TexelFunction& texel,
+                          const Vec3d& d) {
+  const double x = (0.5 + std::atan2(d.x, -d.z) / (2 * pi_double)) * width - 0.5;
+  const double y = std::clamp(std::acos(d.y) / pi_double * height - 0.5, 0.0, height - 1.0);
+  const double fx = x - std::floor(x), fy = y - std::floor(y);
+  const auto at = [&](int i, int j) {
+    const Vec3f value = texel((i + width) % width, std::min(j, height - 1));
+    return static_cast<double>(value.x + value.y + value.z) / 3;
+  };
+  const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
+  return (at(i, j) * (1 - fx) + at(i + 1, j) * fx) * (1 - fy) +
+         (at(i, j + 1) * (1 - fx) + at(i + 1, j + 1) * fx) * fy;
+}
+
+double reference_irradiance(int width, int height, const light_test::TexelFunction& texel,
+                            const Vec3d& n) {
+  const int across = width * 32, down = height * 64;
+  double sum = 0;
+  for (int j = 0; j < down; ++j) {
+    const double theta = pi_double * (j + 0.5) / down;
+    for (int i = 0; i < across; ++i) {
+      const double phi = 2 * pi_double * (i + 0.5) / across;
+      const Vec3d d(std::sin(theta) * std::sin(phi), std::cos(theta),
+                    std::sin(theta) * std::cos(phi));
+      const double cosine = dot(d, n);
+      if (cosine > 0) sum += reference_radiance(width, height, texel, d) * cosine * std::sin(theta);
+    }
+  }
+  return sum * (pi_double / down) * (2 * pi_double / across);
+}
+
+void expect_reference_irradiance(const char* name, int width, int height,
+                                 const light_test::TexelFunction& texel, double max_error) {
+  const MapEnvironment map = lat_long(write_float_map(name, width, height, texel));
+  for (const Vec3f n : {Vec3f(0, 1, 0), Vec3f(0.6f, 0, 0.8f), Vec3f(-0.48f, -0.64f, -0.6f)}) {
+    const double exact = reference_irradiance(width, height, texel, Vec3d(n));
+    const statistics::Moments moments = irradiance(map, n, 500'000);
+    EXPECT_GT(moments.p_value(exact), 1e-4) << name << ": " << moments.mean() << " +- "
+                                            << moments.standard_error() << ", exact " << exact;
+    EXPECT_LT(moments.standard_error(), max_error * exact) << name;
+  }
+}
+
+TEST(Statistical_Environment, GradientGivesTheIrradianceOfQuadrature) {
+  expect_reference_irradiance(
+      "gradient", 16, 8, [](int x, int y) { return Vec3f(y + 1, 0.5f * static_cast<float>(x), 2); },
+      4e-3);
+}
+
+TEST(Statistical_Environment, OneVeryBrightPixelIsFoundByItsSamples) {
+  const auto sun = [](int x, int y) { return Vec3f(x == 21 && y == 14 ? 1e9f : 1.0f); };
+  const MapEnvironment map = lat_long(write_float_map("sun", 64, 32, sun));
+  // Seen from its own side; below the horizon the sky alone is left.
+  const double angle = pi_double * 14.5 / 32, azimuth = 2 * pi_double * (21.5 / 64 - 0.5);
+  const Vec3d towards(std::sin(angle) * std::sin(azimuth), std::cos(angle),
+                      -std::sin(angle) * std::cos(azimuth));
+  const statistics::Moments moments = irradiance(map, Vec3f(towards), 1'000'000);
+  const double exact = reference_irradiance(64, 32, sun, towards);
+  EXPECT_NEAR(moments.mean() / exact, 1, 1e-4 + 4 * moments.standard_error() / exact);
+  EXPECT_LT(moments.standard_error(), 2e-3 * exact);
+  EXPECT_GT(map.pdf(Vec3f(-towards)), 0);
+}
+
+}  // namespace
+}  // namespace candela

@@ -1,0 +1,220 @@
+// Where environment maps are looked up, and what odd maps do.
+#include "renderer/light/environment.h"
+
+#include <gtest/gtest.h>
+
+#include "renderer/light/light_power.h"
+#include "renderer/light/make_light.h"
+#include "renderer/light/sample_light.h"
+#include "tests/light/directions.h"
+#include "tests/light/map_images.h"
+
+namespace candela {
+namespace {
+
+using light_test::cube;
+using light_test::lat_long;
+using light_test::MapEnvironment;
+using light_test::write_byte_map;
+using light_test::write_float_map;
+
+TEST(Unit_CubeMap, PointAndDirectionAreInverse) {
+  for (std::uint64_t i = 0; i < 10'000; ++i) {
+    const Vec3f d = light_test::random_direction(i, 1);
+    const CubePoint point = cube_point(d);
+    const Vec3f back = normalize(cube_direction(point.face, point.st));
+    ASSERT_LT(length(back - d), 1e-6f);
+    ASSERT_TRUE(point.st.x >= 0 && point.st.x <= 1 && point.st.y >= 0 && point.st.y <= 1);
+  }
+}
+
+// 2 x 2 faces, every texel of its own colour (face, column, row). The directions are written out
+// by hand from OpenGL's table: which world axis each image axis follows on each face.
+TEST(Unit_CubeMap, FacesAndCornersLieAsOpenGlLaysThem) {
+  std::array<description::Image, 6> images;
+  for (std::size_t face = 0; face < 6; ++face)
+    images[face] = write_byte_map(fmt::format("corners{}", face), 2, 2, [&](int x, int y) {
+      return Vec3f(40 * static_cast<float>(face + 1), 100 * x + 50, 100 * y + 50);
+    });
+  const MapEnvironment map = cube(images);
+  EXPECT_TRUE(map.diagnostics.list().empty());
+  struct Face {
+    Vec3f axis, right, down;
+  };
+  const Face faces[6] = {{{1, 0, 0}, {0, 0, -1}, {0, -1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
+                         {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},   {{0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
+                         {{0, 0, 1}, {1, 0, 0}, {0, -1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, -1, 0}}};
+  const auto decoded = [](double value) { return std::pow(value / 255, 2.2); };
+  for (int i = 0; i < 6; ++i) {
+    const double red = decoded(40 * (i + 1));
+    EXPECT_NEAR(map.radiance(faces[i].axis).x, red, 1e-5) << i;
+    for (int x = 0; x < 2; ++x)
+      for (int y = 0; y < 2; ++y) {
+        const Vec3f d = faces[i].axis + faces[i].right * (static_cast<float>(x) - 0.5f) +
+                        faces[i].down * (static_cast<float>(y) - 0.5f);
+        const Rgb seen = map.radiance(normalize(d));
+        EXPECT_NEAR(seen.x, red, 1e-5) << i << x << y;
+        EXPECT_NEAR(seen.y, decoded(100 * x + 50), 1e-5) << i << x << y;
+        EXPECT_NEAR(seen.z, decoded(100 * y + 50), 1e-5) << i << x << y;
+      }
+  }
+}
+
+// A bright column at a face's left end must not bleed over to the right end.
+TEST(Unit_CubeMap, FacesDoNotWrap) {
+  std::array<description::Image, 6> images;
+  images.fill(write_float_map("no_wrap", 4, 4, [](int x, int) { return Vec3f(x == 0 ? 1 : 0); }));
+  const MapEnvironment map = cube(images);
+  EXPECT_EQ(map.radiance(normalize(Vec3f(0.999f, 0, 1))), Rgb(0));
+  EXPECT_EQ(map.radiance(normalize(Vec3f(-0.999f, 0, 1))), Rgb(1));
+}
+
+TEST(Unit_LatLongMap, ConventionIsThatOfAViewerLookingAlongMinusZ) {
+  // 8 x 4: red tells the column, green the row.
+  const MapEnvironment map = lat_long(
+      write_float_map("convention", 8, 4, [](int x, int y) { return Vec3f(x + 1, y + 1, 0); }));
+  const auto expect = [&](const Vec3f& d, double column, double row) {
+    const Rgb seen = map.radiance(normalize(d));
+    EXPECT_NEAR(seen.x, column + 1, 2e-5) << d.x << " " << d.y << " " << d.z;
+    EXPECT_NEAR(seen.y, row + 1, 2e-5) << d.x << " " << d.y << " " << d.z;
+  };
+  expect({0, 0, -1}, 3.5, 1.5);  // the centre: between texels 3 and 4, rows 1 and 2
+  expect({1, 0, 0}, 5.5, 1.5);   // to the right
+  expect({-1, 0, 0}, 1.5, 1.5);
+  expect({1e-6f, 0, 1}, 3.5, 1.5);  // behind: half way between the last texel and the first
+  EXPECT_NEAR(map.radiance({0, 1, 0}).y, 1, 1e-6);  // up: row 0
+  EXPECT_NEAR(map.radiance({0, -1, 0}).y, 4, 1e-6);
+  const double centre_of_row_1 = pi_double * 1.5 / 4;
+  expect(Vec3f(Vec3d(0, std::cos(centre_of_row_1), -std::sin(centre_of_row_1))), 3.5, 1);
+}
+
+TEST(Unit_LatLongMap, TurnsWithTheWorld) {
+  const description::Image image =
+      write_float_map("turned", 16, 8, [](int x, int y) { return Vec3f(x, y, x * y); });
+  const MapEnvironment plain = lat_long(image);
+  // The map's -z looks along the world's +x, its y along the world's z (scaled: made unit length).
+  const Mat3d world_from_map(Vec3d(0, 3, 0), Vec3d(0, 0, 2), Vec3d(-1, 0, 0));
+  const MapEnvironment turned = lat_long(image, world_from_map);
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    const Vec3f m = light_test::random_direction(i, 2);
+    const Vec3f world(-m.z, m.x, m.y);
+    EXPECT_LT(length(turned.radiance(world) - plain.radiance(m)), 1e-3f);
+    const EnvironmentSample a =
+        sample_environment(plain.environment, light_test::random_pair(i, 3));
+    const EnvironmentSample b =
+        sample_environment(turned.environment, light_test::random_pair(i, 3));
+    EXPECT_EQ(a.pdf, b.pdf);
+    EXPECT_LT(length(Vec3f(-a.direction.z, a.direction.x, a.direction.y) - b.direction), 1e-6f);
+  }
+}
+
+TEST(Unit_Environment, ConstantIsTheSameEverywhere) {
+  description::ConstantEnvironment constant;
+  constant.radiance = Vec3d(1, 2, 3);
+  constant.is_seen_by_camera = false;
+  const Environment environment = build_environment(constant);
+  EXPECT_FALSE(environment.is_seen_by_camera);
+  EXPECT_EQ(environment_radiance(environment, TextureStore(), {0, 1, 0}), Rgb(1, 2, 3));
+  EXPECT_NEAR(environment_pdf(environment, {0, 1, 0}), 1 / (4 * pi_double), 1e-8);
+}
+
+void expect_no_light(const Environment& environment) {
+  EXPECT_TRUE(environment.is_black());
+  EXPECT_EQ(light_power(make_environment_light(), &environment, 1), 0);
+  EXPECT_EQ(sample_environment(environment, {0.3f, 0.6f}).pdf, 0.0f);
+  EXPECT_EQ(environment_pdf(environment, {0, 0, 1}), 0.0f);
+}
+
+TEST(Unit_Environment, BlackOnesAreNoLight) {
+  expect_no_light(build_environment(description::ConstantEnvironment{}));
+  const description::Image black =
+      write_float_map("black", 4, 2, [](int, int) { return Vec3f(0); });
+  const MapEnvironment map = lat_long(black);
+  expect_no_light(map.environment);
+  EXPECT_EQ(map.radiance({0, 0, 1}), Rgb(0));
+  std::array<description::Image, 6> faces;
+  faces.fill(black);
+  expect_no_light(cube(faces).environment);
+}
+
+// Wherever there is light there is density: else next-event estimation would lose it.
+void expect_density_where_light(const MapEnvironment& map) {
+  int lit = 0;
+  for (std::uint64_t i = 0; i < 200'000; ++i) {
+    const Vec3f d = light_test::random_direction(i, 4);
+    if (is_black(map.radiance(d))) continue;
+    ++lit;
+    ASSERT_GT(map.pdf(d), 0) << d.x << " " << d.y << " " << d.z;
+  }
+  EXPECT_GT(lit, 100);
+}
+
+// Isolated pixels, so that bilinear lookups reach into cells whose own texel is black.
+Vec3f sparse_texel(int x, int y) {
+  return (x * 7 + y * 13) % 29 == 0 ? Vec3f(x % 3 == 0 ? 1e9f : 1e-3f, 0, y % 2 == 0 ? 1 : 0)
+                                    : Vec3f(0);
+}
+
+TEST(Unit_Environment, DensityIsPositiveWhereverLightIs) {
+  const description::Image image = write_float_map("sparse", 64, 32, sparse_texel);
+  for (const std::size_t max_cells :
+       {default_environment_cells, std::size_t{300}, std::size_t{7}}) {
+    expect_density_where_light(lat_long(image, Mat3d(1.0), max_cells));
+    std::array<description::Image, 6> faces;
+    faces.fill(image);
+    faces[2] = write_float_map("sparse_other_size", 9, 21, sparse_texel);
+    expect_density_where_light(cube(faces, max_cells));
+  }
+}
+
+TEST(Unit_Environment, LargeMapsGetCoarserGrids) {
+  const description::Image image = write_float_map("large", 64, 32, sparse_texel);
+  const MapEnvironment map = lat_long(image, Mat3d(1.0), 128);
+  EXPECT_EQ(map.environment.distribution.columns(), 16u);
+  EXPECT_EQ(map.environment.distribution.rows(), 8u);
+}
+
+TEST(Unit_Environment, CountsTexelsThatAreNotRadiance) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const description::Image image = write_float_map("invalid", 16, 8, [&](int x, int y) {
+    if (x == 3 && y == 2) return Vec3f(nan, 1, 1);
+    if (x == 9 && y == 5) return Vec3f(1, infinity, 1);
+    if (x == 12 && y == 1) return Vec3f(-4, 1, 1);
+    return Vec3f(x % 4 == 0 ? 1 : 0);
+  });
+  const MapEnvironment map = lat_long(image);
+  EXPECT_GE(map.diagnostics.warning_count() + map.textures.decoding_diagnostics().warning_count(),
+            1u);
+  for (std::uint64_t i = 0; i < 100'000; ++i) {
+    const Vec3f d = light_test::random_direction(i, 5);
+    const Rgb seen = map.radiance(d);
+    ASSERT_TRUE(is_finite(seen) && min_component(seen) >= 0);
+    ASSERT_TRUE(is_black(seen) || map.pdf(d) > 0);
+    const LightSample s = sample_light({&map.environment, &map.textures}, make_environment_light(),
+                                       Vec3f(0), light_test::random_pair(i, 6));
+    ASSERT_TRUE(is_finite(s.radiance) && std::isfinite(s.pdf));
+  }
+}
+
+TEST(Unit_Environment, AxesAndTheSquaresCornersAreFinite) {
+  const description::Image image =
+      write_float_map("ends", 16, 8, [](int, int) { return Vec3f(1); });
+  std::array<description::Image, 6> faces;
+  faces.fill(image);
+  for (const MapEnvironment& map : {lat_long(image), cube(faces)}) {
+    for (const Vec3f d : {Vec3f(1, 0, 0), Vec3f(0, 1, 0), Vec3f(0, 0, 1), Vec3f(-0.0f, -1, -0.0f),
+                          Vec3f(-1, 0, 0), Vec3f(0, -0.0f, -1), normalize(Vec3f(1, 1, 1))}) {
+      EXPECT_NEAR(map.radiance(d).x, 1, 1e-6);
+      EXPECT_TRUE(std::isfinite(map.pdf(d)) && map.pdf(d) > 0);
+    }
+    for (const float x : {0.0f, one_minus_epsilon})
+      for (const float y : {0.0f, one_minus_epsilon}) {
+        const EnvironmentSample s = sample_environment(map.environment, {x, y});
+        EXPECT_NEAR(length(s.direction), 1, 1e-6);
+        EXPECT_TRUE(std::isfinite(s.pdf) && s.pdf > 0);
+      }
+  }
+}
+
+}  // namespace
+}  // namespace candela
