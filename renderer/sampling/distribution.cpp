@@ -100,6 +100,22 @@ void write_cumulative(std::span<const double> weights, float* sums) {
   }
 }
 
+// About a step for every four intervals.
+std::uint32_t guide_steps(std::uint32_t count) {
+  return std::max(1u, std::bit_ceil(count) / 4);
+}
+
+// guide[k], k = 0..steps: the last of `count` intervals that begins at or before k / steps.
+void write_guide(const float* sums, std::uint32_t count, std::uint32_t steps,
+                 std::uint32_t* guide) {
+  std::uint32_t index = 0;
+  for (std::uint32_t k = 0; k <= steps; ++k) {
+    const float x = static_cast<float>(k) / static_cast<float>(steps);
+    while (index + 1 < count && sums[index + 1] <= x) ++index;
+    guide[k] = index;
+  }
+}
+
 }  // namespace
 
 GridDistribution::GridDistribution(std::uint32_t columns, std::uint32_t rows,
@@ -113,12 +129,22 @@ GridDistribution::GridDistribution(std::uint32_t columns, std::uint32_t rows,
     has_any = has_any || row_weights[row] > 0;
   }
   if (!has_any) return;
+  const std::uint32_t row_steps = guide_steps(rows);
+  const std::uint32_t column_steps = guide_steps(columns);
+  row_guide_steps_ = static_cast<float>(row_steps);
+  column_guide_steps_ = static_cast<float>(column_steps);
   marginal_.resize(std::size_t{rows} + 1);
-  conditional_.resize(std::size_t{rows} * (columns + 1));
+  marginal_guide_.resize(std::size_t{row_steps} + 1);
   write_cumulative(row_weights, marginal_.data());
-  for (std::uint32_t row = 0; row < rows; ++row)
-    write_cumulative(weights.subspan(std::size_t{row} * columns, columns),
-                     conditional_.data() + std::size_t{row} * (columns + 1));
+  write_guide(marginal_.data(), rows, row_steps, marginal_guide_.data());
+  conditional_.resize(std::size_t{rows} * (columns + 1));
+  conditional_guide_.resize(std::size_t{rows} * (column_steps + 1));
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    float* sums = conditional_.data() + std::size_t{row} * (columns + 1);
+    write_cumulative(weights.subspan(std::size_t{row} * columns, columns), sums);
+    write_guide(sums, columns, column_steps,
+                conditional_guide_.data() + std::size_t{row} * (column_steps + 1));
+  }
 }
 
 }  // namespace candela

@@ -74,8 +74,9 @@ class GridDistribution {
 
   // u in [0, 1)^2. Not to be called on an empty distribution.
   [[nodiscard]] Cell sample(Vec2f u) const {
-    const Interval row = invert(marginal_.data(), rows_, u.y);
-    const Interval column = invert(row_sums(row.index), columns_, u.x);
+    const Interval row = invert(marginal_.data(), marginal_guide_.data(), row_guide_steps_, u.y);
+    const Interval column =
+        invert(row_sums(row.index), row_guide(row.index), column_guide_steps_, u.x);
     return {
         column.index, row.index, {column.offset, row.offset}, row.probability * column.probability};
   }
@@ -84,7 +85,8 @@ class GridDistribution {
     return (marginal_[row + 1] - marginal_[row]) * (sums[column + 1] - sums[column]);
   }
   [[nodiscard]] std::size_t bytes() const {
-    return (marginal_.size() + conditional_.size()) * sizeof(float);
+    return (marginal_.size() + conditional_.size()) * sizeof(float) +
+           (marginal_guide_.size() + conditional_guide_.size()) * sizeof(std::uint32_t);
   }
 
  private:
@@ -98,10 +100,19 @@ class GridDistribution {
     return conditional_.data() + std::size_t{row} * (columns_ + 1);
   }
 
-  // The interval with sums[index] <= u < sums[index + 1]; sums[0] = 0, sums[count] = 1.
-  [[nodiscard]] static Interval invert(const float* sums, std::uint32_t count, float u) {
-    std::uint32_t index = 0;
-    for (std::uint32_t length = count; length > 1;) {
+  [[nodiscard]] const std::uint32_t* row_guide(std::uint32_t row) const {
+    return conditional_guide_.data() +
+           std::size_t{row} * (static_cast<std::uint32_t>(column_guide_steps_) + 1);
+  }
+
+  // The interval with sums[index] <= u < sums[index + 1]; the sums go from 0 to 1. guide[k] is the
+  // interval of k / guide_steps, so that few are left to search, near each other in memory
+  // [Chen74].
+  [[nodiscard]] static Interval invert(const float* sums, const std::uint32_t* guide,
+                                       float guide_steps, float u) {
+    const auto step = static_cast<std::uint32_t>(u * guide_steps);
+    std::uint32_t index = guide[step];
+    for (std::uint32_t length = guide[step + 1] - index + 1; length > 1;) {
       const std::uint32_t half = length / 2;
       index += sums[index + half] <= u ? half : 0;
       length -= half;
@@ -116,6 +127,11 @@ class GridDistribution {
 
   std::vector<float> marginal_;     // rows + 1 cumulative sums
   std::vector<float> conditional_;  // columns + 1 cumulative sums a row
+  std::vector<std::uint32_t> marginal_guide_;
+  std::vector<std::uint32_t> conditional_guide_;  // column_guide_steps_ + 1 a row
+  // Powers of two, so that multiplying by them is exact.
+  float row_guide_steps_ = 1;
+  float column_guide_steps_ = 1;
   std::uint32_t columns_ = 0;
   std::uint32_t rows_ = 0;
 };
