@@ -84,7 +84,7 @@ TEST(Unit_AliasTable, FollowsTheWeights) {
 }
 
 TEST(Unit_AliasTable, LosesNothingOfPowersFarApart) {
-  const std::vector<double> weights{1e-30, 1, 1e30, 0, 1e-320};
+  const std::vector<double> weights{1e-30, 1, 1e30, 0, 1e-300};
   const AliasTable table(weights);
   EXPECT_GT(table.probability(0), 0.0f);
   EXPECT_GT(table.probability(1), 0.0f);
