@@ -6,6 +6,7 @@
 #pragma once
 
 #include "renderer/material/material.h"
+#include "renderer/math/constants.h"
 
 namespace candela {
 

@@ -51,9 +51,9 @@ struct Material {
   Rgb emission{0};                    // radiance
   ScalarParameter opacity{1, {}, 3};  // in [0,1]
   bool lab_opacity = false;           // thresholds 0.2 and 0.9 of LAB3 section 8
-  TextureHandle height;               // bump
+  TextureHandle height{};             // bump
   float height_scale = 1;             // see description::Material
-  TextureHandle normal_map;
+  TextureHandle normal_map{};
 
   [[nodiscard]] bool is_emissive() const { return !is_black(emission); }
 };
