@@ -1,4 +1,5 @@
 // Building by the surface area heuristic, evaluated at bins of the centroids [Wald07].
+#include <algorithm>
 #include <array>
 
 #include "renderer/accel/bvh_tree.h"

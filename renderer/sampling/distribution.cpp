@@ -1,5 +1,6 @@
 #include "renderer/sampling/distribution.h"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 

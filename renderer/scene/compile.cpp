@@ -1,5 +1,7 @@
 #include "renderer/scene/compile.h"
 
+#include <algorithm>
+
 #include "renderer/description/validate.h"
 #include "renderer/scene/compile_camera.h"
 #include "renderer/scene/compile_geometry.h"

@@ -1,5 +1,6 @@
 #include "renderer/scene/compile_geometry.h"
 
+#include <algorithm>
 #include <map>
 #include <span>
 #include <utility>

@@ -1,4 +1,5 @@
 // The nine scenes of the course, unmodified, where they are present.
+#include <algorithm>
 #include <filesystem>
 
 #include <gtest/gtest.h>
