@@ -1,5 +1,8 @@
 #include "integrators/render.h"
 
+#include <functional>
+#include <stdexcept>
+
 #include "integrators/path/kernels.h"
 #include "integrators/tiles.h"
 #include "renderer/base/parallel.h"
@@ -11,17 +14,51 @@ bool is_set(const CancelFlag* flag) {
   return flag != nullptr && flag->load(std::memory_order_relaxed);
 }
 
+// An integrator's kernel, bound to what it reads: samples [first, end) of each pixel of a tile.
+using TileFunction =
+    std::function<TileCounts(const PixelRect&, std::uint32_t first, std::uint32_t end, Film&)>;
+
+struct Kernel {
+  std::string name;
+  TileFunction render_tile;
+};
+
 template <class A>
-TileCounts render_passes(const PathContext<A>& context, TileKernel<A> kernel, Film& film,
+Kernel path_kernel(const Scene& scene, const A& accelerator, const Filter& filter,
+                   const RenderOptions& options) {
+  const PathKernel<A> kernel = select_path_kernel<A>(scene.features, options.use_general_kernel);
+  return {
+      "path/" + std::string(kernel.name),
+      [render = kernel.render, context = make_path_context(scene, accelerator, filter, options)](
+          const PixelRect& tile, std::uint32_t first, std::uint32_t end, Film& film) {
+        return render(context, tile, first, end, film);
+      }};
+}
+
+// What refers to its arguments lives as long as they do.
+template <class A>
+Kernel select_kernel(const Scene& scene, const A& accelerator, const Filter& filter,
+                     const RenderOptions& options) {
+  switch (options.integrator) {
+    case IntegratorKind::Path:
+      return path_kernel(scene, accelerator, filter, options);
+    case IntegratorKind::Whitted:
+    case IntegratorKind::Raster:
+    case IntegratorKind::Report:
+      break;
+  }
+  throw std::invalid_argument("this integrator is not built yet");
+}
+
+TileCounts render_passes(const RenderOptions& options, const TileFunction& render_tile, Film& film,
                          ProgressSink* progress, const CancelFlag* cancel) {
-  const std::vector<PixelRect> tiles = tiles_of(film.crop(), context.options.tile_size);
+  const std::vector<PixelRect> tiles = tiles_of(film.crop(), options.tile_size);
   std::vector<TileCounts> counts(tiles.size());
-  for (const SampleRange pass :
-       passes_of(static_cast<std::uint32_t>(context.options.samples_per_pixel))) {
+  for (const SampleRange pass : passes_of(static_cast<std::uint32_t>(options.samples_per_pixel))) {
     parallel_for(tiles.size(), [&](std::size_t i) {
       if (is_set(cancel)) return;
       const PixelRect& tile = tiles[i];
-      counts[i].add(kernel(context, tile, pass.first, pass.end, film));
+      counts[i].add(render_tile(tile, pass.first, pass.end, film));
       if (progress != nullptr)
         progress->advance(static_cast<std::uint64_t>(tile.width()) *
                           static_cast<std::uint64_t>(tile.height()) * (pass.end - pass.first));
@@ -41,26 +78,35 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
   RenderResult result{Film(options.width, options.height, rendered_rect(options), options.aovs),
                       {}};
   std::visit(
-      [&]<class A>(const A& backend) {
-        const PathKernel<A> kernel =
-            select_path_kernel<A>(scene.features, options.use_general_kernel);
-        const TileCounts counts = render_passes(make_path_context(scene, backend, filter, options),
-                                                kernel.render, result.film, progress, cancel);
-        result.statistics = {counts.rays,
-                             counts.skipped,
-                             counts.invalid_samples,
-                             counts.first_invalid,
-                             "path/" + std::string(kernel.name),
-                             is_set(cancel)};
+      [&](const auto& backend) {
+        const Kernel kernel = select_kernel(scene, backend, filter, options);
+        const TileCounts counts =
+            render_passes(options, kernel.render_tile, result.film, progress, cancel);
+        result.statistics = {counts.rays,          counts.skipped, counts.invalid_samples,
+                             counts.first_invalid, kernel.name,    is_set(cancel)};
       },
       accelerator);
   return result;
 }
 
 std::string kernel_name(const Scene& scene, const RenderOptions& options) {
-  return "path/" +
-         std::string(
-             select_path_kernel<EmbreeAccel>(scene.features, options.use_general_kernel).name);
+  switch (options.integrator) {
+    case IntegratorKind::Path:
+      return "path/" +
+             std::string(
+                 select_path_kernel<EmbreeAccel>(scene.features, options.use_general_kernel).name);
+    case IntegratorKind::Whitted:
+      return "whitted";
+    case IntegratorKind::Raster:
+      return "raster";
+    case IntegratorKind::Report:
+      return "report";
+  }
+  return "";
+}
+
+CompileOptions compile_options(const RenderOptions& options) {
+  return {.width = options.width, .height = options.height, .lab_quantised = false};
 }
 
 }  // namespace candela

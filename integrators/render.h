@@ -10,11 +10,12 @@
 #include "renderer/base/progress.h"
 #include "renderer/film/film.h"
 #include "renderer/film/filter.h"
+#include "renderer/scene/compile.h"
 #include "renderer/scene/scene.h"
 
 namespace candela {
 
-enum class IntegratorKind : std::uint8_t { Path };
+enum class IntegratorKind : std::uint8_t { Path, Whitted, Raster, Report };
 
 struct RenderOptions {
   IntegratorKind integrator = IntegratorKind::Path;
@@ -71,11 +72,14 @@ struct RenderResult {
                                   const RenderOptions& options, ProgressSink* progress,
                                   const CancelFlag* cancel);
 
+// What compile() must do for a render with these options.
+[[nodiscard]] CompileOptions compile_options(const RenderOptions& options);
+
 // The name of the kernel that render() would run.
 [[nodiscard]] std::string kernel_name(const Scene& scene, const RenderOptions& options);
 
 // CPU seconds of rendering a fixed share of the tiles, against replaying their rays through bare
-// backend calls (`--ray-limit`).
+// backend calls (`--ray-limit`). For the path integrator only.
 struct RayLimit {
   double render_seconds = 0;
   double rays_seconds = 0;

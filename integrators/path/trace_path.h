@@ -3,6 +3,7 @@
 // Unbiased: no clamp, no depth limit unless asked for.
 #pragma once
 
+#include "integrators/first_hit.h"
 #include "integrators/path/context.h"
 #include "integrators/path/feature_set.h"
 #include "integrators/path/next_event.h"
@@ -77,19 +78,6 @@ template <FeatureSet F>
   }
   set_shading_frame(point, wo);
   return point;
-}
-
-// What the film's layers keep of the first hit.
-inline void record_first_hit(const Scene& scene, const Camera& camera, const Geometry& geometry,
-                             const SurfacePoint& point, const Bsdf& bsdf, const Vec3f& wo_local,
-                             FilmSample& sample) {
-  sample.has_hit = true;
-  sample.albedo = albedo_estimate(bsdf, wo_local);
-  sample.normal = point.shading.z;
-  sample.position = scene.normalisation.to_file(point.position);
-  sample.depth =
-      static_cast<double>(length(point.position - camera.eye)) / scene.normalisation.scale;
-  sample.material = geometry.material.index;
 }
 
 // Continues the path in a direction drawn from the BSDF; false where it ends.

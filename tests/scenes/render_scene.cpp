@@ -16,7 +16,7 @@ RenderSettings settings_of(int size, int samples_per_pixel, std::uint64_t seed) 
 }
 
 Scene compiled(const description::SceneDescription& description, const RenderOptions& options) {
-  Result<Scene> scene = compile(description, {options.width, options.height, false});
+  Result<Scene> scene = compile(description, compile_options(options));
   for (const Diagnostic& diagnostic : scene.diagnostics.list())
     EXPECT_NE(diagnostic.severity, Severity::Error) << to_string(diagnostic);
   return scene ? std::move(*scene) : Scene{};

@@ -9,7 +9,10 @@
 namespace candela::cli {
 namespace {
 
-constexpr Choice<IntegratorKind> integrators[] = {{"path", IntegratorKind::Path}};
+constexpr Choice<IntegratorKind> integrators[] = {{"path", IntegratorKind::Path},
+                                                  {"whitted", IntegratorKind::Whitted},
+                                                  {"raster", IntegratorKind::Raster},
+                                                  {"report", IntegratorKind::Report}};
 constexpr Choice<FilterKind> filters[] = {{"box", FilterKind::Box},
                                           {"gaussian", FilterKind::Gaussian},
                                           {"blackman_harris", FilterKind::BlackmanHarris}};

@@ -98,6 +98,15 @@ void settle_camera(const RenderArguments& arguments,
                 ExitCode::Usage};
 }
 
+void refuse_what_does_not_fit(const RenderArguments& arguments, const RenderOptions& options) {
+  const std::string_view name = name_of(options.integrator, integrator_choices());
+  if (options.integrator != IntegratorKind::Path)
+    throw Refusal{fmt::format("--integrator {} is not built yet", name), ExitCode::Usage};
+  if (arguments.measures_ray_limit && options.integrator != IntegratorKind::Path)
+    throw Refusal{fmt::format("--ray-limit measures the path integrator, this is {}", name),
+                  ExitCode::Usage};
+}
+
 // What the film and the image made of it will hold at least; refused before anything is loaded into
 // it when it cannot fit, since an overcommitting kernel would end us without a word.
 void refuse_giant(const RenderOptions& options) {
@@ -128,6 +137,7 @@ RenderSettings settled(const RenderArguments& arguments,
   settle_camera(arguments, description, options);
   options.aovs = arguments.aovs;
   options.transparent = arguments.is_transparent;
+  refuse_what_does_not_fit(arguments, options);
   refuse_giant(options);
   settings.display = {arguments.tone_map,
                       arguments.exposure.value_or(description.defaults.exposure.value_or(0))};
@@ -143,10 +153,6 @@ SettledSettings settle_settings(const RenderArguments& arguments,
   } catch (const Refusal& refusal) {
     return {{}, refusal.sentence, refusal.exit_code};
   }
-}
-
-CompileOptions compile_options(const RenderOptions& options) {
-  return {.width = options.width, .height = options.height, .lab_quantised = false};
 }
 
 std::vector<std::string> output_paths(const RenderArguments& arguments) {

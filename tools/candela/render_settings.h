@@ -8,7 +8,6 @@
 #include "integrators/render.h"
 #include "renderer/base/result.h"
 #include "renderer/description/scene_description.h"
-#include "renderer/scene/compile.h"
 #include "tools/candela/arguments.h"
 #include "tools/candela/exit_code.h"
 
@@ -29,8 +28,6 @@ struct SettledSettings {
 };
 [[nodiscard]] SettledSettings settle_settings(const RenderArguments& arguments,
                                               const description::SceneDescription& description);
-
-[[nodiscard]] CompileOptions compile_options(const RenderOptions& options);
 
 // The -o files, or SCENE-stem.exr in the current folder.
 [[nodiscard]] std::vector<std::string> output_paths(const RenderArguments& arguments);
