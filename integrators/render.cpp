@@ -1,10 +1,11 @@
 #include "integrators/render.h"
 
-#include <functional>
 #include <stdexcept>
 
+#include "integrators/kernel.h"
 #include "integrators/path/kernels.h"
 #include "integrators/tiles.h"
+#include "integrators/whitted/kernels.h"
 #include "renderer/base/parallel.h"
 
 namespace candela {
@@ -13,15 +14,6 @@ namespace {
 bool is_set(const CancelFlag* flag) {
   return flag != nullptr && flag->load(std::memory_order_relaxed);
 }
-
-// An integrator's kernel, bound to what it reads: samples [first, end) of each pixel of a tile.
-using TileFunction =
-    std::function<TileCounts(const PixelRect&, std::uint32_t first, std::uint32_t end, Film&)>;
-
-struct Kernel {
-  std::string name;
-  TileFunction render_tile;
-};
 
 template <class A>
 Kernel path_kernel(const Scene& scene, const A& accelerator, const Filter& filter,
@@ -43,7 +35,9 @@ Kernel select_kernel(const Scene& scene, const A& accelerator, const Filter& fil
     case IntegratorKind::Path:
       return path_kernel(scene, accelerator, filter, options);
     case IntegratorKind::Whitted:
+      return whitted_kernel(scene, accelerator, options);
     case IntegratorKind::Raster:
+      return raster_kernel(scene, accelerator, options);
     case IntegratorKind::Report:
       break;
   }
@@ -106,7 +100,12 @@ std::string kernel_name(const Scene& scene, const RenderOptions& options) {
 }
 
 CompileOptions compile_options(const RenderOptions& options) {
-  return {.width = options.width, .height = options.height, .lab_quantised = false};
+  const bool is_lab =
+      options.integrator == IntegratorKind::Whitted || options.integrator == IntegratorKind::Raster;
+  return {.width = options.width,
+          .height = options.height,
+          .lab_quantised = is_lab,
+          .decides_cutouts = !is_lab};
 }
 
 }  // namespace candela

@@ -17,13 +17,18 @@ namespace candela {
 
 enum class IntegratorKind : std::uint8_t { Path, Whitted, Raster, Report };
 
+// How whitted and raster shade highlights: by the half vector or by the mirrored direction.
+enum class SpecularModel : std::uint8_t { Blinn, Phong };
+
 struct RenderOptions {
   IntegratorKind integrator = IntegratorKind::Path;
   int width = 512;
   int height = 512;
-  int samples_per_pixel = 64;
-  // Bounces as pbrt counts them: 0 sees emission only, 1 direct light, ...; none: no limit.
+  int samples_per_pixel = 64;  // whitted and raster: a square number, else the grid has gaps
+  // path: bounces as pbrt counts them: 0 sees emission only, 1 direct light, ...; none: no limit.
+  // whitted: surfaces that a ray may meet, as the lab counts them; none: 5.
   std::optional<int> max_depth;
+  SpecularModel specular = SpecularModel::Blinn;
   std::uint64_t seed = 0;
   std::size_t camera = 0;
   std::optional<PixelRect> crop;  // none: everything

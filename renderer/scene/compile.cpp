@@ -82,7 +82,7 @@ Result<Scene> compile(const SceneDescription& description, const CompileOptions&
   DropCounts dropped;
   scene.normalisation = normalisation_of(description);
   compile_materials(description, options, scene, dropped, diagnostics);
-  compile_geometry(description, scene, dropped);
+  compile_geometry(description, options, scene, dropped);
   scene.bounds = bounds_of(scene);
   for (const description::Camera& camera : description.cameras)
     scene.cameras.push_back(compile_camera(camera, scene.normalisation, options));

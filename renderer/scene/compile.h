@@ -12,6 +12,9 @@ struct CompileOptions {
   int height = 512;
   // Factors of lab materials rounded to n/255, as the lab stores them (whitted, raster).
   bool lab_quantised = false;
+  // Which triangles and hits count is decided by opacity, at compile time and by the accelerator.
+  // false: all of them count, and the integrator looks at the opacity itself (whitted, raster).
+  bool decides_cutouts = true;
 };
 
 // Validates, then compiles. Errors name the file and line of what cannot be rendered.

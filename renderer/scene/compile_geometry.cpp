@@ -85,9 +85,9 @@ std::uint32_t vertex_of(const MeshArrays& arrays, std::uint32_t v,
   return renumbered[v];
 }
 
-bool reads_uv(const Material& material, bool is_partial) {
+bool reads_uv(const Material& material, bool reads_opacity) {
   return material.diffuse.texture || material.specular.texture || material.roughness.texture ||
-         material.height || material.normal_map || (is_partial && material.opacity.texture);
+         material.height || material.normal_map || (reads_opacity && material.opacity.texture);
 }
 
 // Normals point to the side that windings call outside; where they disagree the normals are right.
@@ -119,8 +119,8 @@ Geometry picked(const description::Mesh& mesh, const MeshArrays& arrays,
   return geometry;
 }
 
-void compile_placement(const SceneDescription& description, const Scene& scene,
-                       Placement& placement) {
+void compile_placement(const SceneDescription& description, const CompileOptions& options,
+                       const Scene& scene, Placement& placement) {
   const description::Mesh& mesh = description.meshes[placement.mesh.index];
   MeshArrays arrays{normalised_positions(mesh, placement.to_normalised),
                     normalised_normals(mesh, placement.to_normalised),
@@ -129,11 +129,13 @@ void compile_placement(const SceneDescription& description, const Scene& scene,
   for (const auto& [index, triangles] : by_material(mesh, placement)) {
     const Material& material = scene.materials[index];
     const SortedTriangles sorted =
-        sort_triangles(scene, material, mesh, arrays.positions, triangles, placement.dropped);
+        sort_triangles(scene, material, mesh, arrays.positions, triangles, options.decides_cutouts,
+                       placement.dropped);
     for (const bool is_partial : {false, true}) {
       const auto& chosen = is_partial ? sorted.partial : sorted.opaque;
       if (chosen.empty()) continue;
-      arrays.uvs = reads_uv(material, is_partial) ? mesh.uvs : std::vector<Vec2f>{};
+      const bool reads_opacity = is_partial || !options.decides_cutouts;
+      arrays.uvs = reads_uv(material, reads_opacity) ? mesh.uvs : std::vector<Vec2f>{};
       placement.geometries.push_back(picked(mesh, arrays, chosen, index, is_mirrored));
       placement.geometries.back().has_cutouts = is_partial;
     }
@@ -219,10 +221,12 @@ Plan plan_placements(const SceneDescription& description, Scene& scene) {
 
 }  // namespace
 
-void compile_geometry(const SceneDescription& description, Scene& scene, DropCounts& dropped) {
+void compile_geometry(const SceneDescription& description, const CompileOptions& options,
+                      Scene& scene, DropCounts& dropped) {
   Plan plan = plan_placements(description, scene);
-  parallel_for(plan.placements.size(),
-               [&](std::size_t i) { compile_placement(description, scene, plan.placements[i]); });
+  parallel_for(plan.placements.size(), [&](std::size_t i) {
+    compile_placement(description, options, scene, plan.placements[i]);
+  });
   for (std::size_t i = 0; i < plan.placements.size(); ++i) {
     Placement& placement = plan.placements[i];
     for (const auto& [what, count] : placement.dropped) dropped[what] += count;

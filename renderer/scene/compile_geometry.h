@@ -6,6 +6,7 @@
 #include <string>
 
 #include "renderer/description/scene_description.h"
+#include "renderer/scene/compile.h"
 #include "renderer/scene/scene.h"
 
 namespace candela {
@@ -16,8 +17,8 @@ using DropCounts = std::map<std::string, std::uint64_t>;
 // Fills geometries, objects, world, instances. Materials are indexed as in the description, and the
 // scene's material table and textures must be complete. Emissive geometries are flattened, so that
 // each of their triangles is a light of its own.
-void compile_geometry(const description::SceneDescription& description, Scene& scene,
-                      DropCounts& dropped);
+void compile_geometry(const description::SceneDescription& description,
+                      const CompileOptions& options, Scene& scene, DropCounts& dropped);
 
 // Bounds of all that rays can hit.
 [[nodiscard]] Bounds3f bounds_of(const Scene& scene);

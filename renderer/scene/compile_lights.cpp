@@ -131,6 +131,15 @@ void add_environment(const SceneDescription& description, Scene& scene, Diagnost
   }
 }
 
+// lab3's ambient term, else what a constant environment sheds where nothing is in its way.
+Rgb ambient_of(const SceneDescription& description) {
+  if (description.lab_ambient != Vec3d(0.0)) return Rgb(description.lab_ambient);
+  for (const description::Light& light : description.lights)
+    if (const auto* constant = std::get_if<description::ConstantEnvironment>(&light.kind))
+      return Rgb(constant->radiance);
+  return Rgb(0);
+}
+
 // Emissive triangles too small to have a power stay in the table, since others count on their
 // order; nothing ever picks them.
 LightSampler build_light_sampler(const Scene& scene) {
@@ -174,6 +183,7 @@ void compile_lights(const SceneDescription& description, Scene& scene, DropCount
   add_delta_lights(description, scene, dropped);
   add_triangle_lights(scene);
   add_environment(description, scene, diagnostics);
+  scene.ambient = ambient_of(description);
   scene.light_sampler = build_light_sampler(scene);
 }
 

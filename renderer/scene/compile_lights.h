@@ -11,8 +11,8 @@ namespace candela {
 // distinct radiance and a mesh with its triangles. Before materials and geometry are compiled.
 void add_triangle_light_surfaces(description::SceneDescription& description);
 
-// Fills lights, environment and light_sampler, and first_light of emissive geometries. Black lights
-// are dropped and counted. Geometry, bounds and normalisation must be complete.
+// Fills lights, environment, ambient and light_sampler, and first_light of emissive geometries.
+// Black lights are dropped and counted. Geometry, bounds and normalisation must be complete.
 void compile_lights(const description::SceneDescription& description, Scene& scene,
                     DropCounts& dropped, Diagnostics& diagnostics);
 

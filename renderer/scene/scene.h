@@ -62,6 +62,7 @@ struct Scene {
   LightSampler light_sampler;
   std::optional<Environment> environment;         // at most one
   std::uint32_t environment_light = Light::none;  // its index in `lights`; none: it sheds no light
+  Rgb ambient{0};  // whitted's and raster's unshadowed light from everywhere: radiance
   TextureStore textures;
   std::vector<Camera> cameras;
 

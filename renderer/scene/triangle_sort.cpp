@@ -37,7 +37,8 @@ Coverage coverage_of(const Scene& scene, const Material& material, const descrip
 
 SortedTriangles sort_triangles(const Scene& scene, const Material& material,
                                const description::Mesh& mesh, const std::vector<Vec3f>& positions,
-                               std::span<const std::uint32_t> triangles, DropCounts& dropped) {
+                               std::span<const std::uint32_t> triangles, bool decides_cutouts,
+                               DropCounts& dropped) {
   SortedTriangles sorted;
   sorted.opaque.reserve(triangles.size());
   for (const std::uint32_t triangle : triangles) {
@@ -53,7 +54,9 @@ SortedTriangles sort_triangles(const Scene& scene, const Material& material,
       ++dropped["triangles without area"];
       continue;
     }
-    switch (coverage_of(scene, material, mesh, triangle)) {
+    const Coverage coverage =
+        decides_cutouts ? coverage_of(scene, material, mesh, triangle) : Coverage::Opaque;
+    switch (coverage) {
       case Coverage::Opaque:
         sorted.opaque.push_back(triangle);
         break;

@@ -23,11 +23,12 @@ struct SortedTriangles {
 };
 
 // Drops, and counts, what cannot be met: triangles with non-finite vertices, of no area, or wholly
-// clear. `positions` are the mesh's vertices in normalised space.
+// clear. Without `decides_cutouts` all others are opaque. `positions` are the mesh's vertices in
+// normalised space.
 [[nodiscard]] SortedTriangles sort_triangles(const Scene& scene, const Material& material,
                                              const description::Mesh& mesh,
                                              const std::vector<Vec3f>& positions,
                                              std::span<const std::uint32_t> triangles,
-                                             DropCounts& dropped);
+                                             bool decides_cutouts, DropCounts& dropped);
 
 }  // namespace candela

@@ -46,6 +46,7 @@ struct RenderArguments {
   std::size_t camera = 0;
   std::optional<PixelRect> crop;
   std::optional<DepthLimit> max_depth;
+  std::optional<SpecularModel> specular;
   std::optional<std::uint64_t> seed;
   int threads = 0;  // 0: as many as there are
   AcceleratorKind accelerator = AcceleratorKind::Embree;

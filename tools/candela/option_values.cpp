@@ -13,6 +13,8 @@ constexpr Choice<IntegratorKind> integrators[] = {{"path", IntegratorKind::Path}
                                                   {"whitted", IntegratorKind::Whitted},
                                                   {"raster", IntegratorKind::Raster},
                                                   {"report", IntegratorKind::Report}};
+constexpr Choice<SpecularModel> speculars[] = {{"blinn", SpecularModel::Blinn},
+                                               {"phong", SpecularModel::Phong}};
 constexpr Choice<FilterKind> filters[] = {{"box", FilterKind::Box},
                                           {"gaussian", FilterKind::Gaussian},
                                           {"blackman_harris", FilterKind::BlackmanHarris}};
@@ -53,6 +55,9 @@ std::optional<double> finite(std::string_view text) {
 
 std::span<const Choice<IntegratorKind>> integrator_choices() {
   return integrators;
+}
+std::span<const Choice<SpecularModel>> specular_choices() {
+  return speculars;
 }
 std::span<const Choice<FilterKind>> filter_choices() {
   return filters;

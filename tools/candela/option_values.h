@@ -19,6 +19,7 @@ struct Choice {
 };
 
 [[nodiscard]] std::span<const Choice<IntegratorKind>> integrator_choices();
+[[nodiscard]] std::span<const Choice<SpecularModel>> specular_choices();
 [[nodiscard]] std::span<const Choice<FilterKind>> filter_choices();
 [[nodiscard]] std::span<const Choice<AcceleratorKind>> accelerator_choices();
 [[nodiscard]] std::span<const Choice<ToneMap>> tone_map_choices();

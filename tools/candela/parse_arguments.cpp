@@ -105,7 +105,9 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
   add_choice(command, "--integrator", "integrator", render.integrator, integrator_choices(),
              "How light is followed [the scene's, else path]");
   add_value(command, "--spp", "N", render.samples_per_pixel,
-            integer_between(1, max_samples_per_pixel), "Samples a pixel [the scene's, else 64]");
+            integer_between(1, max_samples_per_pixel),
+            "Samples a pixel; a square number for whitted and raster [the scene's, else 64, or 16 "
+            "for whitted and raster]");
   add_value(command, "--size", "WxH", render.size, parse_size,
             "Pixels [the scene's, else 512x512]");
   add_value(command, "--scale", "F", render.scale, parse_positive_number, "Multiply the size by F");
@@ -114,9 +116,12 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
   add_value(command, "--crop", "X0,Y0,X1,Y1", render.crop, parse_crop,
             "Render these pixels only, the same bits as in the whole picture");
   add_value(command, "--max-depth", "N|none", render.max_depth, parse_depth_limit,
-            "Longest path in bounces: 0 sees lights only, 1 direct light [the scene's, else none]");
+            "Longest path in bounces: 0 sees lights only, 1 direct light [the scene's, else none]; "
+            "for whitted surfaces that a ray may meet [the scene's, else 5]");
+  add_choice(command, "--specular", "highlight", render.specular, specular_choices(),
+             "How whitted and raster shade highlights [blinn]");
   add_choice(command, "--filter", "filter", render.filter, filter_choices(),
-             "Pixel filter [the scene's, else blackman_harris]");
+             "Pixel filter [the scene's, else blackman_harris; whitted and raster: box]");
   add_value(command, "--seed", "N", render.seed, parse_seed,
             "Another seed, another noise [the scene's, else 0]");
 }

@@ -32,6 +32,9 @@ ReadScene read_scene(const SceneArguments& arguments, Console& console) {
   if (!settled.settings) {
     console.error(settled.error);
     ++read.error_count;
+  } else {
+    for (const std::string& sentence : settled.settings->warnings) console.warning(sentence);
+    read.warning_count += settled.settings->warnings.size();
   }
   auto scene = compile(*description, settled.settings ? compile_options(settled.settings->options)
                                                       : CompileOptions{});

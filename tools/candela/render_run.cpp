@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "integrators/whitted/lab_lights.h"
 #include "renderer/base/parallel.h"
 #include "tools/candela/decode_textures.h"
 #include "tools/candela/interrupt.h"
@@ -110,6 +111,9 @@ bool RenderRun::settles(const description::SceneDescription& description) {
     console_.error(settled.error);
     return stop(settled.exit_code);
   }
+  for (const std::string& sentence : settled.settings->warnings) warn(sentence);
+  if (arguments_.scene.is_strict && !settled.settings->warnings.empty())
+    return stop(ExitCode::Scene);
   report_.options = settled.settings->options;
   report_.display = settled.settings->display;
   report_.scene_hash = timed(&StageSeconds::load, [&] { return scene_hash(description); });
@@ -130,7 +134,19 @@ bool RenderRun::accepts_textures(const Scene& scene) {
   return accepts(scene.textures.decoding_diagnostics(), true);
 }
 
+// Such scenes are lit by an environment that only path sees.
+void RenderRun::warn_of_darkness(const Scene& scene) {
+  const bool is_lab = options().integrator == IntegratorKind::Whitted ||
+                      options().integrator == IntegratorKind::Raster;
+  if (is_lab && is_black(scene.ambient) && lab_lights(scene).empty())
+    warn(
+        fmt::format("{} sees no light in this scene: it knows point, spot and directional lights, "
+                    "lamps and the ambient term",
+                    name_of(options().integrator, integrator_choices())));
+}
+
 ProgressSink* RenderRun::start_rendering(const Scene& scene) {
+  warn_of_darkness(scene);
   set_interrupt_mode(InterruptMode::Cancel);
   const PixelRect whole{0, 0, options().width, options().height};
   const PixelRect crop = options().crop.value_or(whole);

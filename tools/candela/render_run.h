@@ -68,6 +68,7 @@ class RenderRun {
   void warn(const std::string& sentence);
   void record(const Diagnostics& diagnostics);
   void warn_of_useless_options();
+  void warn_of_darkness(const Scene& scene);
   void report_invalid_samples();
   void report_samples();
   [[nodiscard]] std::vector<std::string> all_paths() const;

@@ -62,15 +62,49 @@ void settle_crop(const RenderArguments& arguments, RenderOptions& options) {
                   ExitCode::Usage};
 }
 
+// lab3's own shading: no random numbers, samples on a grid.
+bool is_lab(IntegratorKind integrator) {
+  return integrator == IntegratorKind::Whitted || integrator == IntegratorKind::Raster;
+}
+
+std::string_view integrator_name(const RenderOptions& options) {
+  return name_of(options.integrator, integrator_choices());
+}
+
+int square_side_below(int samples) {
+  return static_cast<int>(std::sqrt(static_cast<double>(samples)));
+}
+
+// Samples of a grid of n x n: what is asked for, or the next below where it is the scene that asks.
+void settle_grid(bool is_said, RenderOptions& options, std::vector<std::string>& warnings) {
+  const int asked = options.samples_per_pixel;
+  const int side = square_side_below(asked);
+  if (side * side == asked) return;
+  if (is_said)
+    throw Refusal{
+        fmt::format("--spp {}: {} puts samples on a grid of n x n; the nearest square "
+                    "numbers are {} and {}",
+                    asked, integrator_name(options), side * side, (side + 1) * (side + 1)),
+        ExitCode::Usage};
+  options.samples_per_pixel = side * side;
+  warnings.push_back(
+      fmt::format("the scene's Render block asks for {} samples a pixel, {} takes {}: a grid of "
+                  "{} x {}",
+                  asked, integrator_name(options), side * side, side, side));
+}
+
 void settle_samples(const RenderArguments& arguments, const description::RenderDefaults& defaults,
-                    RenderOptions& options) {
+                    RenderOptions& options, std::vector<std::string>& warnings) {
+  constexpr int lab_samples = 16;
+  if (is_lab(options.integrator)) options.samples_per_pixel = lab_samples;
   options.samples_per_pixel = arguments.samples_per_pixel.value_or(
       defaults.samples_per_pixel.value_or(options.samples_per_pixel));
   if (options.samples_per_pixel < 1 || options.samples_per_pixel > max_samples_per_pixel)
     throw Refusal{fmt::format("the scene's Render block: {} samples a pixel; expected 1 to {}",
                               options.samples_per_pixel, max_samples_per_pixel),
                   ExitCode::Scene};
-  options.max_depth = arguments.max_depth ? arguments.max_depth->depth : defaults.max_depth;
+  if (is_lab(options.integrator))
+    settle_grid(arguments.samples_per_pixel.has_value(), options, warnings);
   options.seed = arguments.seed.value_or(defaults.seed.value_or(options.seed));
 }
 
@@ -86,6 +120,22 @@ void settle_names(const RenderArguments& arguments, const description::RenderDef
     options.filter = scene_choice("filter", *defaults.filter, filter_choices());
 }
 
+void settle_depth(const RenderArguments& arguments, const description::RenderDefaults& defaults,
+                  RenderOptions& options) {
+  constexpr int whitted_depth = 5;
+  options.max_depth = arguments.max_depth ? arguments.max_depth->depth : defaults.max_depth;
+  if (options.integrator == IntegratorKind::Whitted) {
+    if (arguments.max_depth && !arguments.max_depth->depth)
+      throw Refusal{"--max-depth none: whitted needs a limit, such as 5", ExitCode::Usage};
+    options.max_depth = options.max_depth.value_or(whitted_depth);
+  }
+  if (options.integrator == IntegratorKind::Raster) {
+    if (arguments.max_depth)
+      throw Refusal{"--max-depth: raster follows no ray beyond the first surface", ExitCode::Usage};
+    options.max_depth.reset();
+  }
+}
+
 void settle_camera(const RenderArguments& arguments,
                    const description::SceneDescription& description, RenderOptions& options) {
   options.camera = arguments.camera;
@@ -98,10 +148,18 @@ void settle_camera(const RenderArguments& arguments,
                 ExitCode::Usage};
 }
 
+// What the chosen integrator has no use for.
 void refuse_what_does_not_fit(const RenderArguments& arguments, const RenderOptions& options) {
-  const std::string_view name = name_of(options.integrator, integrator_choices());
-  if (options.integrator != IntegratorKind::Path)
+  const std::string_view name = integrator_name(options);
+  if (options.integrator == IntegratorKind::Report)
     throw Refusal{fmt::format("--integrator {} is not built yet", name), ExitCode::Usage};
+  if (arguments.specular && !is_lab(options.integrator))
+    throw Refusal{fmt::format("--specular is for whitted and raster, this is {}", name),
+                  ExitCode::Usage};
+  if (arguments.filter && *arguments.filter != FilterKind::Box && is_lab(options.integrator))
+    throw Refusal{fmt::format("--filter {}: {} averages its grid of samples, which is a box filter",
+                              name_of(*arguments.filter, filter_choices()), name),
+                  ExitCode::Usage};
   if (arguments.measures_ray_limit && options.integrator != IntegratorKind::Path)
     throw Refusal{fmt::format("--ray-limit measures the path integrator, this is {}", name),
                   ExitCode::Usage};
@@ -132,12 +190,15 @@ RenderSettings settled(const RenderArguments& arguments,
   RenderOptions& options = settings.options;
   settle_size(arguments, description.defaults, options);
   settle_crop(arguments, options);
-  settle_samples(arguments, description.defaults, options);
   settle_names(arguments, description.defaults, options);
+  settle_samples(arguments, description.defaults, options, settings.warnings);
+  settle_depth(arguments, description.defaults, options);
   settle_camera(arguments, description, options);
   options.aovs = arguments.aovs;
   options.transparent = arguments.is_transparent;
+  options.specular = arguments.specular.value_or(options.specular);
   refuse_what_does_not_fit(arguments, options);
+  if (is_lab(options.integrator)) options.filter = FilterKind::Box;
   refuse_giant(options);
   settings.display = {arguments.tone_map,
                       arguments.exposure.value_or(description.defaults.exposure.value_or(0))};

@@ -16,6 +16,7 @@ namespace candela::cli {
 struct RenderSettings {
   RenderOptions options;
   DisplayTransform display;
+  std::vector<std::string> warnings;  // where the scene's wish was not granted to the letter
 };
 
 // Either settings, or one sentence and the code to end with: Usage where the command line asks for

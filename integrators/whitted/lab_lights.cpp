@@ -1,0 +1,74 @@
+#include "integrators/whitted/lab_lights.h"
+
+#include "renderer/light/make_light.h"
+
+namespace candela {
+namespace {
+
+// Sums over the triangles of a lamp, in double.
+struct LampSums {
+  double area = 0;
+  Vec3d vector_area{0.0};     // sum of A n
+  Vec3d weighted_place{0.0};  // sum of A times the triangle's centre
+};
+
+LampSums sums_of(const Scene& scene, const Geometry& geometry) {
+  LampSums sums;
+  for (std::size_t i = 0; i < geometry.triangles.size(); ++i) {
+    const Light& triangle = scene.lights[geometry.first_light + i];
+    const Vec3d edge1(triangle.edge1), edge2(triangle.edge2);
+    const Vec3d vector_area = 0.5 * cross(edge1, edge2);
+    const double area = length(vector_area);
+    sums.area += area;
+    sums.vector_area += vector_area;
+    sums.weighted_place += area * (Vec3d(triangle.position) + (edge1 + edge2) / 3.0);
+  }
+  return sums;
+}
+
+// The area that an observer far away along the unit direction `axis` sees shine, were nothing of
+// the lamp in front of it.
+double projected_area(const Scene& scene, const Geometry& geometry, const Vec3d& axis) {
+  double sum = 0;
+  for (std::size_t i = 0; i < geometry.triangles.size(); ++i) {
+    const Light& triangle = scene.lights[geometry.first_light + i];
+    const double seen = 0.5 * dot(cross(Vec3d(triangle.edge1), Vec3d(triangle.edge2)), axis);
+    sum += triangle.emits_both_sides ? std::abs(seen) : std::max(seen, 0.0);
+  }
+  return sum;
+}
+
+// A surface of radiance L sends the radiant intensity L times its projected area. The axis is the
+// direction of the vector area; a closed surface has none, so the mean over all directions counts,
+// which is a quarter of the area by Cauchy (half, if both sides shine).
+Light lamp_light(const Scene& scene, std::uint32_t index) {
+  constexpr double closed_below = 1e-3;  // of the area; rounding leaves some 1e-7
+  const Geometry& geometry = scene.geometries[index];
+  const Light& first = scene.lights[geometry.first_light];
+  const LampSums sums = sums_of(scene, geometry);
+  const double axis_length = length(sums.vector_area);
+  const double seen_area = axis_length > closed_below * sums.area
+                               ? projected_area(scene, geometry, sums.vector_area / axis_length)
+                               : sums.area * (first.emits_both_sides ? 0.5 : 0.25);
+  const Rgb intensity(Vec3d(first.emission) * (seen_area / pi_double));
+  Light light = make_point_light(Vec3f(sums.weighted_place / sums.area), intensity);
+  light.geometry = index;
+  return light;
+}
+
+}  // namespace
+
+std::vector<Light> lab_lights(const Scene& scene) {
+  std::vector<Light> lights;
+  for (const Light& light : scene.lights) {
+    if (!light.is_delta()) continue;
+    lights.push_back(light);
+    lights.back().emission /= pi;
+  }
+  for (std::size_t i = 0; i < scene.geometries.size(); ++i)
+    if (scene.geometries[i].is_emissive())
+      lights.push_back(lamp_light(scene, static_cast<std::uint32_t>(i)));
+  return lights;
+}
+
+}  // namespace candela

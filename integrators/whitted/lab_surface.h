@@ -1,0 +1,105 @@
+// Any material as lab3's own shading sees it: (kd, ks, exponent, alpha) [LAB3 section 7].
+#pragma once
+
+#include "renderer/material/bsdf_at.h"
+
+namespace candela {
+
+// lab3's thresholds of alpha: below the one a surface is a hole for shadow rays and for the
+// rasteriser, below the other rays go on straight behind it.
+inline constexpr float lab_hole_below = 0.2f;
+inline constexpr float lab_solid_from = 0.9f;
+
+struct LabSurface {
+  Rgb kd{0};
+  Rgb ks{0};
+  float exponent = 1;
+  Rgb mirror{0};       // weight of the mirror direction
+  Rgb transmitted{1};  // factor of what comes straight from behind, beside 1 - alpha
+  float alpha = 1;
+};
+
+// The inverse of a = sqrt(2 / (n + 2)) [Walter07, section 5.2].
+[[nodiscard]] inline float lab_exponent(float ggx_width) {
+  return std::max(0.0f, 2 / square(ggx_width) - 2);
+}
+
+[[nodiscard]] inline bool is_glass(const Material& material) {
+  return material.model == MaterialModel::Dielectric ||
+         material.model == MaterialModel::ThinDielectric;
+}
+
+// Coverage at uv as it is stored: no thresholds, no dice. Glass covers what it reflects.
+[[nodiscard]] inline float lab_alpha_at(const Material& material, const TextureStore& textures,
+                                        Vec2f uv) {
+  const float opacity = clamp_unit(scalar_at(material.opacity, textures, uv));
+  return is_glass(material) ? opacity * normal_reflectance(material.eta.x) : opacity;
+}
+
+[[nodiscard]] inline Rgb conductor_reflectance(const Rgb& eta, const Rgb& k) {
+  const Rgb k2 = k * k;
+  return ((eta - 1.0f) * (eta - 1.0f) + k2) / ((eta + 1.0f) * (eta + 1.0f) + k2);
+}
+
+// lab3's own material, as it stands: mirrors get half of the highlight's colour.
+[[nodiscard]] inline LabSurface lab_material_at(const Material& material,
+                                                const TextureStore& textures, Vec2f uv) {
+  LabSurface surface{.kd = colour_at(material.diffuse, textures, uv),
+                     .ks = material.specular.constant,
+                     .exponent = material.shininess};
+  if (material.specular.texture) {
+    const Vec4f specular = textures.lookup(material.specular.texture, uv);
+    surface.ks = clamp_unit(Rgb(specular));
+    surface.exponent = clamp_unit(specular.w) * 256;
+  }
+  surface.mirror = 0.5f * surface.ks;
+  return surface;
+}
+
+// A highlight of the reflectance `f0` at normal incidence and of a GGX width.
+[[nodiscard]] inline LabSurface glossy_surface(const Rgb& kd, const Rgb& f0, float ggx_width) {
+  return {.kd = kd, .ks = f0, .exponent = lab_exponent(ggx_width), .mirror = 0.5f * f0};
+}
+
+// What is smooth mirrors all that it reflects; glass lets the rest pass unbent.
+[[nodiscard]] inline LabSurface smooth_surface(const Rgb& mirror) {
+  return {.mirror = mirror};
+}
+
+[[nodiscard]] inline LabSurface glass_surface(const Material& material, const Bsdf& bsdf) {
+  const float exponent = bsdf.is_smooth ? 256.0f : lab_exponent(bsdf.alpha);
+  return {.ks = Rgb{1}, .exponent = exponent, .transmitted = material.transmittance};
+}
+
+// All but the coverage.
+[[nodiscard]] inline LabSurface uncovered_surface_at(const Material& material,
+                                                     const TextureStore& textures, Vec2f uv) {
+  if (material.model == MaterialModel::Lab) return lab_material_at(material, textures, uv);
+  const Bsdf bsdf = bsdf_at(material, textures, uv, true);
+  switch (bsdf.model) {
+    case BsdfModel::Diffuse:
+    case BsdfModel::Lab:
+      return {.kd = bsdf.diffuse};
+    case BsdfModel::CookTorrance:
+      return glossy_surface(bsdf.diffuse, bsdf.specular * bsdf.f0, bsdf.alpha);
+    case BsdfModel::Mirror:
+      return smooth_surface(bsdf.diffuse);
+    case BsdfModel::Conductor: {
+      const Rgb f0 = conductor_reflectance(bsdf.eta, bsdf.k);
+      return bsdf.is_smooth ? smooth_surface(f0) : glossy_surface(Rgb{0}, f0, bsdf.alpha);
+    }
+    case BsdfModel::Dielectric:
+    case BsdfModel::ThinDielectric:
+      return glass_surface(material, bsdf);
+  }
+  return {};
+}
+
+[[nodiscard]] inline LabSurface lab_surface_at(const Material& material,
+                                               const TextureStore& textures, Vec2f uv) {
+  LabSurface surface = uncovered_surface_at(material, textures, uv);
+  surface.alpha = lab_alpha_at(material, textures, uv);
+  return surface;
+}
+
+}  // namespace candela
