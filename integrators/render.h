@@ -29,6 +29,9 @@ struct RenderOptions {
   // whitted: surfaces that a ray may meet, as the lab counts them; none: 5.
   std::optional<int> max_depth;
   SpecularModel specular = SpecularModel::Blinn;
+  // whitted and raster: normals as the lab's code interpolates them, neither made unit nor turned
+  // to the viewer; for comparisons with its pictures.
+  bool lab_normals = false;
   std::uint64_t seed = 0;
   std::size_t camera = 0;
   std::optional<PixelRect> crop;  // none: everything

@@ -17,7 +17,7 @@ template <class A>
     const Hit hit = context.accelerator.intersect(ray);
     if (!hit.is_hit()) break;
     const Vec3f wo = -ray.direction;
-    const LabPoint point = lab_point_at(context.scene, hit, wo, context.rules.bump);
+    const LabPoint point = lab_point_at(context.scene, context.rules, hit, wo);
     if (point.surface.alpha >= lab_hole_below) {
       lab_record_first(context, point, wo, sample);
       sample.radiance = lab_light_at(context, point, hit, wo, counts);

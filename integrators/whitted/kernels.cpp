@@ -39,7 +39,7 @@ LabContext<A> lab_context(const Scene& scene, const A& accelerator, const Render
 
 template <class A>
 Kernel whitted_kernel(const Scene& scene, const A& accelerator, const RenderOptions& options) {
-  LabRules rules{.specular = options.specular};
+  LabRules rules{.specular = options.specular, .lab_normals = options.lab_normals};
   rules.max_depth = options.max_depth.value_or(rules.max_depth);
   return lab_kernel("whitted", lab_context(scene, accelerator, options, rules),
                     [](const LabContext<A>& context, const Ray& ray, TileCounts& counts) {
@@ -49,7 +49,10 @@ Kernel whitted_kernel(const Scene& scene, const A& accelerator, const RenderOpti
 
 template <class A>
 Kernel raster_kernel(const Scene& scene, const A& accelerator, const RenderOptions& options) {
-  const LabRules rules{.specular = options.specular, .shadows = false, .bump = true};
+  const LabRules rules{.specular = options.specular,
+                       .shadows = false,
+                       .bump = true,
+                       .lab_normals = options.lab_normals};
   return lab_kernel("raster", lab_context(scene, accelerator, options, rules),
                     [](const LabContext<A>& context, const Ray& ray, TileCounts& counts) {
                       return trace_raster(context, ray, counts);

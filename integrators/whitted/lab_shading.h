@@ -23,7 +23,8 @@ struct LabRules {
   int max_depth = 5;
   SpecularModel specular = SpecularModel::Blinn;
   bool shadows = true;
-  bool bump = false;  // the lab's rasteriser reads height maps, its ray tracer does not
+  bool bump = false;         // the lab's rasteriser reads height maps, its ray tracer does not
+  bool lab_normals = false;  // RenderOptions::lab_normals
 };
 
 template <class A>
@@ -43,6 +44,7 @@ struct LabPoint {
   const Material& material;
   SurfacePoint place;
   LabSurface surface;
+  Vec3f normal;  // to shade with
 };
 
 [[nodiscard]] inline SurfacePoint lab_place(const Scene& scene, const Hit& hit, const Vec3f& wo) {
@@ -50,19 +52,35 @@ struct LabPoint {
   return make_surface_point(scene.geometries[hit.geometry], instance, hit, wo, true);
 }
 
-// The shading normal is unit and on the side of wo; the lab leaves that to chance.
-[[nodiscard]] inline LabPoint lab_point_at(const Scene& scene, const Hit& hit, const Vec3f& wo,
-                                           bool with_bump) {
+// As the lab's code interpolates vertex normals: neither unit nor turned to the viewer.
+[[nodiscard]] inline Vec3f interpolated_normal(const Scene& scene, const Hit& hit,
+                                               const SurfacePoint& place) {
+  const Geometry& geometry = scene.geometries[hit.geometry];
+  if (geometry.normals.empty()) return place.front_normal;
+  const auto& [a, b, c] = geometry.triangles[hit.triangle];
+  const auto vertex_normal = [&](std::uint32_t v) {
+    const Vec3f& n = geometry.normals[v];
+    return hit.is_instanced() ? normalize(scene.instances[hit.instance].normal(n)) : n;
+  };
+  const Vec3f n =
+      vertex_normal(a) * (1 - hit.u - hit.v) + vertex_normal(b) * hit.u + vertex_normal(c) * hit.v;
+  return length_squared(n) > 0 ? n : place.front_normal;  // zero: there is none here
+}
+
+// Normals are unit and on the side of wo unless the lab's own are asked for.
+[[nodiscard]] inline LabPoint lab_point_at(const Scene& scene, const LabRules& rules,
+                                           const Hit& hit, const Vec3f& wo) {
   const Geometry& geometry = scene.geometries[hit.geometry];
   const Material& material = scene.materials[geometry.material.index];
   SurfacePoint place = lab_place(scene, hit, wo);
-  if (with_bump && has_bump(material)) {
+  if (rules.bump && has_bump(material)) {
     place.front_normal = shading_normal_at(material, scene.textures, place.uv, place.front_normal,
                                            place.dpdu, place.dpdv);
     place.is_flat = false;
   }
   set_shading_frame(place, wo);
-  return {geometry, material, place, lab_surface_at(material, scene.textures, place.uv)};
+  return {geometry, material, place, lab_surface_at(material, scene.textures, place.uv),
+          rules.lab_normals ? interpolated_normal(scene, hit, place) : place.shading.z};
 }
 
 // From `origin` to just before the light, whose wi was found from there or nearby.
@@ -123,7 +141,7 @@ template <class A>
 [[nodiscard]] inline Rgb lab_light_at(const LabContext<A>& context, const LabPoint& point,
                                       const Hit& hit, const Vec3f& wo, TileCounts& counts) {
   const LabSurface& surface = point.surface;
-  const Vec3f& n = point.place.shading.z;
+  const Vec3f& n = point.normal;
   Rgb sum = context.scene.ambient * surface.kd;
   if (point.geometry.is_emissive())
     sum += emitted_radiance(context.scene.lights[point.geometry.first_light + hit.triangle], wo);

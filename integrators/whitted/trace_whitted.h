@@ -24,10 +24,10 @@ inline void step_whitted(const LabContext<A>& context, const LabPoint& point, co
   const Rgb share = walk.weight * shown;
   if (!is_black(share)) colour += share * lab_light_at(context, point, hit, wo, counts);
   if (is_solid) {
-    const Vec3f& n = point.place.shading.z;
+    const Vec3f& n = point.normal;
     walk.weight *= surface.mirror;
     walk.clear = 0;
-    walk.ray = spawn_ray(point.place, n * (2 * dot(n, wo)) - wo);
+    walk.ray = spawn_ray(point.place, normalize(n * (2 * dot(n, wo)) - wo));
   } else {
     walk.weight *= surface.transmitted * (1 - surface.alpha);
     walk.clear *= 1 - surface.alpha;
@@ -50,7 +50,7 @@ template <class A>
       break;
     }
     const Vec3f wo = -walk.ray.direction;
-    const LabPoint point = lab_point_at(context.scene, hit, wo, context.rules.bump);
+    const LabPoint point = lab_point_at(context.scene, context.rules, hit, wo);
     lab_record_first(context, point, wo, sample);
     step_whitted(context, point, hit, walk, colour, counts);
     if (is_black(walk.weight)) break;

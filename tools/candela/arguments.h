@@ -47,6 +47,7 @@ struct RenderArguments {
   std::optional<PixelRect> crop;
   std::optional<DepthLimit> max_depth;
   std::optional<SpecularModel> specular;
+  bool has_lab_normals = false;
   std::optional<std::uint64_t> seed;
   int threads = 0;  // 0: as many as there are
   AcceleratorKind accelerator = AcceleratorKind::Embree;

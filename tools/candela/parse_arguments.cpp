@@ -120,6 +120,9 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
             "for whitted surfaces that a ray may meet [the scene's, else 5]");
   add_choice(command, "--specular", "highlight", render.specular, specular_choices(),
              "How whitted and raster shade highlights [blinn]");
+  command.add_flag("--lab-normals", render.has_lab_normals,
+                   "whitted and raster: normals as the lab interpolates them, neither made unit "
+                   "nor turned to the viewer");
   add_choice(command, "--filter", "filter", render.filter, filter_choices(),
              "Pixel filter [the scene's, else blackman_harris; whitted and raster: box]");
   add_value(command, "--seed", "N", render.seed, parse_seed,

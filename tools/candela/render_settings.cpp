@@ -153,8 +153,9 @@ void refuse_what_does_not_fit(const RenderArguments& arguments, const RenderOpti
   const std::string_view name = integrator_name(options);
   if (options.integrator == IntegratorKind::Report)
     throw Refusal{fmt::format("--integrator {} is not built yet", name), ExitCode::Usage};
-  if (arguments.specular && !is_lab(options.integrator))
-    throw Refusal{fmt::format("--specular is for whitted and raster, this is {}", name),
+  if ((arguments.specular || arguments.has_lab_normals) && !is_lab(options.integrator))
+    throw Refusal{fmt::format("{} is for whitted and raster, this is {}",
+                              arguments.specular ? "--specular" : "--lab-normals", name),
                   ExitCode::Usage};
   if (arguments.filter && *arguments.filter != FilterKind::Box && is_lab(options.integrator))
     throw Refusal{fmt::format("--filter {}: {} averages its grid of samples, which is a box filter",
@@ -196,6 +197,7 @@ RenderSettings settled(const RenderArguments& arguments,
   settle_camera(arguments, description, options);
   options.aovs = arguments.aovs;
   options.transparent = arguments.is_transparent;
+  options.lab_normals = arguments.has_lab_normals;
   options.specular = arguments.specular.value_or(options.specular);
   refuse_what_does_not_fit(arguments, options);
   if (is_lab(options.integrator)) options.filter = FilterKind::Box;
