@@ -100,8 +100,7 @@ std::string kernel_name(const Scene& scene, const RenderOptions& options) {
 }
 
 CompileOptions compile_options(const RenderOptions& options) {
-  const bool is_lab =
-      options.integrator == IntegratorKind::Whitted || options.integrator == IntegratorKind::Raster;
+  const bool is_lab = is_lab_shading(options.integrator);
   return {.width = options.width,
           .height = options.height,
           .lab_quantised = is_lab,

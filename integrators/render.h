@@ -17,6 +17,11 @@ namespace candela {
 
 enum class IntegratorKind : std::uint8_t { Path, Whitted, Raster, Report };
 
+// lab3's own shading: nothing random, samples on a grid.
+[[nodiscard]] constexpr bool is_lab_shading(IntegratorKind integrator) {
+  return integrator == IntegratorKind::Whitted || integrator == IntegratorKind::Raster;
+}
+
 // How whitted and raster shade highlights: by the half vector or by the mirrored direction.
 enum class SpecularModel : std::uint8_t { Blinn, Phong };
 

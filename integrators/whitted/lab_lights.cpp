@@ -40,7 +40,7 @@ double projected_area(const Scene& scene, const Geometry& geometry, const Vec3d&
 
 // A surface of radiance L sends the radiant intensity L times its projected area. The axis is the
 // direction of the vector area; a closed surface has none, so the mean over all directions counts,
-// which is a quarter of the area by Cauchy (half, if both sides shine).
+// which is a quarter of the area (half, if both sides shine) [Cauchy1850].
 Light lamp_light(const Scene& scene, std::uint32_t index) {
   constexpr double closed_below = 1e-3;  // of the area; rounding leaves some 1e-7
   const Geometry& geometry = scene.geometries[index];

@@ -61,11 +61,12 @@ struct LabSurface {
   return {.kd = kd, .ks = f0, .exponent = lab_exponent(ggx_width), .mirror = 0.5f * f0};
 }
 
-// What is smooth mirrors all that it reflects; glass lets the rest pass unbent.
-[[nodiscard]] inline LabSurface smooth_surface(const Rgb& mirror) {
-  return {.mirror = mirror};
+// What is smooth mirrors all that it reflects, and has the narrowest highlight of the lab.
+[[nodiscard]] inline LabSurface smooth_surface(const Rgb& reflectance) {
+  return {.ks = reflectance, .exponent = 256, .mirror = reflectance};
 }
 
+// What glass does not reflect passes unbent.
 [[nodiscard]] inline LabSurface glass_surface(const Material& material, const Bsdf& bsdf) {
   const float exponent = bsdf.is_smooth ? 256.0f : lab_exponent(bsdf.alpha);
   return {.ks = Rgb{1}, .exponent = exponent, .transmitted = material.transmittance};

@@ -48,6 +48,10 @@ void add_options(Json& json, const RenderReport& report) {
   json["max_samples"] = report.max_samples;
   json["interrupted"] = report.is_interrupted();
   json["max_depth"] = options.max_depth ? Json(*options.max_depth) : Json(nullptr);
+  if (is_lab_shading(options.integrator)) {
+    json["specular"] = name_of(options.specular, specular_choices());
+    json["lab_normals"] = options.lab_normals;
+  }
   json["filter"] = name_of(options.filter, filter_choices());
   json["transparent"] = options.transparent;
   json["seed"] = options.seed;

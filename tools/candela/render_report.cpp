@@ -13,6 +13,12 @@ std::string depth_text(const std::optional<int>& max_depth) {
   return max_depth ? std::to_string(*max_depth) : "none";
 }
 
+std::string lab_text(const RenderOptions& options) {
+  if (!is_lab_shading(options.integrator)) return "";
+  return fmt::format(" specular={} lab_normals={}", name_of(options.specular, specular_choices()),
+                     options.lab_normals ? "yes" : "no");
+}
+
 // Everything that decides the pixels, in one line.
 std::string options_text(const RenderReport& report) {
   const RenderOptions& options = report.options;
@@ -20,11 +26,11 @@ std::string options_text(const RenderReport& report) {
   const PixelRect crop = options.crop.value_or(whole);
   return fmt::format(
       "size={}x{} crop={},{},{},{} camera={} max_depth={} filter={} transparent={} accel={} "
-      "robust={}",
+      "robust={}{}",
       options.width, options.height, crop.x0, crop.y0, crop.x1, crop.y1, options.camera,
       depth_text(options.max_depth), name_of(options.filter, filter_choices()),
       options.transparent ? "yes" : "no", name_of(report.accelerator, accelerator_choices()),
-      report.is_robust ? "on" : "off");
+      report.is_robust ? "on" : "off", lab_text(options));
 }
 
 }  // namespace

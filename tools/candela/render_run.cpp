@@ -136,9 +136,8 @@ bool RenderRun::accepts_textures(const Scene& scene) {
 
 // Such scenes are lit by an environment that only path sees.
 void RenderRun::warn_of_darkness(const Scene& scene) {
-  const bool is_lab = options().integrator == IntegratorKind::Whitted ||
-                      options().integrator == IntegratorKind::Raster;
-  if (is_lab && is_black(scene.ambient) && lab_lights(scene).empty())
+  if (!is_lab_shading(options().integrator)) return;
+  if (is_black(scene.ambient) && lab_lights(scene).empty())
     warn(
         fmt::format("{} sees no light in this scene: it knows point, spot and directional lights, "
                     "lamps and the ambient term",

@@ -62,11 +62,6 @@ void settle_crop(const RenderArguments& arguments, RenderOptions& options) {
                   ExitCode::Usage};
 }
 
-// lab3's own shading: no random numbers, samples on a grid.
-bool is_lab(IntegratorKind integrator) {
-  return integrator == IntegratorKind::Whitted || integrator == IntegratorKind::Raster;
-}
-
 std::string_view integrator_name(const RenderOptions& options) {
   return name_of(options.integrator, integrator_choices());
 }
@@ -96,14 +91,14 @@ void settle_grid(bool is_said, RenderOptions& options, std::vector<std::string>&
 void settle_samples(const RenderArguments& arguments, const description::RenderDefaults& defaults,
                     RenderOptions& options, std::vector<std::string>& warnings) {
   constexpr int lab_samples = 16;
-  if (is_lab(options.integrator)) options.samples_per_pixel = lab_samples;
+  if (is_lab_shading(options.integrator)) options.samples_per_pixel = lab_samples;
   options.samples_per_pixel = arguments.samples_per_pixel.value_or(
       defaults.samples_per_pixel.value_or(options.samples_per_pixel));
   if (options.samples_per_pixel < 1 || options.samples_per_pixel > max_samples_per_pixel)
     throw Refusal{fmt::format("the scene's Render block: {} samples a pixel; expected 1 to {}",
                               options.samples_per_pixel, max_samples_per_pixel),
                   ExitCode::Scene};
-  if (is_lab(options.integrator))
+  if (is_lab_shading(options.integrator))
     settle_grid(arguments.samples_per_pixel.has_value(), options, warnings);
   options.seed = arguments.seed.value_or(defaults.seed.value_or(options.seed));
 }
@@ -153,11 +148,12 @@ void refuse_what_does_not_fit(const RenderArguments& arguments, const RenderOpti
   const std::string_view name = integrator_name(options);
   if (options.integrator == IntegratorKind::Report)
     throw Refusal{fmt::format("--integrator {} is not built yet", name), ExitCode::Usage};
-  if ((arguments.specular || arguments.has_lab_normals) && !is_lab(options.integrator))
+  if ((arguments.specular || arguments.has_lab_normals) && !is_lab_shading(options.integrator))
     throw Refusal{fmt::format("{} is for whitted and raster, this is {}",
                               arguments.specular ? "--specular" : "--lab-normals", name),
                   ExitCode::Usage};
-  if (arguments.filter && *arguments.filter != FilterKind::Box && is_lab(options.integrator))
+  if (arguments.filter && *arguments.filter != FilterKind::Box &&
+      is_lab_shading(options.integrator))
     throw Refusal{fmt::format("--filter {}: {} averages its grid of samples, which is a box filter",
                               name_of(*arguments.filter, filter_choices()), name),
                   ExitCode::Usage};
@@ -200,7 +196,7 @@ RenderSettings settled(const RenderArguments& arguments,
   options.lab_normals = arguments.has_lab_normals;
   options.specular = arguments.specular.value_or(options.specular);
   refuse_what_does_not_fit(arguments, options);
-  if (is_lab(options.integrator)) options.filter = FilterKind::Box;
+  if (is_lab_shading(options.integrator)) options.filter = FilterKind::Box;
   refuse_giant(options);
   settings.display = {arguments.tone_map,
                       arguments.exposure.value_or(description.defaults.exposure.value_or(0))};
