@@ -4,6 +4,8 @@
 
 #include "integrators/kernel.h"
 #include "integrators/path/kernels.h"
+#include "integrators/report/check_report.h"
+#include "integrators/report/report_context.h"
 #include "integrators/tiles.h"
 #include "integrators/whitted/kernels.h"
 #include "renderer/base/parallel.h"
@@ -27,6 +29,15 @@ Kernel path_kernel(const Scene& scene, const A& accelerator, const Filter& filte
       }};
 }
 
+template <class A>
+Kernel report_kernel(const Scene& scene, const A& accelerator, const Filter& filter,
+                     const RenderOptions& options) {
+  return {"report", [context = make_report_context(scene, accelerator, filter, options)](
+                        const PixelRect& tile, std::uint32_t first, std::uint32_t end, Film& film) {
+            return render_report_tile(context, tile, first, end, film);
+          }};
+}
+
 // What refers to its arguments lives as long as they do.
 template <class A>
 Kernel select_kernel(const Scene& scene, const A& accelerator, const Filter& filter,
@@ -39,9 +50,9 @@ Kernel select_kernel(const Scene& scene, const A& accelerator, const Filter& fil
     case IntegratorKind::Raster:
       return raster_kernel(scene, accelerator, options);
     case IntegratorKind::Report:
-      break;
+      return report_kernel(scene, accelerator, filter, options);
   }
-  throw std::invalid_argument("this integrator is not built yet");
+  throw std::invalid_argument("no such integrator");
 }
 
 TileCounts render_passes(const RenderOptions& options, const TileFunction& render_tile, Film& film,
@@ -81,6 +92,11 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
       },
       accelerator);
   return result;
+}
+
+Diagnostics check_integrator(const description::SceneDescription& scene,
+                             const RenderOptions& options) {
+  return options.integrator == IntegratorKind::Report ? check_report(scene) : Diagnostics{};
 }
 
 std::string kernel_name(const Scene& scene, const RenderOptions& options) {

@@ -46,6 +46,7 @@ struct RenderOptions {
   bool transparent = false;         // camera rays that leave the scene are black with alpha 0
   bool use_general_kernel = false;  // whatever the scene's features are
   int tile_size = 16;
+  float report_p_rr = 0.8f;  // Report: the probability P_RR to go on, in (0, 1]
 };
 
 struct RayCounts {
@@ -87,6 +88,11 @@ struct RenderResult {
 
 // What compile() must do for a render with these options.
 [[nodiscard]] CompileOptions compile_options(const RenderOptions& options);
+
+// What the options' integrator cannot draw of a scene: errors that a caller should heed, since
+// render() leaves such lights and surfaces black.
+[[nodiscard]] Diagnostics check_integrator(const description::SceneDescription& scene,
+                                           const RenderOptions& options);
 
 // The name of the kernel that render() would run.
 [[nodiscard]] std::string kernel_name(const Scene& scene, const RenderOptions& options);

@@ -48,6 +48,7 @@ struct RenderArguments {
   std::optional<DepthLimit> max_depth;
   std::optional<SpecularModel> specular;
   bool has_lab_normals = false;
+  std::optional<double> report_p_rr;
   std::optional<std::uint64_t> seed;
   int threads = 0;  // 0: as many as there are
   AcceleratorKind accelerator = AcceleratorKind::Embree;

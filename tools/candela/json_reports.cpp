@@ -52,6 +52,7 @@ void add_options(Json& json, const RenderReport& report) {
     json["specular"] = name_of(options.specular, specular_choices());
     json["lab_normals"] = options.lab_normals;
   }
+  if (options.integrator == IntegratorKind::Report) json["rr"] = options.report_p_rr;
   json["filter"] = name_of(options.filter, filter_choices());
   json["transparent"] = options.transparent;
   json["seed"] = options.seed;

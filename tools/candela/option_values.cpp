@@ -114,6 +114,13 @@ Result<double> parse_positive_number(std::string_view text) {
   return double(*value);
 }
 
+Result<double> parse_probability(std::string_view text) {
+  const std::optional<double> value = finite(text);
+  if (!value || !(static_cast<float>(*value) > 0) || *value > 1)
+    return failure(fmt::format("expected a number above 0 and up to 1, found '{}'", text));
+  return double(*value);
+}
+
 Result<Size> parse_size(std::string_view text) {
   const auto parts = split(text, 'x');
   const auto width = whole<int>(parts[0]);

@@ -55,6 +55,8 @@ template <class T>
 [[nodiscard]] Result<double> parse_number(std::string_view text);
 [[nodiscard]] Result<double> parse_non_negative_number(std::string_view text);
 [[nodiscard]] Result<double> parse_positive_number(std::string_view text);
+// Above 0 and up to 1.
+[[nodiscard]] Result<double> parse_probability(std::string_view text);
 // "640x480", each side 1..max_side.
 [[nodiscard]] Result<Size> parse_size(std::string_view text);
 // "X0,Y0,X1,Y1", half-open, not empty, not negative.

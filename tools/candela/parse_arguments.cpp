@@ -123,6 +123,8 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
   command.add_flag("--lab-normals", render.has_lab_normals,
                    "whitted and raster: normals as the lab interpolates them, neither made unit "
                    "nor turned to the viewer");
+  add_value(command, "--rr", "P", render.report_p_rr, parse_probability,
+            "With the report integrator: the probability to go on, above 0 up to 1 [0.8]");
   add_choice(command, "--filter", "filter", render.filter, filter_choices(),
              "Pixel filter [the scene's, else blackman_harris; whitted and raster: box]");
   add_value(command, "--seed", "N", render.seed, parse_seed,

@@ -116,6 +116,7 @@ bool RenderRun::settles(const description::SceneDescription& description) {
     return stop(ExitCode::Scene);
   report_.options = settled.settings->options;
   report_.display = settled.settings->display;
+  if (!accepts(check_integrator(description, report_.options), true)) return false;
   report_.scene_hash = timed(&StageSeconds::load, [&] { return scene_hash(description); });
   warn_of_useless_options();
   return true;

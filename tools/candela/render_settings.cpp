@@ -146,8 +146,6 @@ void settle_camera(const RenderArguments& arguments,
 // What the chosen integrator has no use for.
 void refuse_what_does_not_fit(const RenderArguments& arguments, const RenderOptions& options) {
   const std::string_view name = integrator_name(options);
-  if (options.integrator == IntegratorKind::Report)
-    throw Refusal{fmt::format("--integrator {} is not built yet", name), ExitCode::Usage};
   if ((arguments.specular || arguments.has_lab_normals) && !is_lab_shading(options.integrator))
     throw Refusal{fmt::format("{} is for whitted and raster, this is {}",
                               arguments.specular ? "--specular" : "--lab-normals", name),
@@ -159,6 +157,9 @@ void refuse_what_does_not_fit(const RenderArguments& arguments, const RenderOpti
                   ExitCode::Usage};
   if (arguments.measures_ray_limit && options.integrator != IntegratorKind::Path)
     throw Refusal{fmt::format("--ray-limit measures the path integrator, this is {}", name),
+                  ExitCode::Usage};
+  if (arguments.report_p_rr && options.integrator != IntegratorKind::Report)
+    throw Refusal{fmt::format("--rr is an option of the report integrator, this is {}", name),
                   ExitCode::Usage};
 }
 
@@ -191,6 +192,7 @@ RenderSettings settled(const RenderArguments& arguments,
   settle_samples(arguments, description.defaults, options, settings.warnings);
   settle_depth(arguments, description.defaults, options);
   settle_camera(arguments, description, options);
+  options.report_p_rr = static_cast<float>(arguments.report_p_rr.value_or(options.report_p_rr));
   options.aovs = arguments.aovs;
   options.transparent = arguments.is_transparent;
   options.lab_normals = arguments.has_lab_normals;

@@ -1,0 +1,115 @@
+#include "integrators/report/check_report.h"
+
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace candela {
+namespace {
+
+using namespace description;
+
+std::vector<bool> worn_materials(const SceneDescription& scene) {
+  std::vector<bool> worn(scene.materials.size());
+  const auto wear = [&](MaterialHandle material) {
+    if (material && material.index < worn.size()) worn[material.index] = true;
+  };
+  for (const Instance& instance : scene.instances) {
+    wear(instance.material_override);
+    if (instance.material_override || !instance.mesh) continue;
+    for (const MaterialHandle material : scene.meshes[instance.mesh.index].materials)
+      wear(material);
+  }
+  return worn;
+}
+
+// What the report lacks, or "".
+struct NameOfUnknownModel {
+  std::string_view operator()(const MirrorMaterial&) const { return "a mirror"; }
+  std::string_view operator()(const ConductorMaterial& metal) const {
+    const bool is_mirror = metal.roughness.factor == 0 && !metal.roughness.map;
+    return is_mirror ? "a conductor of roughness 0" : "a conductor";
+  }
+  std::string_view operator()(const DielectricMaterial&) const { return "a dielectric"; }
+  template <class Known>
+  std::string_view operator()(const Known&) const {
+    return "";
+  }
+};
+
+bool is_black(const ColourInput& colour) {
+  return !colour.map && colour.factor == Vec3d(0.0);
+}
+
+struct ReflectsNothing {
+  bool operator()(const DiffuseMaterial& m) const { return is_black(m.reflectance); }
+  bool operator()(const LabMaterial& m) const {
+    return is_black(m.diffuse) && is_black(m.specular);
+  }
+  bool operator()(const CookTorranceMaterial& m) const {
+    return is_black(m.diffuse) && is_black(m.specular);
+  }
+  template <class Other>
+  bool operator()(const Other&) const {
+    return true;  // refused anyway
+  }
+};
+
+void check_material(const Material& material, Diagnostics& diagnostics) {
+  const std::string_view unknown = std::visit(NameOfUnknownModel{}, material.model);
+  if (!unknown.empty())
+    diagnostics.error(material.span,
+                      fmt::format("material '{}' is {}; the report integrator draws diffuse, "
+                                  "cook_torrance and lab3 materials only, since light that mirrors "
+                                  "and glass send from lamps would be lost",
+                                  material.name, unknown));
+  if (material.emission != Vec3d(0.0) && !std::visit(ReflectsNothing{}, material.model))
+    diagnostics.warning(material.span,
+                        fmt::format("material '{}' emits and reflects; in the report integrator "
+                                    "emitters reflect nothing",
+                                    material.name));
+}
+
+// What kind of light is no surface, or "". Black ones do not matter.
+struct NameOfUnknownLight {
+  static std::string_view unless_black(const Vec3d& emission, std::string_view name) {
+    return emission == Vec3d(0.0) ? "" : name;
+  }
+  std::string_view operator()(const TriangleLight&) const { return ""; }
+  std::string_view operator()(const PointLight& light) const {
+    return unless_black(light.intensity, "a point light");
+  }
+  std::string_view operator()(const SpotLight& light) const {
+    return unless_black(light.intensity, "a spot light");
+  }
+  std::string_view operator()(const DirectionalLight& light) const {
+    return unless_black(light.irradiance, "a directional light");
+  }
+  std::string_view operator()(const ConstantEnvironment& light) const {
+    return unless_black(light.radiance, light.is_seen_by_camera
+                                            ? "a constant environment"
+                                            : "ambient light (--ambient 0,0,0 takes it out)");
+  }
+  std::string_view operator()(const CubeEnvironment&) const { return "a skybox"; }
+  std::string_view operator()(const LatLongEnvironment&) const { return "an environment map"; }
+};
+
+}  // namespace
+
+Diagnostics check_report(const SceneDescription& scene) {
+  Diagnostics diagnostics;
+  const std::vector<bool> worn = worn_materials(scene);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+    if (worn[i]) check_material(scene.materials[i], diagnostics);
+  for (const Light& light : scene.lights) {
+    const std::string_view unknown = std::visit(NameOfUnknownLight{}, light.kind);
+    if (unknown.empty()) continue;
+    diagnostics.error(light.span, fmt::format("the scene has {}; the report integrator knows "
+                                              "lamps with an area only (materials with Emission, "
+                                              "lights of Type Area)",
+                                              unknown));
+  }
+  return diagnostics;
+}
+
+}  // namespace candela

@@ -1,0 +1,154 @@
+// shade(p, wo), the report's path tracer, to be laid beside its section 3 "Implement". The numbered
+// comments are its steps; what differs from the printed text is marked (corrected: section) and
+// explained in docs/report.md.
+//
+// The report recurses: shade(p, wo) = L_dir + shade(q, -wi) f cos / pdf / P_RR. Here the same is a
+// loop: `weight` is the product of f cos / pdf / P_RR along the path so far.
+//
+// Unbiased for diffuse, CookTorrance and Lab surfaces under emitting triangles, where no emitter
+// reflects; anything else is refused before (check_report.h).
+#pragma once
+
+#include "integrators/first_hit.h"
+#include "integrators/path/render_tile.h"  // camera_ray, surface_point_at, shadow_ray
+#include "integrators/report/ggx_half_vector.h"
+#include "integrators/report/report_context.h"
+
+namespace candela {
+
+// Where light meets a surface, and what the report calls p and wo.
+struct ReportPoint {
+  SurfacePoint p;
+  Bsdf bsdf;
+  Vec3f wo{0};  // in the shading frame
+};
+
+// 1. L_dir = Le f cos(theta) cos(theta') / distance^2 / pdf_light, pdf_light = 1 / LightArea, of
+// one point uniform over all lamps, unless something is in the way.
+template <class A>
+[[nodiscard]] inline Rgb light_of_lamps(const ReportContext<A>& context, const Sampler& sampler,
+                                        std::uint32_t bounce, const ReportPoint& at,
+                                        TileCounts& counts) {
+  if (context.emitters.is_empty()) return Rgb(0);
+  const Scene& scene = context.base.scene;
+  const std::uint32_t index =
+      context.emitters.pick(sampler.sample_1d_bits(bounce, Dimension::LightChoice));
+  const Light& lamp = scene.lights[index];
+  const LightSample x =
+      sample_triangle_light(lamp, at.p.position, sampler.sample_2d(bounce, Dimension::LightPoint));
+  const Vec3f wi = at.p.shading.to_local(x.wi);
+  if (!x.is_valid() || !is_consistent(at.p, x.wi, wi)) return Rgb(0);
+  const Rgb f_cos = evaluate_bsdf(at.bsdf, at.wo, wi).value;
+  if (is_black(f_cos)) return Rgb(0);
+
+  const Ray ray = shadow_ray(at.p, x);  // ends short of the lamp (corrected: 3.1)
+  if (!is_traceable(ray)) return Rgb(0);
+  ++counts.rays.shadow;
+  if (context.base.accelerator.occluded(ray)) return Rgb(0);
+  const float cos_lamp = std::abs(dot(x.normal, x.wi));
+  const float distance2 = length_squared(x.point - at.p.position);
+  return x.radiance * f_cos * cos_lamp / distance2 / context.emitters.pdf_area(scene, index);
+}
+
+// The share of the indirect rays that follow the GGX lobe: 0 where ks = 0.
+[[nodiscard]] inline float half_vector_probability(const Bsdf& bsdf, float cos_o) {
+  if (bsdf.model == BsdfModel::CookTorrance) return cook_torrance_specular_probability(bsdf, cos_o);
+  return bsdf.model == BsdfModel::Lab ? lab_specular_probability(bsdf, cos_o) : 0.0f;
+}
+
+// 3. A direction for the reflected light: cosine-weighted, theta = arccos sqrt(1 - xi) (corrected:
+// 3.8), and where ks > 0 one of that and the mirror direction about a half vector. The density is
+// that of both together, p_ggx = D (n.h) / (4 (wo.h)) (corrected: 3.9, 3.10). `weight` is all of
+// f cos / pdf; zero below the surface.
+[[nodiscard]] inline BsdfSample sample_reflection(const Sampler& sampler, std::uint32_t bounce,
+                                                  const ReportPoint& at) {
+  const float a = ggx_width(at.bsdf.alpha);
+  const float p_ggx = half_vector_probability(at.bsdf, at.wo.z);
+  const Vec2f xi = sampler.sample_2d(bounce, Dimension::Direction);
+  const bool is_ggx = sampler.sample_1d(bounce, Dimension::LobeChoice) < p_ggx;
+  const Vec3f wi = is_ggx ? reflect_about(at.wo, sample_ggx_half_vector(a, xi))
+                          : square_to_cosine_hemisphere(xi);
+  const float pdf =
+      p_ggx * ggx_half_vector_pdf(at.wo, wi, a) + (1 - p_ggx) * cosine_hemisphere_pdf(wi.z);
+  return to_sample(wi, {evaluate_bsdf(at.bsdf, at.wo, wi).value, pdf});
+}
+
+// The radiance that a lamp sends towards wo; zero for other surfaces and for the backs of lamps.
+[[nodiscard]] inline Rgb emitted_towards(const Scene& scene, const Hit& hit, const Vec3f& wo) {
+  const Geometry& geometry = scene.geometries[hit.geometry];
+  if (!geometry.is_emissive()) return Rgb(0);
+  return emitted_radiance(scene.lights[geometry.first_light + hit.triangle], wo);
+}
+
+template <class A>
+[[nodiscard]] inline FilmSample shade(const ReportContext<A>& context, const Sampler& sampler,
+                                      const Ray& camera_ray, TileCounts& counts) {
+  const Scene& scene = context.base.scene;
+  FilmSample sample;
+  Rgb weight(1);
+  Ray ray = camera_ray;
+  ++counts.rays.camera;
+  for (std::uint32_t bounce = 0;; ++bounce) {
+    if (!is_traceable(ray)) {
+      sample.radiance = Rgb(std::numeric_limits<float>::quiet_NaN());
+      break;
+    }
+    const Hit hit = context.base.accelerator.intersect(ray);
+    if (bounce == 0 && !hit.is_hit()) sample.alpha = 0;
+    if (!hit.is_hit()) break;  // nothing comes from outside of the scene
+    const Vec3f wo = -ray.direction;
+    const Geometry& geometry = scene.geometries[hit.geometry];
+    const Material& material = scene.materials[geometry.material.index];
+    const SurfacePoint p = surface_point_at<general_features>(scene, hit, material, wo);
+    const Bsdf bsdf = bsdf_at(material, scene.textures, p.uv, p.is_front);
+    const ReportPoint at{p, bsdf, p.shading.to_local(wo)};
+    if (bounce == 0 && context.base.options.aovs != 0)
+      record_first_hit(scene, context.base.camera, geometry, p, bsdf, at.wo, sample);
+
+    // 4. "if the ray hits a q that does not emit": what lamps send was counted at p by step 1, and
+    // they reflect nothing. Only the camera sees them (corrected: 3.0).
+    const Rgb emitted = emitted_towards(scene, hit, wo);
+    if (!is_black(emitted)) {
+      if (bounce == 0) sample.radiance = emitted;
+      break;
+    }
+    if (bounce >= context.base.max_depth) break;
+
+    sample.radiance += weight * light_of_lamps(context, sampler, bounce, at, counts);  // 1.
+
+    // 2. "if random_float > P_RR return L_dir".
+    if (!(sampler.sample_1d(bounce, Dimension::Roulette) < context.p_rr)) break;
+
+    const BsdfSample reflection = sample_reflection(sampler, bounce, at);  // 3.
+    if (is_black(reflection.weight)) break;
+    const Vec3f wi = p.shading.to_world(reflection.wi);
+    if (!is_consistent(p, wi, reflection.wi)) break;
+
+    // 4. L_indir = shade(q, -wi) f cos(theta) / pdf / P_RR.
+    weight *= reflection.weight / context.p_rr;
+    if (is_black(weight)) break;
+    ray = spawn_ray(p, wi);
+    ++counts.rays.indirect;
+  }
+  return sample;  // 5. L_dir + L_indir
+}
+
+// Samples [first_sample, end_sample) of each pixel of the tile, in order.
+template <class A>
+TileCounts render_report_tile(const ReportContext<A>& context, const PixelRect& tile,
+                              std::uint32_t first_sample, std::uint32_t end_sample, Film& film) {
+  TileCounts counts;
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    for (int x = tile.x0; x < tile.x1; ++x) {
+      for (std::uint32_t s = first_sample; s < end_sample; ++s) {
+        const Sampler sampler(context.base.options.seed, static_cast<std::uint32_t>(x),
+                              static_cast<std::uint32_t>(y), s);
+        const Ray ray = camera_ray<general_features>(context.base, sampler, x, y);
+        add_or_count(shade(context, sampler, ray, counts), x, y, s, film, counts);
+      }
+    }
+  }
+  return counts;
+}
+
+}  // namespace candela
