@@ -23,14 +23,15 @@ std::vector<bool> worn_materials(const SceneDescription& scene) {
   return worn;
 }
 
-// What the report lacks, or "".
+// What of a material the report lacks, or "".
 struct NameOfUnknownModel {
-  std::string_view operator()(const MirrorMaterial&) const { return "a mirror"; }
-  std::string_view operator()(const ConductorMaterial& metal) const {
-    const bool is_mirror = metal.roughness.factor == 0 && !metal.roughness.map;
-    return is_mirror ? "a conductor of roughness 0" : "a conductor";
+  std::string_view operator()(const MirrorMaterial&) const {
+    return "a mirror, in which the report integrator would miss the lamps";
   }
-  std::string_view operator()(const DielectricMaterial&) const { return "a dielectric"; }
+  std::string_view operator()(const ConductorMaterial&) const { return "a conductor"; }
+  std::string_view operator()(const DielectricMaterial&) const {
+    return "a dielectric, in and behind which the report integrator would miss the lamps";
+  }
   template <class Known>
   std::string_view operator()(const Known&) const {
     return "";
@@ -58,11 +59,9 @@ struct ReflectsNothing {
 void check_material(const Material& material, Diagnostics& diagnostics) {
   const std::string_view unknown = std::visit(NameOfUnknownModel{}, material.model);
   if (!unknown.empty())
-    diagnostics.error(material.span,
-                      fmt::format("material '{}' is {}; the report integrator draws diffuse, "
-                                  "cook_torrance and lab3 materials only, since light that mirrors "
-                                  "and glass send from lamps would be lost",
-                                  material.name, unknown));
+    diagnostics.error(material.span, fmt::format("material '{}' is {}; expected diffuse, "
+                                                 "cook_torrance or a lab3 material",
+                                                 material.name, unknown));
   if (material.emission != Vec3d(0.0) && !std::visit(ReflectsNothing{}, material.model))
     diagnostics.warning(material.span,
                         fmt::format("material '{}' emits and reflects; in the report integrator "

@@ -1,0 +1,71 @@
+#include "integrators/report/check_report.h"
+
+#include <gtest/gtest.h>
+
+#include "integrators/render.h"
+#include "tests/scenes/description.h"
+
+namespace candela {
+namespace {
+
+using namespace test;
+
+std::string sentences(const description::SceneDescription& scene) {
+  RenderOptions options;
+  options.integrator = IntegratorKind::Report;
+  const Diagnostics diagnostics = check_integrator(scene, options);
+  std::string text;
+  for (const Diagnostic& diagnostic : diagnostics.list()) text += to_string(diagnostic) + "\n";
+  return text;
+}
+
+TEST(Errors_ReportCheck, TheSmallRoomIsDrawn) {
+  EXPECT_EQ(sentences(small_room()), "");
+}
+
+template <class Model>
+std::string sentences_about(Model model) {
+  description::SceneDescription scene = small_room();
+  const auto material = add_material(scene, model);
+  EXPECT_EQ(sentences(scene), "") << "nothing wears the material";
+  scene.materials.back().span = {std::make_shared<std::string>("s.yaml"), 7, 3};
+  scene.materials.back().name = "odd";
+  add_mesh(scene, sphere({0, 0, 0}, 0.1, 1), material);
+  return sentences(scene);
+}
+
+TEST(Errors_ReportCheck, DeltaLobesAreRefusedByName) {
+  EXPECT_EQ(sentences_about(description::MirrorMaterial{}),
+            "s.yaml:7:3: error: material 'odd' is a mirror, in which the report integrator would "
+            "miss the lamps; expected diffuse, cook_torrance or a lab3 material\n");
+  EXPECT_NE(sentences_about(description::DielectricMaterial{}).find("'odd' is a dielectric, in"),
+            std::string::npos);
+  EXPECT_NE(sentences_about(description::ConductorMaterial{}).find("'odd' is a conductor;"),
+            std::string::npos);
+  EXPECT_EQ(sentences_about(description::CookTorranceMaterial{}), "");
+  EXPECT_EQ(sentences_about(description::LabMaterial{}), "");
+}
+
+TEST(Errors_ReportCheck, LightsWithoutAreaAreRefused) {
+  description::SceneDescription scene = small_room();
+  add_light(scene, description::PointLight{});
+  add_light(scene, description::ConstantEnvironment{Vec3d(0.05), false});
+  add_light(scene, description::ConstantEnvironment{Vec3d(0.0), false});  // black: no matter
+  const Diagnostics diagnostics = check_report(scene);
+  ASSERT_EQ(diagnostics.error_count(), 2u);
+  EXPECT_NE(diagnostics.list()[0].message.find("the scene has a point light; the report"),
+            std::string::npos);
+  EXPECT_NE(diagnostics.list()[1].message.find("--ambient 0,0,0 takes it out"), std::string::npos);
+}
+
+TEST(Errors_ReportCheck, EmittersThatReflectAreWarnedOf) {
+  description::SceneDescription scene = small_room();
+  scene.materials[0].emission = Vec3d(1.0);
+  const Diagnostics diagnostics = check_report(scene);
+  EXPECT_FALSE(diagnostics.has_errors());
+  ASSERT_EQ(diagnostics.warning_count(), 1u);
+  EXPECT_NE(diagnostics.list()[0].message.find("emits and reflects"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace candela
