@@ -121,5 +121,71 @@ TEST(Unit_RenderSettings, WishesThatNobodyCanGrantAreTheScenesErrors) {
   EXPECT_EQ(settings(arguments, scene).options.samples_per_pixel, 1);
 }
 
+RenderArguments with_integrator(IntegratorKind integrator) {
+  RenderArguments arguments;
+  arguments.integrator = integrator;
+  return arguments;
+}
+
+TEST(Unit_RenderSettings, WhittedAndRasterHaveDefaultsOfTheirOwn) {
+  const RenderSettings whitted = settings(with_integrator(IntegratorKind::Whitted), {});
+  EXPECT_EQ(whitted.options.samples_per_pixel, 16);
+  EXPECT_EQ(whitted.options.max_depth, 5);
+  EXPECT_EQ(whitted.options.filter, FilterKind::Box);
+  EXPECT_EQ(whitted.options.specular, SpecularModel::Blinn);
+  const RenderSettings raster = settings(with_integrator(IntegratorKind::Raster), {});
+  EXPECT_EQ(raster.options.samples_per_pixel, 16);
+  EXPECT_EQ(raster.options.max_depth, std::nullopt);
+}
+
+TEST(Unit_RenderSettings, AGridOfSamplesIsASquare) {
+  RenderArguments arguments = with_integrator(IntegratorKind::Whitted);
+  for (const int square : {1, 4, 9, 16, 25, 1024, 32767 * 32767}) {
+    arguments.samples_per_pixel = square;
+    EXPECT_EQ(settings(arguments, {}).options.samples_per_pixel, square);
+  }
+  arguments.samples_per_pixel = 5;
+  expect_refused(arguments, {}, ExitCode::Usage,
+                 "--spp 5: whitted puts samples on a grid of n x n; the nearest square numbers "
+                 "are 4 and 9");
+  arguments.samples_per_pixel = 3;
+  arguments.integrator = IntegratorKind::Raster;
+  expect_refused(arguments, {}, ExitCode::Usage, "raster puts samples on a grid");
+  arguments.integrator = IntegratorKind::Path;
+  EXPECT_EQ(settings(arguments, {}).options.samples_per_pixel, 3);
+}
+
+TEST(Unit_RenderSettings, TheScenesSamplesAreLoweredToASquareWithAWarning) {
+  const RenderSettings lowered =
+      settings(with_integrator(IntegratorKind::Whitted), scene_with_wishes());  // 7
+  EXPECT_EQ(lowered.options.samples_per_pixel, 4);
+  ASSERT_EQ(lowered.warnings.size(), 1u);
+  EXPECT_EQ(
+      lowered.warnings[0],
+      "the scene's Render block asks for 7 samples a pixel, whitted takes 4: a grid of 2 x 2");
+  EXPECT_TRUE(settings({}, scene_with_wishes()).warnings.empty());
+}
+
+TEST(Unit_RenderSettings, WhatAnIntegratorHasNoUseForIsRefused) {
+  RenderArguments arguments = with_integrator(IntegratorKind::Whitted);
+  arguments.max_depth = DepthLimit{};
+  expect_refused(arguments, {}, ExitCode::Usage, "--max-depth none: whitted needs a limit");
+  arguments.integrator = IntegratorKind::Raster;
+  arguments.max_depth = DepthLimit{3};
+  expect_refused(arguments, {}, ExitCode::Usage, "--max-depth: raster follows no ray");
+  arguments = with_integrator(IntegratorKind::Whitted);
+  arguments.filter = FilterKind::Gaussian;
+  expect_refused(arguments, {}, ExitCode::Usage, "--filter gaussian: whitted averages its grid");
+  arguments = with_integrator(IntegratorKind::Raster);
+  arguments.measures_ray_limit = true;
+  expect_refused(arguments, {}, ExitCode::Usage, "--ray-limit measures the path integrator");
+  arguments = with_integrator(IntegratorKind::Path);
+  arguments.specular = SpecularModel::Phong;
+  expect_refused(arguments, {}, ExitCode::Usage, "--specular is for whitted and raster");
+  arguments = {};
+  arguments.has_lab_normals = true;
+  expect_refused(arguments, {}, ExitCode::Usage, "--lab-normals is for whitted and raster");
+}
+
 }  // namespace
 }  // namespace candela::cli

@@ -1,0 +1,76 @@
+// Lamps as the point lights that whitted and raster see in their place.
+#include "integrators/whitted/lab_lights.h"
+
+#include "tests/integrators/whitted/lab_scenes.h"
+
+namespace candela {
+namespace {
+
+using description::SceneDescription;
+using namespace test;
+
+// What a floor below the origin's lamp shows, seen from between them.
+Rgb floor_below(const description::Mesh& lamp, const Vec3d& radiance, bool both_sides = false) {
+  SceneDescription scene = floor_seen_from(1, diffuse(Vec3d(0.5)));
+  const auto material = add_material(scene, diffuse(Vec3d(0.0)), radiance);
+  scene.materials[material.index].emits_both_sides = both_sides;
+  add_mesh(scene, lamp, material);
+  return seen_by_whitted(scene);
+}
+
+TEST(Unit_LabLights, ALampIsAPointOfTheSameAxialIntensity) {
+  const Vec3d radiance{3, 2, 1};
+  const description::Mesh lamp = quad({-0.5, 5, -0.25}, {1, 0, 0}, {0, 0, 0.5});  // shines down
+  SceneDescription scene = floor_seen_from(1, diffuse(Vec3d(0.5)));
+  add_light(scene, description::PointLight{{0, 5, 0}, radiance * 0.5});  // L A
+  const Rgb point = seen_by_whitted(scene);
+  expect_near(point, radiance * (0.5 * 0.5 / pi_double / 25));
+  expect_near(floor_below(lamp, radiance), Vec3d(point));
+  expect_near(floor_below(lamp, radiance, true), Vec3d(point));
+}
+
+// From far away the path tracer's area light looks the same.
+TEST(Unit_LabLights, FarAwayALampIsWhatThePathTracerSees) {
+  SceneDescription scene = floor_seen_from(1, diffuse(Vec3d(0.5)));
+  scene.cameras[0].fovy_degrees = 1e-3;
+  add_mesh(scene, quad({-0.05, 50, -0.05}, {0.1, 0, 0}, {0, 0, 0.1}),
+           add_material(scene, diffuse(Vec3d(0.0)), Vec3d(1e6)));
+  RenderSettings path = lab_settings(IntegratorKind::Path, 1, 64);
+  path.options.max_depth = 1;
+  expect_near(seen_by_whitted(scene), Vec3d(seen(scene, path)), 1e-4);
+}
+
+TEST(Unit_LabLights, AnAreaLightIsALampToo) {
+  SceneDescription scene = floor_seen_from(1, diffuse(Vec3d(0.5)));
+  add_light(scene, description::TriangleLight{
+                       {Vec3d(-1, 5, -1), Vec3d(2, 5, -1), Vec3d(-1, 5, 2)}, Vec3d(4.0), false});
+  expect_near(seen_by_whitted(scene), Vec3d(0.5 * 4 * 4.5 / pi_double / 25));  // centroid (0, 5, 0)
+}
+
+// A bulb's intensity is L pi r^2; its own mesh, which lies about the point, casts no shadow.
+TEST(Unit_LabLights, AClosedLampShinesThroughItself) {
+  expect_near(floor_below(sphere({0, 5, 0}, 0.4, 4, false), Vec3d(2.0)), Vec3d(0.5 * 2 * 0.16 / 25),
+              0.01);
+}
+
+TEST(Unit_LabLights, OtherMeshesStandInALampsWay) {
+  SceneDescription scene = floor_seen_from(1, diffuse(Vec3d(0.5)));
+  add_mesh(scene, sphere({0, 5, 0}, 0.4, 2, false),
+           add_material(scene, diffuse(Vec3d(0.0)), Vec3d(2.0)));
+  add_sheet(scene, 3, add_material(scene, diffuse(Vec3d(0.5))));
+  expect_near(seen_by_whitted(scene), Vec3d(0.0));
+}
+
+TEST(Unit_LabLights, EachLampMeshIsOneLight) {
+  SceneDescription scene = floor_seen_from(1, diffuse(Vec3d(0.5)));
+  for (const double x : {-1.0, 1.0})
+    add_mesh(scene, box({x - 0.1, 3, -0.1}, {x + 0.1, 3.2, 0.1}),
+             add_material(scene, diffuse(Vec3d(0.0)), Vec3d(2.0)));
+  add_lab_point_light(scene, {0, 4, 0}, 1);
+  add_light(scene, description::ConstantEnvironment{Vec3d(0.4), true});
+  const RenderOptions options = lab_settings(IntegratorKind::Whitted).options;
+  EXPECT_EQ(lab_lights(compiled(scene, options)).size(), 3u);
+}
+
+}  // namespace
+}  // namespace candela

@@ -1,0 +1,65 @@
+// Materials of every model as (kd, ks, exponent, alpha).
+#include "integrators/whitted/lab_surface.h"
+
+#include "tests/integrators/whitted/lab_scenes.h"
+
+namespace candela {
+namespace {
+
+using namespace test;
+
+template <class Model>
+LabSurface surface_of(Model model) {
+  description::SceneDescription scene = empty_scene();
+  add_sheet(scene, 0, add_material(scene, std::move(model)));
+  set_camera(scene, {0, 2, 0}, {0, 0, 0}, 40, {0, 0, 1});
+  const Scene made = compiled(scene, lab_settings(IntegratorKind::Whitted).options);
+  return lab_surface_at(made.materials[0], made.textures, {0.5f, 0.5f});
+}
+
+TEST(Unit_LabSurface, CookTorranceIsTheInverseOfTheHighlightsWidth) {
+  description::CookTorranceMaterial model;
+  model.diffuse.factor = {0.1, 0.2, 0.3};
+  model.specular.factor = Vec3d(0.5);
+  model.f0 = {0.9, 0.6, 0.3};
+  model.roughness.factor = std::sqrt(2 / (30.0 + 2));  // a of n = 30
+  const LabSurface surface = surface_of(model);
+  expect_near(surface.kd, {0.1, 0.2, 0.3});
+  expect_near(surface.ks, {0.45, 0.3, 0.15});
+  expect_near(surface.mirror, {0.225, 0.15, 0.075});
+  EXPECT_NEAR(surface.exponent, 30, 1e-4);
+  EXPECT_EQ(surface.alpha, 1);
+}
+
+TEST(Unit_LabSurface, LabMaterialsStayAsTheyAre) {
+  description::LabMaterial model;
+  model.diffuse.factor = Vec3d(1.0, 0.0, 51 / 255.0);
+  model.specular.factor = Vec3d(51 / 255.0);
+  model.shininess = 256 * 102 / 255.0;
+  model.alpha = 204 / 255.0;
+  const LabSurface surface = surface_of(model);
+  expect_near(surface.kd, {1, 0, std::pow(0.2, 2.2)});
+  expect_near(surface.ks, Vec3d(0.2));
+  expect_near(surface.mirror, Vec3d(0.1));
+  EXPECT_NEAR(surface.exponent, 102.4, 1e-4);
+  EXPECT_NEAR(surface.alpha, 0.8, 1e-6);
+}
+
+TEST(Unit_LabSurface, PolishedMetalMirrorsItsReflectance) {
+  const LabSurface surface =
+      surface_of(description::ConductorMaterial{Vec3d(1.0), {2, 4, 6}, {0.0, {}, 0}});
+  expect_near(surface.mirror, {4.0 / 8, 16.0 / 20, 36.0 / 40});  // k^2 / (4 + k^2)
+  expect_near(surface.kd, Vec3d(0.0));
+}
+
+TEST(Unit_LabSurface, GlassIsAHoleForShadowsThatCoversWhatItReflects) {
+  description::DielectricMaterial model;
+  model.ior = 1.5;
+  model.transmittance = {1, 0.5, 0.25};
+  const LabSurface surface = surface_of(model);
+  EXPECT_NEAR(surface.alpha, 0.04, 1e-6);
+  expect_near(surface.transmitted, {1, 0.5, 0.25});
+}
+
+}  // namespace
+}  // namespace candela
