@@ -1,0 +1,107 @@
+// All settings that claim to be unbiased give the same picture: every pair of them, on the metal
+// and on the diffuse Cornell box. A new setting is one line in all_settings().
+#include <gtest/gtest.h>
+
+#include "scene_io/load.h"
+#include "tests/scenes/render_scene.h"
+#include "tests/statistics/distributions.h"
+#include "tests/statistics/replicates.h"
+
+namespace candela {
+namespace {
+
+using statistics::Replicates;
+using test::RenderSettings;
+
+constexpr int size = 24;
+constexpr int replicate_count = 16;
+constexpr int samples_per_pixel = 32;
+
+struct Setting {
+  std::string name;
+  void (*apply)(RenderSettings&);
+};
+
+std::vector<Setting> all_settings() {
+  return {
+      {"path, Embree", [](RenderSettings&) {}},
+      {"path, BVH", [](RenderSettings& s) { s.accelerator = AcceleratorKind::Bvh; }},
+      {"report, Embree", [](RenderSettings& s) { s.options.integrator = IntegratorKind::Report; }},
+      {"report with P_RR = .6, BVH",
+       [](RenderSettings& s) {
+         s.options.integrator = IntegratorKind::Report;
+         s.options.report_p_rr = 0.6f;
+         s.accelerator = AcceleratorKind::Bvh;
+       }},
+  };
+}
+
+Scene cornell_box(const std::string& name) {
+  const std::string file =
+      std::string(CANDELA_SOURCE_DIR) + "/assets/" + name + "/" + name + ".yaml";
+  const Result<description::SceneDescription> description = load(file, {});
+  EXPECT_TRUE(description);
+  return test::compiled(*description, test::settings_of(size, 1).options);
+}
+
+std::vector<double> grey(const Image& image) {
+  std::vector<double> values;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      values.push_back(
+          (image.pixel(x, y)[0] + double{image.pixel(x, y)[1]} + image.pixel(x, y)[2]) / 3);
+  return values;
+}
+
+// Seeds of their own for each setting: common random numbers would hide what they share.
+Replicates replicates_of(const Scene& scene, const Setting& setting, std::uint64_t first_seed) {
+  RenderSettings settings = test::settings_of(size, samples_per_pixel);
+  setting.apply(settings);
+  Replicates replicates{setting.name, size, size, {}};
+  for (int i = 0; i < replicate_count; ++i) {
+    settings.options.seed = first_seed + static_cast<std::uint64_t>(i);
+    replicates.images.push_back(grey(test::rendered(scene, settings).film.to_image(false)));
+  }
+  return replicates;
+}
+
+void expect_all_agree(const std::string& scene_name) {
+  const Scene scene = cornell_box(scene_name);
+  std::vector<Replicates> all;
+  for (const Setting& setting : all_settings())
+    all.push_back(replicates_of(scene, setting, 1000 * (all.size() + 1)));
+  const auto pairs = static_cast<double>(all.size() * (all.size() - 1) / 2);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto agreement =
+          compare_replicates(all[i], all[j], {.level = statistics::sidak_level(0.01, pairs)});
+      EXPECT_TRUE(agreement.passed) << agreement.message;
+    }
+}
+
+TEST(Statistical_UnbiasedSettings, AgreeOnTheMetalCornellBox) {
+  expect_all_agree("cornell_box");
+}
+
+TEST(Statistical_UnbiasedSettings, AgreeOnTheDiffuseCornellBox) {
+  expect_all_agree("cornell_box_diffuse");
+}
+
+// What the test can see: paths cut after four bounces, and light that is 3 % too dim.
+TEST(Statistical_UnbiasedSettings, BiasIsSeen) {
+  const Scene scene = cornell_box("cornell_box");
+  const Replicates path = replicates_of(scene, {"path", [](RenderSettings&) {}}, 1);
+  const Replicates cut =
+      replicates_of(scene, {"cut", [](RenderSettings& s) { s.options.max_depth = 4; }}, 101);
+  Replicates dim = replicates_of(scene, {"dim", [](RenderSettings&) {}}, 201);
+  for (auto& image : dim.images)
+    for (double& value : image) value *= 0.97;
+  for (const Replicates& biased : {cut, dim}) {
+    const auto agreement = compare_replicates(biased, path);
+    EXPECT_FALSE(agreement.passed) << agreement.message;
+    EXPECT_LT(agreement.whole_p_value, 1e-4);
+  }
+}
+
+}  // namespace
+}  // namespace candela
