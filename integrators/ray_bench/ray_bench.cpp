@@ -6,13 +6,14 @@
 
 #include "integrators/ray_bench/compare_hits.h"
 #include "renderer/base/parallel.h"
+#include "renderer/base/thread_clock.h"
 
 namespace candela {
 namespace {
 
 constexpr std::size_t rays_per_task = 4096;
 
-double seconds_of(const auto& work) {
+double wall_seconds_of(const auto& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -28,22 +29,21 @@ std::uint64_t trace(const A& accelerator, const std::vector<Ray>& rays, bool is_
   return hits;
 }
 
-template <Accelerator A>
-std::uint64_t trace_in_parallel(const A& accelerator, const std::vector<Ray>& rays,
-                                bool is_shadow) {
-  std::atomic<std::uint64_t> hits = 0;
-  parallel_for_chunks(rays.size(), rays_per_task, [&](std::size_t begin, std::size_t end) {
-    hits += trace(accelerator, rays, is_shadow, begin, end);
-  });
-  return hits;
+double cpu_seconds_of(const auto& work) {
+  const double start = thread_cpu_seconds();
+  work();
+  return thread_cpu_seconds() - start;
 }
 
-double best_mrays(std::size_t rays, double seconds_each, const auto& trace_all) {
+// Rays a second if each thread had a processor of its own all the time; of several rounds the best,
+// since the others were disturbed. `cpu_seconds_of_round`: of all threads together.
+double best_mrays(std::size_t rays, int threads, double seconds_each,
+                  const auto& cpu_seconds_of_round) {
   if (rays == 0) return 0;
   double best = std::numeric_limits<double>::infinity();
   double total = 0;
   for (int round = 0; round < 3 || total < seconds_each; ++round) {
-    const double seconds = seconds_of(trace_all);
+    const double seconds = cpu_seconds_of_round() / threads;
     best = std::min(best, seconds);
     total += seconds;
   }
@@ -51,16 +51,24 @@ double best_mrays(std::size_t rays, double seconds_each, const auto& trace_all) 
 }
 
 template <Accelerator A>
-void measure(const A& accelerator, const RecordedRays& rays, double seconds_each,
+void measure(const A& accelerator, const RecordedRays& rays, double seconds_each, int threads,
              BackEndFigures& figures) {
   std::atomic<std::uint64_t> hits = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const bool is_shadow = static_cast<RayClass>(i) == RayClass::Shadow;
     const std::size_t count = rays[i].size();
-    figures.mrays_one_thread[i] = best_mrays(
-        count, seconds_each, [&] { hits += trace(accelerator, rays[i], is_shadow, 0, count); });
-    figures.mrays_all_threads[i] = best_mrays(
-        count, seconds_each, [&] { hits += trace_in_parallel(accelerator, rays[i], is_shadow); });
+    const auto cpu_seconds = [&](std::size_t begin, std::size_t end) {
+      return cpu_seconds_of([&] { hits += trace(accelerator, rays[i], is_shadow, begin, end); });
+    };
+    figures.mrays_one_thread[i] =
+        best_mrays(count, 1, seconds_each, [&] { return cpu_seconds(0, count); });
+    figures.mrays_all_threads[i] = best_mrays(count, threads, seconds_each, [&] {
+      std::atomic<double> sum = 0;
+      parallel_for_chunks(count, rays_per_task, [&](std::size_t begin, std::size_t end) {
+        sum += cpu_seconds(begin, end);
+      });
+      return sum.load();
+    });
   }
 }
 
@@ -118,15 +126,16 @@ AgreementCounts count_agreement(const Scene& scene, const EmbreeAccel& embree, c
 
 namespace {
 
-RayBenchResult run_in_arena(const Scene& scene, const RayBenchOptions& options) {
+RayBenchResult run_in_arena(const Scene& scene, const RayBenchOptions& options, int threads) {
   RayBenchResult result;
+  result.threads = threads;
   result.embree_version = embree_version();
   for (const Geometry& geometry : scene.geometries) result.triangles += geometry.triangles.size();
 
   std::optional<EmbreeAccel> embree;
   std::optional<BvhAccel> bvh;
-  result.embree.build_seconds = seconds_of([&] { embree.emplace(scene); });
-  result.bvh.build_seconds = seconds_of([&] { bvh.emplace(scene); });
+  result.embree.build_seconds = wall_seconds_of([&] { embree.emplace(scene); });
+  result.bvh.build_seconds = wall_seconds_of([&] { bvh.emplace(scene); });
   result.embree.bytes = embree->memory_bytes();
   result.bvh.bytes = bvh->memory_bytes();
 
@@ -136,8 +145,8 @@ RayBenchResult run_in_arena(const Scene& scene, const RayBenchOptions& options) 
     const bool is_shadow = static_cast<RayClass>(i) == RayClass::Shadow;
     result.agreement += count_agreement(scene, *embree, *bvh, rays[i], is_shadow);
   }
-  measure(*embree, rays, options.seconds_each, result.embree);
-  measure(*bvh, rays, options.seconds_each, result.bvh);
+  measure(*embree, rays, options.seconds_each, threads, result.embree);
+  measure(*bvh, rays, options.seconds_each, threads, result.bvh);
   return result;
 }
 
@@ -146,8 +155,7 @@ RayBenchResult run_in_arena(const Scene& scene, const RayBenchOptions& options) 
 RayBenchResult run_ray_bench(const Scene& scene, const RayBenchOptions& options, int threads) {
   RayBenchResult result;
   const int count = threads > 0 ? threads : available_threads();
-  with_threads(count, [&] { result = run_in_arena(scene, options); });
-  result.threads = count;
+  with_threads(count, [&] { result = run_in_arena(scene, options, count); });
   return result;
 }
 

@@ -12,15 +12,16 @@ namespace candela {
 
 struct RayBenchOptions {
   RecordOptions record;
-  // Each class of rays is traced again until this has passed, at least three times; the best
-  // counts.
+  // Each class of rays is traced again until its threads have worked so long, at least three times;
+  // the best counts.
   double seconds_each = 0.5;
 };
 
 struct BackEndFigures {
-  double build_seconds = 0;  // by all threads
+  double build_seconds = 0;  // by all threads, by the clock on the wall
   std::size_t bytes = 0;
-  // Million rays a second by RayClass; 0 where there are none of that class.
+  // Million rays a second of CPU time by RayClass; 0 where there are none of that class. By all
+  // threads: as if each had a processor of its own, sharing caches and memory with the others.
   std::array<double, 3> mrays_one_thread{};
   std::array<double, 3> mrays_all_threads{};
 };

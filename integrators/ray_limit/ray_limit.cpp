@@ -1,19 +1,12 @@
 // `--ray-limit`: how near a render is to the cost of its rays alone.
 
-#include <ctime>
-
 #include "integrators/path/kernels.h"
 #include "integrators/render.h"
 #include "integrators/tiles.h"
+#include "renderer/base/thread_clock.h"
 
 namespace candela {
 namespace {
-
-double thread_cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 // Every sixteenth tile, spread over the picture by a stride that is coprime to most rows.
 std::vector<PixelRect> share_of_tiles(const RenderOptions& options) {

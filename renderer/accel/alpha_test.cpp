@@ -11,6 +11,8 @@ namespace {
 constexpr float lab_clear_below = 0.2f;
 constexpr float lab_opaque_from = 0.9f;
 
+constexpr int alpha_channel = 3;
+
 std::uint64_t bits_of(float high, float low) {
   return (std::uint64_t{std::bit_cast<std::uint32_t>(high)} << 32) |
          std::bit_cast<std::uint32_t>(low);
@@ -34,12 +36,16 @@ Vec2f uv_at(const Geometry& geometry, std::uint32_t triangle, float u, float v) 
   return geometry.uvs[a] * (1 - u - v) + geometry.uvs[b] * u + geometry.uvs[c] * v;
 }
 
+float value_at(const TextureStore& textures, const ScalarParameter& opacity, Vec2f uv) {
+  if (!opacity.texture) return opacity.constant;
+  return opacity.channel == alpha_channel ? textures.lookup_alpha(opacity.texture, uv)
+                                          : textures.lookup(opacity.texture, uv)[opacity.channel];
+}
+
 }  // namespace
 
 float opacity_at(const Scene& scene, const Material& material, Vec2f uv) {
-  const ScalarParameter& opacity = material.opacity;
-  const float alpha = opacity.texture ? scene.textures.lookup(opacity.texture, uv)[opacity.channel]
-                                      : opacity.constant;
+  const float alpha = value_at(scene.textures, material.opacity, uv);
   if (material.lab_opacity && alpha < lab_clear_below) return 0;
   if (material.lab_opacity && alpha >= lab_opaque_from) return 1;
   return std::clamp(alpha, 0.0f, 1.0f);

@@ -72,98 +72,110 @@ Float4 four_stored(const std::byte* place) {
   }
 }
 
-// In stored units, or decoded with alpha beside it.
+template <SampleType type, int channels>
+float stored_alpha(const std::byte* place) {
+  return stored<type>(place + (channels - 1) * size_of(type));
+}
+
+// In stored units, or colour decoded; alpha is as stored in any case. What a file without alpha has
+// in its place is ignored.
 template <SampleType type, int channels, bool is_srgb>
 Float4 texel(const std::byte* place) {
   constexpr std::size_t step = size_of(type);
-  constexpr float one = is_srgb ? 1.0f : unit<type>;
-  const auto alpha = [place] {
-    const float value = stored<type>(place + (channels - 1) * step);
-    return is_srgb ? value / unit<type> : value;
-  };
+  constexpr bool has_alpha = channels % 2 == 0;
   if constexpr (channels <= 2) {
     const float grey = is_srgb ? decoded<type>(place) : stored<type>(place);
-    return Float4{grey, grey, grey, channels == 2 ? alpha() : one};
+    return Float4{grey, grey, grey, has_alpha ? stored_alpha<type, channels>(place) : 0.0f};
   } else if constexpr (is_srgb) {
     return Float4{decoded<type>(place), decoded<type>(place + step),
-                  decoded<type>(place + 2 * step), channels == 4 ? alpha() : one};
+                  decoded<type>(place + 2 * step),
+                  has_alpha ? stored_alpha<type, channels>(place) : 0.0f};
   } else {
     return four_stored<type>(place);
   }
 }
 
-// Black; a file without alpha is opaque beyond its edges too.
-template <SampleType type, int channels, bool is_srgb>
-Float4 border_texel() {
-  const float one = is_srgb ? 1.0f : unit<type>;
-  return Float4{0.0f, 0.0f, 0.0f, channels % 2 == 0 ? 0.0f : one};
+// Exact where both ends are equal.
+template <class Value>
+Value between(Value a, Value b, float weight) {
+  return a + weight * (b - a);
 }
 
-// Exact where both ends are equal.
-Float4 between(Float4 a, Float4 b, float weight) {
-  return a + weight * (b - a);
+// Of `read(place)` at four texels; beyond a border zeros.
+template <class Value, std::size_t texel_bytes, bool has_border>
+Value bilinear(const TexelView& view, const Footprint& footprint, const auto& read) {
+  const auto at = [&](std::int32_t column, std::int32_t row) -> Value {
+    if constexpr (has_border)
+      if (column < 0 || row < 0) return Value{};
+    const std::size_t index = static_cast<std::size_t>(row) * static_cast<std::size_t>(view.width) +
+                              static_cast<std::size_t>(column);
+    return read(view.samples + index * texel_bytes);
+  };
+  const auto& [column, row] = footprint;
+  const Value upper =
+      between(at(column.first, row.first), at(column.second, row.first), column.weight);
+  const Value lower =
+      between(at(column.first, row.second), at(column.second, row.second), column.weight);
+  return between(upper, lower, row.weight);
 }
 
 template <SampleType type, int channels, Encoding encoding, bool has_border>
 Vec4f filter(const TexelView& view, const Footprint& footprint) {
   constexpr bool is_srgb = encoding == Encoding::Srgb;
   constexpr bool has_alpha = channels % 2 == 0;
-  constexpr std::size_t texel_bytes = size_of(type) * channels;
-  const auto at = [&](std::int32_t column, std::int32_t row) -> Float4 {
-    if constexpr (has_border)
-      if (column < 0 || row < 0) return border_texel<type, channels, is_srgb>();
-    const std::size_t index = static_cast<std::size_t>(row) * static_cast<std::size_t>(view.width) +
-                              static_cast<std::size_t>(column);
-    return texel<type, channels, is_srgb>(view.samples + index * texel_bytes);
-  };
-  const auto& [column, row] = footprint;
-  const Float4 upper =
-      between(at(column.first, row.first), at(column.second, row.first), column.weight);
-  const Float4 lower =
-      between(at(column.first, row.second), at(column.second, row.second), column.weight);
-  Float4 result = between(upper, lower, row.weight);
+  Float4 result = bilinear<Float4, size_of(type) * channels, has_border>(
+      view, footprint, texel<type, channels, is_srgb>);
+  const float alpha = has_alpha ? result[3] / unit<type> : 1.0f;
   if constexpr (!is_srgb) result = result / unit<type>;
-  const float alpha = has_alpha ? result[3] : 1.0f;
   if constexpr (encoding == Encoding::LabGamma) result = power_2_2(result);
   return {result[0], result[1], result[2], alpha};
 }
 
-template <SampleType type, int channels, Encoding encoding>
-TexelFilter chosen_border(bool has_border) {
-  return has_border ? filter<type, channels, encoding, true>
-                    : filter<type, channels, encoding, false>;
+template <SampleType type, int channels, bool has_border>
+float filter_alpha(const TexelView& view, const Footprint& footprint) {
+  if constexpr (channels % 2 != 0) return 1;  // beyond the file's edges, too
+  return bilinear<float, size_of(type) * channels, has_border>(view, footprint,
+                                                               stored_alpha<type, channels>) /
+         unit<type>;
+}
+
+template <SampleType type, int channels, bool has_border>
+TexelFilters chosen_encoding(Encoding encoding) {
+  const AlphaFilter alpha = filter_alpha<type, channels, has_border>;
+  switch (encoding) {
+    case Encoding::Linear:
+      return {filter<type, channels, Encoding::Linear, has_border>, alpha};
+    case Encoding::Srgb:
+      return {filter<type, channels, Encoding::Srgb, has_border>, alpha};
+    case Encoding::LabGamma:
+      return {filter<type, channels, Encoding::LabGamma, has_border>, alpha};
+  }
+  return {};
 }
 
 template <SampleType type, int channels>
-TexelFilter chosen_encoding(Encoding encoding, bool has_border) {
-  switch (encoding) {
-    case Encoding::Linear:
-      return chosen_border<type, channels, Encoding::Linear>(has_border);
-    case Encoding::Srgb:
-      return chosen_border<type, channels, Encoding::Srgb>(has_border);
-    case Encoding::LabGamma:
-      return chosen_border<type, channels, Encoding::LabGamma>(has_border);
-  }
-  return nullptr;
+TexelFilters chosen_border(Encoding encoding, bool has_border) {
+  return has_border ? chosen_encoding<type, channels, true>(encoding)
+                    : chosen_encoding<type, channels, false>(encoding);
 }
 
 template <SampleType type>
-TexelFilter chosen_channels(int channels, Encoding encoding, bool has_border) {
+TexelFilters chosen_channels(int channels, Encoding encoding, bool has_border) {
   switch (channels) {
     case 1:
-      return chosen_encoding<type, 1>(encoding, has_border);
+      return chosen_border<type, 1>(encoding, has_border);
     case 2:
-      return chosen_encoding<type, 2>(encoding, has_border);
+      return chosen_border<type, 2>(encoding, has_border);
     case 3:
-      return chosen_encoding<type, 3>(encoding, has_border);
+      return chosen_border<type, 3>(encoding, has_border);
     default:
-      return chosen_encoding<type, 4>(encoding, has_border);
+      return chosen_border<type, 4>(encoding, has_border);
   }
 }
 
 }  // namespace
 
-TexelFilter texel_filter(SampleType type, int channels, Encoding encoding, bool has_border) {
+TexelFilters texel_filters(SampleType type, int channels, Encoding encoding, bool has_border) {
   switch (type) {
     case SampleType::U8:
       return chosen_channels<SampleType::U8>(channels, encoding, has_border);
@@ -174,7 +186,7 @@ TexelFilter texel_filter(SampleType type, int channels, Encoding encoding, bool 
     case SampleType::Float:
       return chosen_channels<SampleType::Float>(channels, encoding, has_border);
   }
-  return nullptr;
+  return {};
 }
 
 }  // namespace candela

@@ -22,9 +22,16 @@ struct TexelView {
 
 // Decoded to linear. Missing channels as TextureStore::lookup says.
 using TexelFilter = Vec4f (*)(const TexelView&, const Footprint&);
+// The same bits as TexelFilter's alpha, whatever the encoding.
+using AlphaFilter = float (*)(const TexelView&, const Footprint&);
+
+struct TexelFilters {
+  TexelFilter all = nullptr;
+  AlphaFilter alpha = nullptr;
+};
 
 // `channels`: 1..4. With `has_border`, texels at -1 are black and transparent.
-[[nodiscard]] TexelFilter texel_filter(SampleType type, int channels, Encoding encoding,
-                                       bool has_border);
+[[nodiscard]] TexelFilters texel_filters(SampleType type, int channels, Encoding encoding,
+                                         bool has_border);
 
 }  // namespace candela

@@ -42,13 +42,19 @@ class Texture {
 
   [[nodiscard]] Vec4f texel(int x, int y) {
     if (!is_ready_.load(std::memory_order_acquire)) prepare();
-    return filter_(view_, {{x, x, 0}, {y, y, 0}});
+    return filters_.all(view_, {{x, x, 0}, {y, y, 0}});
   }
 
   [[nodiscard]] Vec4f lookup(Vec2f uv) {
     if (!is_ready_.load(std::memory_order_acquire)) prepare();
     if (is_constant_) return constant_;
-    return filter_(view_, footprint_of(uv, view_.width, view_.height, wrap_));
+    return filters_.all(view_, footprint_of(uv, view_.width, view_.height, wrap_));
+  }
+
+  [[nodiscard]] float lookup_alpha(Vec2f uv) {
+    if (!is_ready_.load(std::memory_order_acquire)) prepare();
+    if (is_constant_) return constant_.w;
+    return filters_.alpha(view_, footprint_of(uv, view_.width, view_.height, wrap_));
   }
 
  private:
@@ -56,9 +62,9 @@ class Texture {
     std::call_once(prepare_once_, [this] {
       const TexelArray& texels = file_->texels();
       view_ = {texels.samples.get(), texels.width, texels.height};
-      filter_ = texel_filter(texels.type, texels.channels, encoding_, wrap_ == Wrap::Black);
+      filters_ = texel_filters(texels.type, texels.channels, encoding_, wrap_ == Wrap::Black);
       is_constant_ = is_single_texel(texels);
-      if (is_constant_) constant_ = filter_(view_, Footprint{});
+      if (is_constant_) constant_ = filters_.all(view_, Footprint{});
       is_ready_.store(true, std::memory_order_release);
     });
   }
@@ -69,7 +75,7 @@ class Texture {
   Encoding encoding_;
   Wrap wrap_;
   TexelView view_;
-  TexelFilter filter_ = nullptr;
+  TexelFilters filters_;
   Vec4f constant_{0};
   TextureInfo info_;
   std::once_flag prepare_once_;
@@ -106,6 +112,10 @@ TextureHandle TextureStore::add(const description::Image& image, Diagnostics& di
 
 Vec4f TextureStore::lookup(TextureHandle texture, Vec2f uv) const {
   return textures_[texture.index]->lookup(uv);
+}
+
+float TextureStore::lookup_alpha(TextureHandle texture, Vec2f uv) const {
+  return textures_[texture.index]->lookup_alpha(uv);
 }
 
 Vec4f TextureStore::texel(TextureHandle texture, int x, int y) const {

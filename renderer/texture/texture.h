@@ -57,6 +57,8 @@ class TextureStore {
   // but as the file stores it. Wrap::Black has alpha 0 outside where the file has alpha.
   // Stored values that are not finite count as 0; decoding_diagnostics() says how many there were.
   [[nodiscard]] Vec4f lookup(TextureHandle texture, Vec2f uv) const;
+  // lookup().w, without the work for colour.
+  [[nodiscard]] float lookup_alpha(TextureHandle texture, Vec2f uv) const;
   // One texel, decoded to linear; row 0 is the file's first, 0 <= x < width, 0 <= y < height. For
   // tables that are built over all texels (environment maps), not for kernels.
   [[nodiscard]] Vec4f texel(TextureHandle texture, int x, int y) const;
