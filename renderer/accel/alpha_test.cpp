@@ -7,10 +7,6 @@
 namespace candela {
 namespace {
 
-// lab3's thresholds [LAB3 section 8].
-constexpr float lab_clear_below = 0.2f;
-constexpr float lab_opaque_from = 0.9f;
-
 constexpr int alpha_channel = 3;
 
 std::uint64_t bits_of(float high, float low) {
@@ -45,10 +41,14 @@ float value_at(const TextureStore& textures, const ScalarParameter& opacity, Vec
 }  // namespace
 
 float opacity_at(const Scene& scene, const Material& material, Vec2f uv) {
+  if (material.coverage_grid) {
+    const Coverage coverage = scene.coverage_grids[material.coverage_grid.index].at(uv);
+    if (coverage != Coverage::Partial) return coverage == Coverage::Opaque ? 1 : 0;
+  }
   const float alpha = value_at(scene.textures, material.opacity, uv);
-  if (material.lab_opacity && alpha < lab_clear_below) return 0;
-  if (material.lab_opacity && alpha >= lab_opaque_from) return 1;
-  return std::clamp(alpha, 0.0f, 1.0f);
+  const Coverage coverage = coverage_of_range(alpha, alpha, material.lab_opacity);
+  if (coverage != Coverage::Partial) return coverage == Coverage::Opaque ? 1 : 0;
+  return alpha;
 }
 
 bool is_transparent_at(const Scene& scene, std::uint32_t geometry, std::uint32_t triangle,

@@ -12,6 +12,8 @@ namespace candela {
 using description::FresnelModel;
 using description::GeometryModel;
 
+class CoverageGrid;
+
 enum class MaterialModel : std::uint8_t {
   Diffuse,         // kd / pi
   CookTorrance,    // kd / pi + ks F G D / (4 cos cos)                         [REPORT 2.2]
@@ -51,6 +53,8 @@ struct Material {
   Rgb emission{0};                    // radiance
   ScalarParameter opacity{1, {}, 3};  // in [0,1]
   bool lab_opacity = false;           // thresholds 0.2 and 0.9 of LAB3 section 8
+  // Where the opacity map need not be asked; absent where visibility never asks it.
+  Handle<CoverageGrid> coverage_grid{};
   TextureHandle height{};             // bump
   float height_scale = 1;             // see description::Material
   TextureHandle normal_map{};

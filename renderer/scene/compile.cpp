@@ -4,6 +4,7 @@
 
 #include "renderer/description/validate.h"
 #include "renderer/scene/compile_camera.h"
+#include "renderer/scene/compile_coverage.h"
 #include "renderer/scene/compile_geometry.h"
 #include "renderer/scene/compile_lights.h"
 #include "renderer/scene/compile_materials.h"
@@ -83,6 +84,7 @@ Result<Scene> compile(const SceneDescription& description, const CompileOptions&
   scene.normalisation = normalisation_of(description);
   compile_materials(description, options, scene, dropped, diagnostics);
   compile_geometry(description, options, scene, dropped);
+  compile_coverage(scene);
   scene.bounds = bounds_of(scene);
   for (const description::Camera& camera : description.cameras)
     scene.cameras.push_back(compile_camera(camera, scene.normalisation, options));

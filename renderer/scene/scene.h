@@ -17,6 +17,7 @@
 #include "renderer/light/environment.h"
 #include "renderer/light/light.h"
 #include "renderer/light/light_sampler.h"
+#include "renderer/material/coverage_grid.h"
 #include "renderer/material/material.h"
 #include "renderer/math/bounds.h"
 #include "renderer/texture/texture.h"
@@ -58,6 +59,7 @@ struct Scene {
   Object world;  // what is not instanced
   std::vector<Instance> instances;
   std::vector<Material> materials;
+  std::vector<CoverageGrid> coverage_grids;
   std::vector<Light> lights;
   LightSampler light_sampler;
   std::optional<Environment> environment;         // at most one

@@ -3,18 +3,6 @@
 namespace candela {
 namespace {
 
-// The thresholds of LAB3 section 8: below is a hole, from above on solid.
-constexpr float lab_hole = 0.2f;
-constexpr float lab_solid = 0.9f;
-
-Coverage coverage_of_range(float low, float high, bool is_lab) {
-  const float hole = is_lab ? lab_hole : 0.0f;
-  const float solid = is_lab ? lab_solid : 1.0f;
-  if (low >= solid) return Coverage::Opaque;
-  if (is_lab ? high < hole : high <= hole) return Coverage::Clear;
-  return Coverage::Partial;
-}
-
 bool has_area(const Vec3f& p0, const Vec3f& p1, const Vec3f& p2) {
   const Vec3f n = cross(p1 - p0, p2 - p0);
   return dot(n, n) > 0;

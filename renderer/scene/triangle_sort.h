@@ -6,11 +6,10 @@
 #include <vector>
 
 #include "renderer/description/scene_description.h"
+#include "renderer/material/coverage.h"
 #include "renderer/scene/compile_geometry.h"
 
 namespace candela {
-
-enum class Coverage : std::uint8_t { Opaque, Partial, Clear };
 
 // How much of a triangle its material's opacity covers; looks at the texels within.
 [[nodiscard]] Coverage coverage_of(const Scene& scene, const Material& material,

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "renderer/math/transcendental.h"
+#include "renderer/texture/footprint_ranges.h"
 #include "renderer/texture/texel_filter.h"
 #include "renderer/texture/texels.h"
 #include "renderer/texture/uv_range.h"
@@ -122,22 +124,52 @@ Vec4f TextureStore::texel(TextureHandle texture, int x, int y) const {
   return textures_[texture.index]->texel(x, y);
 }
 
+namespace {
+
+// The file's channel behind one of lookup()'s; none: alpha of a file that has none.
+std::optional<int> stored_channel(const TexelArray& texels, int channel) {
+  const int colours = texels.channels <= 2 ? 1 : 3;
+  if (channel < 3) return std::min(channel, colours - 1);
+  if (texels.has_alpha()) return texels.channels - 1;
+  return {};
+}
+
+TextureStore::Range widened_by_rounding(const ValueRange& range) {
+  const float rounding = (range.high - range.low) * 0x1p-22f;  // of the filter between the two
+  return {range.low - rounding, range.high + rounding};
+}
+
+}  // namespace
+
 TextureStore::Range TextureStore::range_in_triangle(TextureHandle texture, const Vec2f (&uv)[3],
                                                     int channel) const {
   const Texture& used = *textures_[texture.index];
   const TexelArray& texels = used.file().texels();
-  const bool is_alpha = channel == 3;
-  if (is_alpha && !texels.has_alpha()) return {1, 1};
-  const int colours = texels.channels <= 2 ? 1 : 3;
-  const int stored = is_alpha ? texels.channels - 1 : std::min(channel, colours - 1);
+  const std::optional<int> stored = stored_channel(texels, channel);
+  if (!stored) return {1, 1};
   if (used.is_single_texel(texels)) {
-    const float value = stored_value(texels, 0, 0, stored);
+    const float value = stored_value(texels, 0, 0, *stored);
     return {value, value};
   }
-  const ValueRange range =
-      range_over_triangle(used.file(), {uv[0], uv[1], uv[2]}, stored, used.wrap());
-  const float rounding = (range.high - range.low) * 0x1p-22f;  // of the filter between the two
-  return {range.low - rounding, range.high + rounding};
+  return widened_by_rounding(
+      range_over_triangle(used.file(), {uv[0], uv[1], uv[2]}, *stored, used.wrap()));
+}
+
+TextureStore::RangeGrid TextureStore::range_grid(TextureHandle texture, int channel,
+                                                 int cell_side) const {
+  const Texture& used = *textures_[texture.index];
+  const TexelArray& texels = used.file().texels();
+  const std::optional<int> stored = stored_channel(texels, channel);
+  if (!stored) return {1, 1, Wrap::Repeat, {{1, 1}}};
+  if (used.is_single_texel(texels)) {
+    const float value = stored_value(texels, 0, 0, *stored);
+    return {1, 1, Wrap::Repeat, {{value, value}}};
+  }
+  RangeGrid grid{texels.width, texels.height, used.wrap(), {}};
+  if (used.wrap() == Wrap::Black) return grid;
+  for (const ValueRange& range : footprint_ranges(texels, *stored, used.wrap(), cell_side))
+    grid.cells.push_back(widened_by_rounding(range));
+  return grid;
 }
 
 const TextureInfo& TextureStore::info(TextureHandle texture) const {

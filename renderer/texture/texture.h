@@ -73,6 +73,17 @@ class TextureStore {
   [[nodiscard]] Range range_in_triangle(TextureHandle texture, const Vec2f (&uv)[3],
                                         int channel) const;
 
+  // The same by cells: one range for all lookups whose footprint (footprint.h) begins in one cell
+  // of `cell_side` x `cell_side` texels, row by row. Without cells for Wrap::Black. A texture that
+  // is the same everywhere has the size 1x1.
+  struct RangeGrid {
+    int width = 1;  // in texels
+    int height = 1;
+    Wrap wrap = Wrap::Repeat;
+    std::vector<Range> cells;
+  };
+  [[nodiscard]] RangeGrid range_grid(TextureHandle texture, int channel, int cell_side) const;
+
   [[nodiscard]] const TextureInfo& info(TextureHandle texture) const;
   [[nodiscard]] const std::string& path(TextureHandle texture) const;
   [[nodiscard]] std::size_t size() const;

@@ -173,10 +173,15 @@ TEST(Unit_Texture, SixteenBitsAndFloatsDecodeAsPreciselyAsTheyAre) {
   EXPECT_EQ(store.info(added(store, wide)).bytes, 24u);
 }
 
-std::string put_half_exr(const TemporaryFolder& folder, const std::vector<float>& values) {
-  const std::string path = folder.file("half.exr");
+struct Extent {
+  int width, height, channels;
+};
+
+std::string put_exr(const TemporaryFolder& folder, const std::string& name, OIIO::TypeDesc type,
+                    Extent extent, const std::vector<float>& values) {
+  const std::string path = folder.file(name);
   const auto output = OIIO::ImageOutput::create("exr");
-  const OIIO::ImageSpec spec(static_cast<int>(values.size()), 1, 1, OIIO::TypeDesc::HALF);
+  const OIIO::ImageSpec spec(extent.width, extent.height, extent.channels, type);
   EXPECT_TRUE(output->open(path, spec) &&
               output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close());
   return path;
@@ -184,8 +189,8 @@ std::string put_half_exr(const TemporaryFolder& folder, const std::vector<float>
 
 TEST(Unit_Texture, HalvesStayHalvesAndWhatIsNotFiniteIsReplacedAndTold) {
   const TemporaryFolder folder;
-  const std::string path =
-      put_half_exr(folder, {0.5f, std::numeric_limits<float>::infinity(), NAN, -0.25f});
+  const std::string path = put_exr(folder, "half.exr", OIIO::TypeDesc::HALF, {4, 1, 1},
+                                   {0.5f, std::numeric_limits<float>::infinity(), NAN, -0.25f});
   TextureStore store;
   const TextureHandle texture = added(store, path);
   EXPECT_EQ(store.info(texture).bytes, 8u);
@@ -200,6 +205,35 @@ TEST(Unit_Texture, HalvesStayHalvesAndWhatIsNotFiniteIsReplacedAndTold) {
 }
 
 // The lab takes the first texel of what is one texel wide or high; the others filter along it.
+// Visibility asks for alpha alone, shading for all: one answer, whatever file and encoding.
+TEST(Unit_Texture, AlphaAloneHasTheSameBits) {
+  const TemporaryFolder folder;
+  std::vector<float> values;
+  for (int i = 0; i < 7 * 5 * 4; ++i)
+    values.push_back(static_cast<float>(sample(i, 3, 1)) / 100 - 0.5f);
+  const std::string paths[] = {
+      folder.put("rgba.png", crafted::png_rgba(7, 5, sample)),
+      folder.put("rgb.png", crafted::png_of(7, 5, crafted::Rgb, 8, sample)),
+      folder.put("grey.png", crafted::png_of(7, 5, crafted::GreyAlpha, 8, sample)),
+      folder.put("deep.png",
+                 crafted::png_of(7, 5, crafted::Rgba, 16,
+                                 [](int x, int y, int c) { return 251 * sample(x, y, c); })),
+      put_exr(folder, "half.exr", OIIO::TypeDesc::HALF, {7, 5, 4}, values),
+      put_exr(folder, "float.exr", OIIO::TypeDesc::FLOAT, {7, 5, 4}, values)};
+  TextureStore store;
+  for (const std::string& path : paths)
+    for (const Wrap wrap : {Wrap::Repeat, Wrap::Clamp, Wrap::Mirror, Wrap::Black})
+      for (const Encoding encoding : {Encoding::Linear, Encoding::Srgb, Encoding::LabGamma}) {
+        const TextureHandle texture = added(store, path, encoding, wrap);
+        for (int i = 0; i < 500; ++i) {
+          const Vec2f uv{std::fmod(static_cast<float>(i) * 0.618034f, 4.0f) - 2,
+                         std::fmod(static_cast<float>(i) * 0.754878f, 4.0f) - 2};
+          ASSERT_EQ(store.lookup_alpha(texture, uv), store.lookup(texture, uv).w)
+              << path << " at " << uv.x << ' ' << uv.y;
+        }
+      }
+}
+
 TEST(Unit_Texture, ALineOfTexelsIsOneColourInTheLabsEncodingAlone) {
   const TemporaryFolder folder;
   const std::string path = folder.put("x.png", crafted::png_of(4, 1, crafted::Grey, 8, sample));
