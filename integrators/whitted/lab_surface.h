@@ -98,8 +98,10 @@ struct LabSurface {
 
 [[nodiscard]] inline LabSurface lab_surface_at(const Material& material,
                                                const TextureStore& textures, Vec2f uv) {
+  const float alpha = lab_alpha_at(material, textures, uv);
+  if (alpha == 0 && !is_glass(material)) return {.alpha = 0};  // nothing of it shows
   LabSurface surface = uncovered_surface_at(material, textures, uv);
-  surface.alpha = lab_alpha_at(material, textures, uv);
+  surface.alpha = alpha;
   return surface;
 }
 
