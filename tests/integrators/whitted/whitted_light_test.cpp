@@ -106,6 +106,37 @@ TEST(Unit_WhittedLight, ShadowRaysStepThroughHolesAndStopAtTheRest) {
   expect_near(floor_below_sheets({0.1, 0.1, 0.0, 0.1, 0.5}, 4), dark);
 }
 
+// A blocker just behind a hole: the step is that of rounding, not of some length.
+TEST(Unit_WhittedLight, StepsThroughHolesSkipNothing) {
+  for (const double gap : {1e-1, 1e-3, 1e-4}) {
+    SceneDescription scene = floor_seen_from(1, diffuse(Vec3d(0.5)));
+    add_lab_point_light(scene, {0, 4, 0}, 16);
+    add_sheet(scene, 2, add_cutout(scene, 0.5, 0.1));
+    expect_near(seen_by_whitted(scene), Vec3d(0.5));
+    add_sheet(scene, 2 + gap, add_cutout(scene, 0.5, 1.0));
+    expect_near(seen_by_whitted(scene), Vec3d(0.0));
+  }
+}
+
+// Vertex normals that lean apart by the angle t meet at (0, cos t, 0) in the middle: the lab shades
+// with that, and turned away from the viewer if the file's are.
+TEST(Unit_WhittedLight, NormalsAreUnitAndFaceTheViewerUnlessTheLabsAreAskedFor) {
+  const float c = 0.8f, s = 0.6f;
+  for (const float side : {1.0f, -1.0f}) {
+    SceneDescription scene = empty_scene();
+    description::Mesh sheet = quad({-10, 0, 8}, {20, 0, 0}, {0, 0, -18});
+    for (const Vec3d& p : sheet.positions)
+      sheet.normals.push_back(side * Vec3f(p.x < 0 ? -s : s, c, 0));
+    add_mesh(scene, sheet, add_material(scene, diffuse(Vec3d(0.5))));
+    set_camera(scene, {0, 2, 0}, {0, 0, 0}, 40, {0, 0, 1});
+    add_light(scene, description::DirectionalLight{{0, 1, 0}, Vec3d(pi_double)});
+    RenderSettings settings = lab_settings(IntegratorKind::Whitted);
+    expect_near(seen(scene, settings), Vec3d(0.5));
+    settings.options.lab_normals = true;
+    expect_near(seen(scene, settings), side > 0 ? Vec3d(0.5 * 0.8) : Vec3d(0.0));
+  }
+}
+
 TEST(Unit_WhittedLight, BlockersBeyondALightDoNotCount) {
   expect_near(floor_below_sheets({0.0, 1.0}, 2.125), Vec3d(0.5));  // the light hangs between them
   SceneDescription scene = floor_seen_from(1, diffuse(Vec3d(0.5)));
