@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "integrators/raster/trace_raster.h"
+#include "integrators/whitted/lab_lights.h"
 #include "integrators/whitted/render_grid_tile.h"
 #include "integrators/whitted/trace_whitted.h"
 

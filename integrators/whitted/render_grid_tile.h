@@ -2,7 +2,8 @@
 // box filter averages. Nothing is random.
 #pragma once
 
-#include "integrators/whitted/lab_shading.h"
+#include "integrators/tile_counts.h"
+#include "integrators/whitted/lab_context.h"
 
 namespace candela {
 

@@ -33,7 +33,7 @@ ExitCode render_scene(const RenderArguments& arguments) {
   const auto scene = run.timed(&StageSeconds::compile, [&] {
     return compile(*description, compile_options(run.options()));
   });
-  if (!run.accepts(scene) || !run.accepts_textures(*scene)) return run.exit_code();
+  if (!run.accepts(scene) || !run.accepts_scene(*scene)) return run.exit_code();
   description.value.reset();  // its meshes in double are not needed any more
 
   const AnyAccelerator accelerator = run.timed(&StageSeconds::build, [&] {

@@ -128,25 +128,27 @@ void RenderRun::warn_of_useless_options() {
     warn("--aov: only an EXR output can hold further layers, and none is asked for");
 }
 
+// Such scenes are lit by an environment that only path sees.
+bool RenderRun::is_dark(const Scene& scene) const {
+  return is_lab_shading(options().integrator) && is_black(scene.ambient) &&
+         lab_lights(scene).empty();
+}
+
 // With --strict a texture that cannot be decoded is an error: found now and not after the render.
-bool RenderRun::accepts_textures(const Scene& scene) {
+bool RenderRun::accepts_scene(const Scene& scene) {
+  if (is_dark(scene)) {
+    warn(
+        fmt::format("{} sees no light in this scene: it knows point, spot and directional lights, "
+                    "lamps and the ambient term",
+                    name_of(options().integrator, integrator_choices())));
+    if (arguments_.scene.is_strict) return stop(ExitCode::Scene);
+  }
   if (!arguments_.scene.is_strict) return true;
   decode_all_textures(scene.textures);
   return accepts(scene.textures.decoding_diagnostics(), true);
 }
 
-// Such scenes are lit by an environment that only path sees.
-void RenderRun::warn_of_darkness(const Scene& scene) {
-  if (!is_lab_shading(options().integrator)) return;
-  if (is_black(scene.ambient) && lab_lights(scene).empty())
-    warn(
-        fmt::format("{} sees no light in this scene: it knows point, spot and directional lights, "
-                    "lamps and the ambient term",
-                    name_of(options().integrator, integrator_choices())));
-}
-
 ProgressSink* RenderRun::start_rendering(const Scene& scene) {
-  warn_of_darkness(scene);
   set_interrupt_mode(InterruptMode::Cancel);
   const PixelRect whole{0, 0, options().width, options().height};
   const PixelRect crop = options().crop.value_or(whole);

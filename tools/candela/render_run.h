@@ -37,7 +37,7 @@ class RenderRun {
     return accepts(result.diagnostics, result.value.has_value());
   }
   [[nodiscard]] bool settles(const description::SceneDescription& description);
-  [[nodiscard]] bool accepts_textures(const Scene& scene);
+  [[nodiscard]] bool accepts_scene(const Scene& scene);
 
   [[nodiscard]] const RenderOptions& options() const { return report_.options; }
   // From here on a signal stops the render and not the process.
@@ -68,7 +68,7 @@ class RenderRun {
   void warn(const std::string& sentence);
   void record(const Diagnostics& diagnostics);
   void warn_of_useless_options();
-  void warn_of_darkness(const Scene& scene);
+  [[nodiscard]] bool is_dark(const Scene& scene) const;
   void report_invalid_samples();
   void report_samples();
   [[nodiscard]] std::vector<std::string> all_paths() const;
