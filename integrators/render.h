@@ -98,7 +98,8 @@ struct RenderResult {
 [[nodiscard]] std::string kernel_name(const Scene& scene, const RenderOptions& options);
 
 // CPU seconds of rendering a fixed share of the tiles, against replaying their rays through bare
-// backend calls (`--ray-limit`). For the path integrator only.
+// backend calls (`--ray-limit`). For the path integrator only. Nothing where `cancel` (may be null)
+// becomes true before the end.
 struct RayLimit {
   double render_seconds = 0;
   double rays_seconds = 0;
@@ -107,7 +108,9 @@ struct RayLimit {
     return rays_seconds > 0 ? render_seconds / rays_seconds : 0;
   }
 };
-[[nodiscard]] RayLimit measure_ray_limit(const Scene& scene, const AnyAccelerator& accelerator,
-                                         const RenderOptions& options);
+[[nodiscard]] std::optional<RayLimit> measure_ray_limit(const Scene& scene,
+                                                        const AnyAccelerator& accelerator,
+                                                        const RenderOptions& options,
+                                                        const CancelFlag* cancel);
 
 }  // namespace candela

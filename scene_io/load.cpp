@@ -63,7 +63,7 @@ Result<SceneDescription> load_mesh(const std::string& path, lab3::MeshFormat for
   scene.cameras.push_back(default_camera(scene));
   diagnostics.note({}, fmt::format("{} is a mesh alone: it is lit from everywhere and seen from "
                                    "the front",
-                                   text::quoted(path)));
+                                   text::quoted_path(path)));
   return {std::move(scene), std::move(diagnostics)};
 }
 
@@ -76,7 +76,7 @@ Result<SceneDescription> load(const std::string& path, const LoadOptions& option
   return failure(
       fmt::format("{}: found {}, expected a scene: .yaml, .yml, .obj or .ply (each also "
                   "with .gz)",
-                  text::quoted(path), describe_extension(path)));
+                  text::quoted_path(path), describe_extension(path)));
 }
 
 }  // namespace candela

@@ -33,7 +33,8 @@ double replay(const A& accelerator, const std::vector<RecordedRay>& rays) {
 }
 
 template <class A>
-RayLimit measure(const Scene& scene, const A& accelerator, const RenderOptions& options) {
+std::optional<RayLimit> measure(const Scene& scene, const A& accelerator,
+                                const RenderOptions& options, const CancelFlag* cancel) {
   const Filter filter = make_filter(options);
   const RecordingAccel<A> recorder(accelerator);
   const PathContext<A> context = make_path_context(scene, accelerator, filter, options);
@@ -60,15 +61,18 @@ RayLimit measure(const Scene& scene, const A& accelerator, const RenderOptions& 
   constexpr int most_rounds = 1000;
   const std::vector<PixelRect> tiles = share_of_tiles(options);
   for (int round = 0; round < most_rounds && limit.rays_seconds < least_seconds; ++round)
-    for (const PixelRect& tile : tiles) measure_tile(tile);
+    for (const PixelRect& tile : tiles) {
+      if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return {};
+      measure_tile(tile);
+    }
   return limit;
 }
 
 }  // namespace
 
-RayLimit measure_ray_limit(const Scene& scene, const AnyAccelerator& accelerator,
-                           const RenderOptions& options) {
-  return std::visit([&](const auto& a) { return measure(scene, a, options); }, accelerator);
+std::optional<RayLimit> measure_ray_limit(const Scene& scene, const AnyAccelerator& accelerator,
+                                          const RenderOptions& options, const CancelFlag* cancel) {
+  return std::visit([&](const auto& a) { return measure(scene, a, options, cancel); }, accelerator);
 }
 
 }  // namespace candela

@@ -58,7 +58,8 @@ struct WriteOptions {
 // followed; a pipe or device (/dev/stdout) is written to as it stands.
 [[nodiscard]] Diagnostics write_file_atomically(const std::string& path, const std::string& bytes);
 
-// Reads a whole image as linear floats: 8-bit formats are decoded from sRGB, others are linear.
+// Reads a whole image as linear floats: integers, of 8 bits and of 16, are decoded from sRGB (alpha
+// is not) and premultiplied where the file's alpha is straight; floats are linear as they stand.
 // `max_bytes` limits width * height * channels * 4.
 [[nodiscard]] Result<Image> read_image(const std::string& path,
                                        std::size_t max_bytes = std::size_t{4} << 30);

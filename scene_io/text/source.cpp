@@ -114,4 +114,8 @@ std::string quoted(std::string_view word) {
   return '\'' + without_controls(word.substr(0, end), '?') + (is_long ? "...'" : "'");
 }
 
+std::string quoted_path(std::string_view path) {
+  return '\'' + without_controls(path, '?') + '\'';
+}
+
 }  // namespace candela::text

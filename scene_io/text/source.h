@@ -54,5 +54,7 @@ class SpanFinder {
 
 // `word` in quotes, shortened to 40 characters, control characters as '?'.
 [[nodiscard]] std::string quoted(std::string_view word);
+// A path in quotes, whole: its end tells most.
+[[nodiscard]] std::string quoted_path(std::string_view path);
 
 }  // namespace candela::text

@@ -25,6 +25,10 @@ TEST(Unit_Diagnostic, SuggestsOnlyNearNames) {
   EXPECT_EQ(nearest_name("Difuse", {"Diffuse", "Specular"}), "Diffuse");
   EXPECT_EQ(nearest_name("diffuse", {"Diffuse", "Specular"}), "Diffuse");
   EXPECT_EQ(nearest_name("Banana", {"Diffuse", "Specular"}), "");
+  EXPECT_EQ(nearest_name("paht", {"path", "raster"}), "path") << "neighbours changed places";
+  EXPECT_EQ(nearest_name("PAHT", {"path", "raster"}), "path");
+  EXPECT_EQ(nearest_name("ptha", {"path", "raster"}), "") << "not neighbours";
+  EXPECT_EQ(nearest_name("thpa", {"path"}), "");
 }
 
 }  // namespace

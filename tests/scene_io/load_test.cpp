@@ -60,6 +60,12 @@ TEST(Unit_Load, TakesYamlByEitherExtension) {
   }
 }
 
+TEST(Errors_Load, LongPathsKeepTheirEnd) {
+  const std::string path = std::string(60, 'a') + "/" + std::string(60, 'b') + ".blend";
+  EXPECT_NE(only_error(path).find("'" + path + "': found the extension '.blend'"),
+            std::string::npos);
+}
+
 TEST(Errors_Load, WhatIsNoScene) {
   EXPECT_EQ(only_error("scene.blend"),
             "error: 'scene.blend': found the extension '.blend', expected a scene: .yaml, .yml, "

@@ -48,6 +48,23 @@ TEST_P(InterruptedRender, WritesTheImageSoFarAndEndsWith130) {
 
 INSTANTIATE_TEST_SUITE_P(Errors_Interrupt, InterruptedRender, testing::Values(SIGINT, SIGTERM));
 
+TEST(Errors_Interrupt, WhileTheRayLimitIsMeasuredTheRestIsWritten) {
+  const std::string folder = fresh_folder("interrupt_ray_limit");
+  Program program(
+      candela_words({"render", small_scene(), "-o", folder + "/a.exr", "--stats",
+                     folder + "/a.json", "--size", "512x512", "--spp", "16", "--ray-limit"}),
+      ErrorStream::File);
+  ASSERT_TRUE(program.wait_for_error_text("wrote "));
+  program.send(SIGINT);
+  const ProgramResult result = program.finish();
+  EXPECT_EQ(result.exit_code, 130) << result.error;
+  EXPECT_NE(result.error.find("the picture is complete"), std::string::npos) << result.error;
+  EXPECT_EQ(file_names(folder), (std::vector<std::string>{"a.exr", "a.json"}));
+  const std::string stats = file_text(folder + "/a.json");
+  EXPECT_NE(stats.find("\"interrupted\": false"), std::string::npos) << stats;
+  EXPECT_EQ(stats.find("ray_limit\":"), std::string::npos) << stats;
+}
+
 TEST(Errors_Interrupt, ASecondSignalEndsAtOnceWithoutFiles) {
   const std::string folder = fresh_folder("interrupt_twice");
   // One sample count so high that the running tiles alone take minutes.

@@ -229,6 +229,21 @@ void RenderRun::write_stats() {
   if (problems.has_errors()) fail(ExitCode::Output);
 }
 
+// The picture is complete and on disk: interrupting costs the measurement alone.
+void RenderRun::measure_ray_limit(const Scene& scene, const AnyAccelerator& accelerator) {
+  set_interrupt_mode(InterruptMode::Cancel);
+  report_.ray_limit = candela::measure_ray_limit(scene, accelerator, options(), &cancel_flag());
+  if (!report_.ray_limit) {
+    console_.error("interrupted while the ray limit was measured; the picture is complete");
+    return fail(ExitCode::Interrupted);
+  }
+  console_.note(
+      fmt::format("ray limit {:.3f}: {:.3f} s of CPU time for a share of the tiles, "
+                  "{:.3f} s for their {} rays alone",
+                  report_.ray_limit->ratio(), report_.ray_limit->render_seconds,
+                  report_.ray_limit->rays_seconds, report_.ray_limit->rays));
+}
+
 ExitCode RenderRun::finish(const Scene& scene, const AnyAccelerator& accelerator) {
   const ProgressState state = progress_->state();
   progress_->stop();
@@ -240,14 +255,8 @@ ExitCode RenderRun::finish(const Scene& scene, const AnyAccelerator& accelerator
                               fmt::join(report_.outputs, ", ")));
   else if (!report_.outputs.empty())
     console_.note(fmt::format("wrote {}", fmt::join(report_.outputs, ", ")));
-  if (arguments_.measures_ray_limit && !report_.is_interrupted()) {
-    report_.ray_limit = measure_ray_limit(scene, accelerator, options());
-    console_.note(
-        fmt::format("ray limit {:.3f}: {:.3f} s of CPU time for a share of the tiles, "
-                    "{:.3f} s for their {} rays alone",
-                    report_.ray_limit->ratio(), report_.ray_limit->render_seconds,
-                    report_.ray_limit->rays_seconds, report_.ray_limit->rays));
-  }
+  if (arguments_.measures_ray_limit && !report_.is_interrupted())
+    measure_ray_limit(scene, accelerator);
   write_stats();
   return exit_code_;
 }

@@ -71,6 +71,7 @@ class RenderRun {
   [[nodiscard]] bool is_dark(const Scene& scene) const;
   void report_invalid_samples();
   void report_samples();
+  void measure_ray_limit(const Scene& scene, const AnyAccelerator& accelerator);
   [[nodiscard]] std::vector<std::string> all_paths() const;
   void write_stats();
 
