@@ -69,7 +69,7 @@ TEST(Unit_OptionValues, NamesReadBackAsTheirValues) {
   for (const auto& choice : tone_map_choices())
     EXPECT_EQ(name_of(choice.value, tone_map_choices()), choice.name);
   EXPECT_EQ(reason(choose("integrator", "zzzz", integrator_choices())),
-            "unknown integrator 'zzzz'. Known: path");
+            "unknown integrator 'zzzz'. Known: path, whitted, raster, report");
 }
 
 TEST(Unit_OptionValues, CommandLinesAreQuotedForAShell) {
@@ -157,10 +157,19 @@ TEST(Unit_OptionValues, OptionsReachTheirFields) {
   EXPECT_EQ(a.integrator, IntegratorKind::Path);
 }
 
+TEST(Unit_OptionValues, TheLabsShadingHasOptionsOfItsOwn) {
+  const RenderArguments a = rendering(
+      {"render", "s.yaml", "--integrator", "whitted", "--specular", "phong", "--lab-normals"});
+  EXPECT_EQ(a.integrator, IntegratorKind::Whitted);
+  EXPECT_EQ(a.specular, SpecularModel::Phong);
+  EXPECT_TRUE(a.has_lab_normals);
+  EXPECT_FALSE(rendering({"render", "s.yaml"}).has_lab_normals);
+}
+
 TEST(Unit_OptionValues, WhatIsNotSaidIsLeftToTheScene) {
   const RenderArguments a = rendering({"render", "s.yaml"});
   EXPECT_FALSE(a.samples_per_pixel || a.size || a.max_depth || a.seed || a.filter || a.exposure ||
-               a.integrator || a.crop || a.stats_path);
+               a.integrator || a.crop || a.stats_path || a.specular);
   EXPECT_TRUE(a.outputs.empty());
 }
 
