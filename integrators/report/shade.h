@@ -52,6 +52,8 @@ template <class A>
 
 // The share of the indirect rays that follow the GGX lobe: 0 where ks = 0.
 [[nodiscard]] inline float half_vector_probability(const Bsdf& bsdf, float cos_o) {
+  if (bsdf.model == BsdfModel::CompensatedCookTorrance)
+    return compensated_specular_probability(bsdf, cos_o);
   if (bsdf.model == BsdfModel::CookTorrance) return cook_torrance_specular_probability(bsdf, cos_o);
   return bsdf.model == BsdfModel::Lab ? lab_specular_probability(bsdf, cos_o) : 0.0f;
 }

@@ -82,6 +82,7 @@ struct LabSurface {
     case BsdfModel::Lab:
       return {.kd = bsdf.diffuse};
     case BsdfModel::CookTorrance:
+    case BsdfModel::CompensatedCookTorrance:
       return glossy_surface(bsdf.diffuse, bsdf.specular * bsdf.f0, bsdf.alpha);
     case BsdfModel::Mirror:
       return smooth_surface(bsdf.diffuse);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "renderer/bsdf/bsdf.h"
+#include "renderer/bsdf/compensated_cook_torrance.h"
 #include "renderer/bsdf/conductor.h"
 #include "renderer/bsdf/cook_torrance.h"
 #include "renderer/bsdf/dielectric.h"
@@ -55,6 +56,13 @@ namespace candela {
          microfacet_albedo(GeometryTerm::Smith, a, cos_o);
 }
 
+[[nodiscard]] inline Rgb compensated_albedo(const Bsdf& bsdf, float cos_o) {
+  const EnergyLossTable& table = energy_loss_table();
+  const float a = ggx_width(bsdf.alpha);
+  return cook_torrance_albedo(bsdf, cos_o) +
+         multiple_reflectance(bsdf, table.mean_loss(a)) * table.loss(cos_o, a);
+}
+
 [[nodiscard]] inline Rgb dielectric_albedo(const Bsdf& bsdf, float cos_o) {
   const float reflectance = fresnel_dielectric(cos_o, bsdf.eta.x).reflectance;
   return Rgb{reflectance} + bsdf.transmittance * (1 - reflectance);
@@ -77,6 +85,8 @@ namespace candela {
       const PaneReflectance pane = pane_reflectance(bsdf, cos_o);
       return pane.reflected + pane.transmitted;
     }
+    case BsdfModel::CompensatedCookTorrance:
+      return compensated_albedo(bsdf, cos_o);
   }
   return Rgb{0};
 }

@@ -16,6 +16,7 @@ enum class BsdfModel : std::uint8_t {
   Conductor,
   Dielectric,
   ThinDielectric,
+  CompensatedCookTorrance,  // with the light of multiple bounces; conductors, too
 };
 
 enum class FresnelTerm : std::uint8_t { Schlick, Dielectric, Conductor };
@@ -56,7 +57,7 @@ using ModelSet = std::uint32_t;
 constexpr ModelSet model_bit(BsdfModel model) {
   return 1u << static_cast<unsigned>(model);
 }
-inline constexpr ModelSet all_models = 0x7f;
+inline constexpr ModelSet all_models = 0xff;
 
 // The functions over these are in renderer/bsdf/dispatch.h:
 //   is_only_delta, evaluate_bsdf, sample_bsdf, albedo_estimate.

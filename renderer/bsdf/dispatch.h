@@ -5,6 +5,7 @@
 
 #include "renderer/bsdf/albedo.h"  // albedo_estimate
 #include "renderer/bsdf/bsdf.h"
+#include "renderer/bsdf/compensated_cook_torrance.h"
 #include "renderer/bsdf/conductor.h"
 #include "renderer/bsdf/cook_torrance.h"
 #include "renderer/bsdf/dielectric.h"
@@ -49,6 +50,10 @@ template <ModelSet models = all_models>
       if constexpr (has_model<models>(BsdfModel::Dielectric))
         return evaluate_dielectric(bsdf, wo, wi);
       break;
+    case BsdfModel::CompensatedCookTorrance:
+      if constexpr (has_model<models>(BsdfModel::CompensatedCookTorrance))
+        return evaluate_compensated(bsdf, wo, wi);
+      break;
     case BsdfModel::Mirror:
     case BsdfModel::ThinDielectric:
       break;
@@ -86,6 +91,10 @@ template <ModelSet models = all_models>
     case BsdfModel::ThinDielectric:
       if constexpr (has_model<models>(BsdfModel::ThinDielectric))
         return sample_thin_dielectric(bsdf, wo, lobe);
+      break;
+    case BsdfModel::CompensatedCookTorrance:
+      if constexpr (has_model<models>(BsdfModel::CompensatedCookTorrance))
+        return sample_compensated(bsdf, wo, lobe, direction);
       break;
   }
   return {};

@@ -75,6 +75,7 @@ struct CookTorranceMaterial {
   std::optional<std::array<Vec3d, 2>> eta_k;  // conductor: gives f0 and the exact conductor term
   FresnelModel fresnel = FresnelModel::Schlick;
   GeometryModel geometry = GeometryModel::SchlickGgx;
+  bool energy_compensation = false;  // the light of multiple bounces too; Smith's geometry only
 };
 
 struct DiffuseMaterial {
@@ -89,6 +90,7 @@ struct ConductorMaterial {
   Vec3d eta{0.2, 0.92, 1.1};
   Vec3d k{3.9, 2.45, 2.14};
   ScalarInput roughness{0.0, {}, 0};  // GGX width; 0 is a mirror
+  bool energy_compensation = false;   // as for CookTorrance
 };
 
 struct DielectricMaterial {

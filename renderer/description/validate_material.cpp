@@ -69,6 +69,10 @@ class Check {
                          fmt::format("material '{}': the exact Fresnel term needs a refractive "
                                      "index",
                                      material_.name));
+    if (rough.energy_compensation && rough.geometry != GeometryModel::Smith)
+      diagnostics_.error(
+          material_.span,
+          fmt::format("material '{}': energy compensation needs Smith's geometry", material_.name));
     const bool is_constant = !rough.diffuse.map && !rough.specular.map;
     const double most = max_component(rough.diffuse.factor + rough.specular.factor);
     if (is_constant && most > 1 + 1e-9)  // sums of decimal fractions miss 1 by some 1e-16

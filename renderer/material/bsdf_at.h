@@ -30,7 +30,8 @@ namespace candela {
     case MaterialModel::Diffuse:
       return model_bit(BsdfModel::Diffuse);
     case MaterialModel::CookTorrance:
-      return model_bit(BsdfModel::CookTorrance);
+      return model_bit(material.energy_compensation ? BsdfModel::CompensatedCookTorrance
+                                                    : BsdfModel::CookTorrance);
     case MaterialModel::Lab: {
       const ModelSet diffuse = model_bit(BsdfModel::Diffuse);
       if (!material.specular.texture && is_black(material.specular.constant)) return diffuse;
@@ -38,8 +39,11 @@ namespace candela {
     }
     case MaterialModel::Mirror:
       return model_bit(BsdfModel::Mirror);
-    case MaterialModel::Conductor:
-      return model_bit(BsdfModel::Conductor);
+    case MaterialModel::Conductor: {
+      const ModelSet plain = model_bit(BsdfModel::Conductor);
+      if (!material.energy_compensation) return plain;
+      return plain | model_bit(BsdfModel::CompensatedCookTorrance);
+    }
     case MaterialModel::Dielectric:
       return model_bit(BsdfModel::Dielectric);
     case MaterialModel::ThinDielectric:
@@ -62,7 +66,8 @@ inline void limit_reflectance(Rgb& diffuse, Rgb& specular) {
 
 [[nodiscard]] inline Bsdf cook_torrance_at(const Material& material, const TextureStore& textures,
                                            Vec2f uv) {
-  Bsdf bsdf{.model = BsdfModel::CookTorrance,
+  Bsdf bsdf{.model = material.energy_compensation ? BsdfModel::CompensatedCookTorrance
+                                                  : BsdfModel::CookTorrance,
             .fresnel = fresnel_term(material),
             .geometry = material.geometry == GeometryModel::Smith ? GeometryTerm::Smith
                                                                   : GeometryTerm::SchlickGgx,
@@ -93,6 +98,15 @@ inline void limit_reflectance(Rgb& diffuse, Rgb& specular) {
 [[nodiscard]] inline Bsdf conductor_at(const Material& material, const TextureStore& textures,
                                        Vec2f uv) {
   const float alpha = scalar_at(material.roughness, textures, uv);
+  if (material.energy_compensation && alpha >= smallest_ggx_width)
+    return {.model = BsdfModel::CompensatedCookTorrance,
+            .fresnel = FresnelTerm::Conductor,
+            .geometry = GeometryTerm::Smith,
+            .alpha = ggx_width(alpha),
+            .specular = Rgb{1},
+            .f0 = material.f0,
+            .eta = material.eta,
+            .k = material.k};
   return {.model = BsdfModel::Conductor,
           .is_smooth = !(alpha >= smallest_ggx_width),
           .alpha = ggx_width(alpha),

@@ -40,6 +40,7 @@ struct Material {
   FresnelModel fresnel = FresnelModel::Schlick;
   GeometryModel geometry = GeometryModel::SchlickGgx;
   bool emits_both_sides = false;
+  bool energy_compensation = false;   // CookTorrance with Smith's geometry, Conductor
   bool fresnel_is_conductor = false;  // CookTorrance: exact Fresnel by eta, k (else by ior)
 
   ColourParameter diffuse{Rgb{0}, {}};   // kd; Mirror: reflectance

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/bsdf/energy_loss.h"
 #include "renderer/material/bsdf_at.h"
 
 namespace candela {
@@ -95,6 +96,7 @@ struct ModelCompiler {
     out.roughness = scalar(m.roughness, texture);
     out.fresnel = m.fresnel;
     out.geometry = m.geometry;
+    out.energy_compensation = m.energy_compensation;
     out.f0 = Rgb(m.f0);
     if (m.ior) {
       out.eta = Rgb(static_cast<float>(*m.ior));
@@ -117,6 +119,7 @@ struct ModelCompiler {
   void operator()(const description::ConductorMaterial& m) const {
     out.model = MaterialModel::Conductor;
     out.roughness = scalar(m.roughness, texture);
+    out.energy_compensation = m.energy_compensation;
     set_conductor(m.eta, m.k);
   }
 
@@ -145,6 +148,7 @@ Material compile_material(const description::SceneDescription& scene,
   Material out;
   const Registrar texture{scene, textures, diagnostics};
   std::visit(ModelCompiler{options, texture, out}, material.model);
+  if (out.energy_compensation) static_cast<void>(energy_loss_table());  // now, not while rendering
   out.emission = Rgb(material.emission);
   out.emits_both_sides = material.emits_both_sides;
   if (material.opacity.map || material.opacity.factor != 1) {

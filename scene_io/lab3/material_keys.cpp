@@ -20,8 +20,8 @@ constexpr std::string_view lab_keys[] = {
     "Metallic", "Shininess", "Glossiness", "Smoothness", "SpecularMap", "MetallicMap"};
 constexpr std::string_view roughness_keys[] = {"roughness", "roughness_map"};
 constexpr std::string_view fresnel_keys[] = {"fresnel", "geometry", "ior", "eta",
-                                             "k",       "metal",    "F0"};
-constexpr std::string_view conductor_keys[] = {"eta", "k", "metal", "F0"};
+                                             "k",       "metal",    "F0",  "energy_compensation"};
+constexpr std::string_view conductor_keys[] = {"eta", "k", "metal", "F0", "energy_compensation"};
 constexpr std::string_view dielectric_keys[] = {"ior", "transmittance"};
 
 Keys joined(std::initializer_list<Names> parts) {

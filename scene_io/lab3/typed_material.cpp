@@ -92,6 +92,11 @@ void read_fresnel(Reader& reader, const Fields& fields,
   check_single_source(reader, fields);
   material.fresnel = static_cast<FresnelModel>(fields.choice("fresnel", fresnels).value_or(0));
   material.geometry = static_cast<GeometryModel>(fields.choice("geometry", geometries).value_or(0));
+  material.energy_compensation = fields.flag("energy_compensation", false);
+  if (material.energy_compensation && material.geometry != GeometryModel::Smith)
+    reader.error(
+        fields.find("energy_compensation")->key_offset,
+        "energy_compensation puts back what geometry: smith loses; expected that geometry");
   material.f0 = fields.colour("F0", zero_to_one).value_or(material.f0);
   material.ior = fields.number("ior", refractive_index);
   if (material.ior) material.f0 = normal_reflectance(Vec3d(*material.ior), Vec3d(0.0));
@@ -149,6 +154,7 @@ description::ConductorMaterial read_conductor(Reader& reader, const Fields& fiel
     material.k = 2.0 * glm::sqrt(*f0 / (1.0 - *f0));
   }
   material.roughness = read_roughness(reader, fields, zero_to_one, 0);
+  material.energy_compensation = fields.flag("energy_compensation", false);
   return material;
 }
 

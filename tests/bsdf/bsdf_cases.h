@@ -22,6 +22,12 @@ inline Bsdf cook_torrance(float alpha, Rgb kd, Rgb ks, Rgb f0, GeometryTerm geom
           .specular = ks,
           .f0 = f0};
 }
+// With the light of multiple bounces.
+inline Bsdf compensated(float alpha, Rgb kd, Rgb ks, Rgb f0) {
+  Bsdf bsdf = cook_torrance(alpha, kd, ks, f0, GeometryTerm::Smith);
+  bsdf.model = BsdfModel::CompensatedCookTorrance;
+  return bsdf;
+}
 inline Bsdf lab(float alpha, Rgb kd, Rgb ks) {
   return {.model = BsdfModel::Lab, .alpha = alpha, .diffuse = kd, .specular = ks};
 }
@@ -59,6 +65,8 @@ inline std::vector<BsdfCase> rough_cases() {
       {"cook_torrance_1", cook_torrance(1, Rgb{0}, Rgb{1}, Rgb{1}, GeometryTerm::SchlickGgx)},
       {"cook_torrance_dielectric", exact_dielectric},
       {"cook_torrance_conductor", exact_conductor},
+      {"compensated_0.7", compensated(0.7f, Rgb{0}, Rgb{1}, Rgb{0.9f})},
+      {"compensated_0.1", compensated(0.1f, Rgb{0.3f}, Rgb{0.7f}, steel)},
       {"lab_0.12", lab(0.12f, {0.7f, 0.6f, 0.5f}, Rgb{0.3f})},
       {"lab_1", lab(1, Rgb{0.9f}, Rgb{0.01f})},
       {"conductor_0.02", conductor(0.02f)},

@@ -186,6 +186,17 @@ TEST(Unit_Validate, WarnsOfReflectancesThatAddUpToMoreThanOne) {
   EXPECT_EQ(warnings[0], "material 'metal': kd + ks reaches 1.25 in a channel, more than 1");
 }
 
+TEST(Unit_Validate, EnergyCompensationNeedsSmithsGeometry) {
+  description::SceneDescription scene = test::small_room();
+  description::CookTorranceMaterial rough;
+  rough.energy_compensation = true;
+  test::add_material(scene, rough);
+  scene.materials.back().name = "metal";
+  const auto errors = messages(validate(scene), Severity::Error);
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_EQ(errors[0], "material 'metal': energy compensation needs Smith's geometry");
+}
+
 TEST(Unit_Lint, FindsWhatIsProbablyNotMeant) {
   description::SceneDescription scene = test::small_room();
   scene.path = "room.yaml";

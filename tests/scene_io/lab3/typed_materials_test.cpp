@@ -200,6 +200,18 @@ TEST(Unit_TypedMaterials, ReflectancesThatAddUpToMoreThanOneAreScaled) {
   EXPECT_TRUE(said(Severity::Warning, materials("Type: cook_torrance, kd: .3, ks: .7")).empty());
 }
 
+TEST(Unit_TypedMaterials, EnergyCompensationIsAskedFor) {
+  EXPECT_FALSE(model_of<ConductorMaterial>("Type: conductor").energy_compensation);
+  EXPECT_TRUE(model_of<ConductorMaterial>("Type: conductor, energy_compensation: true")
+                  .energy_compensation);
+  EXPECT_TRUE(model_of<CookTorranceMaterial>(
+                  "Type: cook_torrance, geometry: smith, energy_compensation: true")
+                  .energy_compensation);
+  EXPECT_EQ(error_in(materials("Type: cook_torrance, energy_compensation: true")),
+            "2:36: energy_compensation puts back what geometry: smith loses; expected that "
+            "geometry");
+}
+
 TEST(Errors_TypedMaterials, WhatIsNoType) {
   EXPECT_EQ(error_in(materials("Type: cook_torence")),
             "2:21: Type: found 'cook_torence', expected cook_torrance, diffuse, mirror, conductor, "
