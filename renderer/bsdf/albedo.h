@@ -56,13 +56,6 @@ namespace candela {
          microfacet_albedo(GeometryTerm::Smith, a, cos_o);
 }
 
-[[nodiscard]] inline Rgb compensated_albedo(const Bsdf& bsdf, float cos_o) {
-  const EnergyLossTable& table = energy_loss_table();
-  const float a = ggx_width(bsdf.alpha);
-  return cook_torrance_albedo(bsdf, cos_o) +
-         multiple_reflectance(bsdf, table.mean_loss(a)) * table.loss(cos_o, a);
-}
-
 [[nodiscard]] inline Rgb dielectric_albedo(const Bsdf& bsdf, float cos_o) {
   const float reflectance = fresnel_dielectric(cos_o, bsdf.eta.x).reflectance;
   return Rgb{reflectance} + bsdf.transmittance * (1 - reflectance);
@@ -86,7 +79,7 @@ namespace candela {
       return pane.reflected + pane.transmitted;
     }
     case BsdfModel::CompensatedCookTorrance:
-      return compensated_albedo(bsdf, cos_o);
+      return cook_torrance_albedo(bsdf, cos_o) + multiple_albedo(bsdf, cos_o);
   }
   return Rgb{0};
 }

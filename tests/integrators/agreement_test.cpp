@@ -1,5 +1,6 @@
 // All settings that claim to be unbiased give the same picture: every pair of them, on the metal
 // and on the diffuse Cornell box. A new setting is one line in all_settings().
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "scene_io/load.h"
@@ -37,9 +38,8 @@ std::vector<Setting> all_settings() {
 }
 
 description::SceneDescription cornell_box(const std::string& name) {
-  const std::string file =
-      std::string(CANDELA_SOURCE_DIR) + "/assets/" + name + "/" + name + ".yaml";
-  Result<description::SceneDescription> description = load(file, {});
+  Result<description::SceneDescription> description =
+      load(fmt::format("{}/assets/{}/{}.yaml", CANDELA_SOURCE_DIR, name, name), {});
   EXPECT_TRUE(description);
   return std::move(*description);
 }

@@ -19,8 +19,7 @@ Scene diffuse_cornell_box(std::optional<Vec3d> ambient) {
   LoadOptions options;
   options.ambient = ambient;
   const Result<description::SceneDescription> description =
-      load(std::string(CANDELA_SOURCE_DIR) + "/assets/cornell_box_diffuse/cornell_box_diffuse.yaml",
-           options);
+      load(CANDELA_SOURCE_DIR "/assets/cornell_box_diffuse/cornell_box_diffuse.yaml", options);
   EXPECT_TRUE(description);
   return test::compiled(*description, test::settings_of(512, 1).options);
 }
