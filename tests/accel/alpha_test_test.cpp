@@ -180,7 +180,9 @@ void expect_first_stopping_layer(const Scene& scene, int layer_count) {
     const Hit hit = accelerator.intersect(ray);
     ASSERT_EQ(hit.is_hit(), first < layer_count);
     ASSERT_EQ(accelerator.occluded(ray), first < layer_count);
-    if (hit.is_hit()) ASSERT_EQ(hit.geometry, static_cast<std::uint32_t>(first + 1));
+    if (hit.is_hit()) {
+      ASSERT_EQ(hit.geometry, static_cast<std::uint32_t>(first + 1));
+    }
   }
 }
 

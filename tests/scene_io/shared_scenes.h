@@ -12,7 +12,7 @@ namespace candela {
 inline std::optional<std::string> shared_scene(const std::string& name) {
   const char* const named = std::getenv("CANDELA_SCENES");
   const std::filesystem::path folder =
-      named != nullptr ? named : std::string(CANDELA_SOURCE_DIR) + "/../shared/scenes";
+      named != nullptr ? named : CANDELA_SOURCE_DIR "/../shared/scenes";
   const std::filesystem::path path = folder / name;
   if (!std::filesystem::exists(path)) return std::nullopt;
   return path.string();

@@ -16,6 +16,7 @@
 #include <thread>
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 extern char** environ;
 
@@ -181,7 +182,10 @@ ProgramResult run_candela(const std::vector<std::string>& arguments, ErrorStream
 }
 
 std::string fresh_folder(const std::string& name) {
-  const std::string folder = fmt::format("{}/command_line/{}", CANDELA_TEST_OUTPUT, name);
+  const testing::TestInfo* const test = testing::UnitTest::GetInstance()->current_test_info();
+  const std::string own =
+      test != nullptr ? fmt::format("{}/{}", test->test_suite_name(), test->name()) : "any";
+  const std::string folder = fmt::format("{}/command_line/{}/{}", CANDELA_TEST_OUTPUT, own, name);
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   return folder;

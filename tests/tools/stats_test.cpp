@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::json;
 
 std::string schema() {
-  return file_text(std::string(CANDELA_SOURCE_DIR) + "/docs/stats.schema.json");
+  return file_text(CANDELA_SOURCE_DIR "/docs/stats.schema.json");
 }
 
 Json stats_of(const std::vector<std::string>& more, const std::string& scene = small_scene()) {
