@@ -9,6 +9,15 @@ target_compile_options(candela_options INTERFACE -ffp-contract=off -fno-math-err
 add_library(candela_warnings INTERFACE)
 target_compile_options(candela_warnings INTERFACE
   -Wall -Wextra -Wconversion -Wshadow -Werror=switch $<$<BOOL:${CANDELA_WERROR}>:-Werror>)
+# The kernels are compiled with everything that a sample needs inlined, which is too much for GCC's
+# defaults: worth 12 % of the CPU time of the Cornell box (docs/decisions.md). A precompiled header
+# would silently bring the defaults back.
+file(GLOB candela_kernels ${CMAKE_CURRENT_SOURCE_DIR}/integrators/path/instances/*.cpp)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set_source_files_properties(${candela_kernels} PROPERTIES
+    SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS
+    "--param=inline-unit-growth=500;--param=large-function-growth=5000;--param=max-inline-insns-auto=200;--param=max-inline-insns-single=1000")
+endif()
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)

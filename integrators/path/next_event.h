@@ -15,19 +15,7 @@ namespace candela {
 // the geometric surface, a transmission iff below both; what is in between would leak.
 [[nodiscard]] inline bool is_consistent(const SurfacePoint& point, const Vec3f& wi_world,
                                         const Vec3f& wi_local) {
-  return (dot(wi_world, point.geometric_normal) > 0) == (wi_local.z > 0);
-}
-
-// From just off the surface to just off the light. The last few ulps are left out, since the
-// intersector's own t is rounded too.
-[[nodiscard]] inline Ray shadow_ray(const SurfacePoint& point, const LightSample& light) {
-  const Vec3f origin =
-      offset_origin(point.position, point.position_error, point.geometric_normal, light.wi);
-  if (light.is_infinite) return {origin, light.wi, infinity};
-  const Vec3f end = offset_origin(light.point, light.point_error, light.normal, -light.wi);
-  const Vec3f to_end = end - origin;
-  const float distance = length(to_end);
-  return {origin, to_end / distance, distance * (1 - gamma_bound(16))};
+  return point.is_flat || (dot(wi_world, point.geometric_normal) > 0) == (wi_local.z > 0);
 }
 
 [[nodiscard]] inline LightTables light_tables(const Scene& scene) {
@@ -54,7 +42,7 @@ template <FeatureSet F, class A>
     ++counts.skipped.shadow_rays;
     return Rgb(0);
   }
-  const Ray ray = shadow_ray(point, light);
+  const Ray ray = light.ray();
   if (!is_traceable(ray)) return Rgb(0);
   ++counts.rays.shadow;
   return context.accelerator.occluded(ray) ? Rgb(0) : contribution;
@@ -68,7 +56,7 @@ template <FeatureSet F, class A>
   const Scene& scene = context.scene;
   const LightTables tables = light_tables(scene);
   const auto contribution = [&](std::uint32_t index, Vec2f u, float choice) {
-    const LightSample light = sample_light(tables, scene.lights[index], point.position, u);
+    const LightSample light = sample_light(tables, scene.lights[index], point, u);
     return light_contribution<F>(context, point, bsdf, wo_local, light, choice, counts);
   };
   Rgb sum(0);

@@ -52,12 +52,11 @@ inline void add_emission(const Scene& scene, const Geometry& geometry, const Hit
   const std::uint32_t index = geometry.first_light + hit.triangle;
   const Light& light = scene.lights[index];
   const Vec3f& wi = path.ray.direction;
-  const Vec3f normal = triangle_light_normal(light);
-  const float pdf = path.is_delta ? 0.0f
-                                  : triangle_light_pdf(light, normal, wi, hit.t) *
-                                        scene.light_sampler.probability(index);
-  path.radiance += path.throughput * triangle_light_radiance(light, normal, -wi) *
-                   bsdf_strategy_weight(path, pdf);
+  const float pdf =
+      path.is_delta ? 0.0f
+                    : triangle_light_pdf(light, wi, hit.t) * scene.light_sampler.probability(index);
+  path.radiance +=
+      path.throughput * triangle_light_radiance(light, -wi) * bsdf_strategy_weight(path, pdf);
 }
 
 template <FeatureSet F>
@@ -85,9 +84,9 @@ template <FeatureSet F>
 [[nodiscard]] inline bool scatter(const Sampler& sampler, std::uint32_t bounce,
                                   const SurfacePoint& point, const Bsdf& bsdf,
                                   const Vec3f& wo_local, PathState& path) {
+  const float lobe = picks_a_lobe(bsdf) ? sampler.sample_1d(bounce, Dimension::LobeChoice) : 0.0f;
   const BsdfSample sample =
-      sample_bsdf<F.models>(bsdf, wo_local, sampler.sample_1d(bounce, Dimension::LobeChoice),
-                            sampler.sample_2d(bounce, Dimension::Direction));
+      sample_bsdf<F.models>(bsdf, wo_local, lobe, sampler.sample_2d(bounce, Dimension::Direction));
   if (is_black(sample.weight)) return false;
   const Vec3f wi = point.shading.to_world(sample.wi);
   if (!is_consistent(point, wi, sample.wi)) return false;

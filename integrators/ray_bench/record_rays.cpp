@@ -31,11 +31,10 @@ void record_shadow_ray(const Scene& scene, const SurfacePoint& from, const Sampl
   if (!light) return;
   const LightTables tables{scene.environment ? &*scene.environment : nullptr, &scene.textures};
   const LightSample sample =
-      sample_light(tables, *light, from.position, sampler.sample_2d(bounce, Dimension::LightPoint));
+      sample_light(tables, *light, from, sampler.sample_2d(bounce, Dimension::LightPoint));
   if (!sample.is_valid() || !(dot(sample.wi, from.geometric_normal) > 0)) return;
-  Ray ray = spawn_ray(from, sample.wi);
-  if (!sample.is_infinite)  // short of the light's own surface
-    ray.t_max = length(sample.point - ray.origin) * (1 - 0x1p-12f);
+  Ray ray = sample.ray();
+  ray.t_max *= 1 - 0x1p-12f;  // well short of the light's own surface
   if (is_traceable(ray)) rays.push_back(ray);
 }
 

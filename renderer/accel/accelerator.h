@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "renderer/geometry/geometry.h"
+#include "renderer/math/float4.h"
 #include "renderer/math/ray.h"
 
 namespace candela {
@@ -22,10 +23,12 @@ concept Accelerator = requires(const A& accelerator, const Ray& ray) {
 // Debian's Embree is built with asserts: a NaN, a component near 1e19 or a negative range would
 // abort the process. Every ray passes here first; a ray that fails is counted as invalid.
 [[nodiscard]] inline bool is_traceable(const Ray& ray) {
-  const float origin = std::abs(ray.origin.x) + std::abs(ray.origin.y) + std::abs(ray.origin.z);
-  const float direction =
-      std::abs(ray.direction.x) + std::abs(ray.direction.y) + std::abs(ray.direction.z);
-  return origin < 1e15f && direction < 1e15f && direction > 0 && ray.t_max > 0;
+  const Float4 origin = absolute(to_lanes(ray.origin));
+  const Float4 direction = absolute(to_lanes(ray.direction));
+  const Float4 limit = broadcast(1e15f);
+  const int bounded = mask_of((origin < limit) & (direction < limit));
+  const int nonzero = mask_of(direction > broadcast(0.0f));
+  return bounded == 0xf && nonzero != 0 && ray.t_max > 0;
 }
 
 }  // namespace candela

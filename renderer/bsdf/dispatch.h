@@ -27,6 +27,12 @@ constexpr bool has_model(BsdfModel model) {
          bsdf.is_smooth;
 }
 
+// Whether sample_bsdf() reads the number that picks a lobe.
+[[nodiscard]] inline bool picks_a_lobe(const Bsdf& bsdf) {
+  return bsdf.model == BsdfModel::CookTorrance || bsdf.model == BsdfModel::Lab ||
+         bsdf.model == BsdfModel::Dielectric || bsdf.model == BsdfModel::ThinDielectric;
+}
+
 // The sum of the non-delta lobes. wo.z > 0 always holds; wi is of unit length.
 template <ModelSet models = all_models>
 [[nodiscard]] inline BsdfEvaluation evaluate_bsdf(const Bsdf& bsdf, const Vec3f& wo,
@@ -61,7 +67,8 @@ template <ModelSet models = all_models>
   return {};
 }
 
-// `lobe` picks the lobe, `direction` a direction in it, all in [0, 1).
+// `lobe` picks the lobe (not read unless picks_a_lobe()), `direction` a direction in it, all in
+// [0, 1).
 template <ModelSet models = all_models>
 [[nodiscard]] inline BsdfSample sample_bsdf(const Bsdf& bsdf, const Vec3f& wo, float lobe,
                                             Vec2f direction) {

@@ -7,6 +7,7 @@
 
 #include "renderer/geometry/geometry.h"
 #include "renderer/math/constants.h"
+#include "renderer/math/float4.h"
 #include "renderer/math/frame.h"
 #include "renderer/math/ray.h"
 #include "renderer/math/vec.h"
@@ -15,7 +16,7 @@ namespace candela {
 
 struct SurfacePoint {
   Vec3f position{0};
-  Vec3f position_error{0};          // per axis, >= 0
+  float offset = 0;  // bound of the position's error along the geometric normal, >= 0
   Vec3f geometric_normal{0, 0, 1};  // unit, on the side of wo
   bool is_front = true;             // wo is on the side that the winding calls outside
   bool is_flat = true;              // the front normal is the geometric one
@@ -42,18 +43,17 @@ struct Corners {
   return {instance->point(p0), instance->point(p1), instance->point(p2)};
 }
 
-[[nodiscard]] inline Vec3f absolute(const Vec3f& v) {
-  return glm::abs(v);
-}
-
 // Bound of how far a point interpolated from barycentrics may lie from the triangle's plane, and of
 // how wrong an intersector may be about that plane nearby: rounding of the interpolation
-// [Pharr23, section 6.8.5], and of products of edges as long as the triangle.
-[[nodiscard]] inline Vec3f interpolation_error(const Corners& c, float b0, float b1, float b2,
-                                               const Vec3f& e1, const Vec3f& e2) {
-  const Vec3f magnitude = absolute(c.p0) * b0 + absolute(c.p1) * b1 + absolute(c.p2) * b2;
-  const Vec3f longest = glm::max(absolute(e1), absolute(e2));
-  return magnitude * gamma_bound(7) + Vec3f(max_component(longest) * gamma_bound(8));
+// [Pharr23, section 6.8.5], and of products of edges as long as the triangle. Per axis.
+[[nodiscard]] inline Float4 interpolation_error(Float4 p0, Float4 p1, Float4 p2, Float4 weights,
+                                                Float4 e1, Float4 e2) {
+  const Float4 magnitude = absolute(p0) * broadcast(weights[0]) +
+                           absolute(p1) * broadcast(weights[1]) +
+                           absolute(p2) * broadcast(weights[2]);
+  const Float4 longest = max(absolute(e1), absolute(e2));
+  const float length = std::max(std::max(longest[0], longest[1]), longest[2]);
+  return magnitude * gamma_bound(7) + broadcast(length * gamma_bound(8));
 }
 
 }  // namespace surface_point_detail
@@ -83,13 +83,20 @@ struct Corners {
   const Corners c = corners_of(geometry, hit.triangle, instance);
   const auto& index = geometry.triangles[hit.triangle];
   const float b0 = 1 - hit.u - hit.v;
-  const Vec3f e1 = c.p1 - c.p0;
-  const Vec3f e2 = c.p2 - c.p0;
+  const Float4 p0 = to_lanes(c.p0), p1 = to_lanes(c.p1), p2 = to_lanes(c.p2);
+  const Float4 e1 = p1 - p0;
+  const Float4 e2 = p2 - p0;
+  const Float4 position = p0 * broadcast(b0) + p1 * broadcast(hit.u) + p2 * broadcast(hit.v);
+  const Float4 error =
+      interpolation_error(p0, p1, p2, Float4{std::abs(b0), hit.u, hit.v, 0}, e1, e2);
+  const Float4 perpendicular = cross3(e1, e2);
+  const Float4 normal =
+      perpendicular * broadcast(1 / std::sqrt(dot3(perpendicular, perpendicular)));
 
   SurfacePoint point;
-  point.position = c.p0 * b0 + c.p1 * hit.u + c.p2 * hit.v;
-  point.position_error = interpolation_error(c, std::abs(b0), hit.u, hit.v, e1, e2);
-  Vec3f outside = normalize(cross(e1, e2));
+  point.position = to_vec3(position);
+  point.offset = dot3(absolute(normal), error);
+  Vec3f outside = to_vec3(normal);
   if (instance != nullptr && instance->is_mirrored) outside = -outside;
   point.is_front = dot(outside, wo) > 0;
   point.geometric_normal = point.is_front ? outside : -outside;
@@ -112,8 +119,8 @@ struct Corners {
     point.uv = t0 + d1 * hit.u + d2 * hit.v;
     const float determinant = difference_of_products(d1.x, d2.y, d1.y, d2.x);
     if (determinant != 0) {
-      point.dpdu = (e1 * d2.y - e2 * d1.y) / determinant;
-      point.dpdv = (e2 * d1.x - e1 * d2.x) / determinant;
+      point.dpdu = to_vec3(e1 * d2.y - e2 * d1.y) / determinant;
+      point.dpdv = to_vec3(e2 * d1.x - e1 * d2.x) / determinant;
     }
   }
   return point;
@@ -130,18 +137,16 @@ inline void set_shading_frame(SurfacePoint& point, const Vec3f& wo) {
   point.shading = frame_from_normal(valid_shading_normal(facing, point.geometric_normal, wo));
 }
 
-// The start of a ray that leaves `position` towards `direction`, moved off the surface by the bound
-// of the position's error, so that it cannot meet the surface it left [Pharr23, section 6.8.6].
-[[nodiscard]] inline Vec3f offset_origin(const Vec3f& position, const Vec3f& error,
-                                         const Vec3f& normal, const Vec3f& direction) {
-  const float distance = dot(glm::abs(normal), error);
-  const float side = dot(direction, normal) < 0 ? -1.0f : 1.0f;
-  return position + normal * (side * distance);
+// The start of a ray that leaves a surface towards `direction`: moved off it by the bound of the
+// position's error, so that the ray cannot meet the surface it left [Pharr23, section 6.8.6].
+[[nodiscard]] inline Vec3f offset_origin(const Vec3f& position, const Vec3f& normal, float offset,
+                                         const Vec3f& direction) {
+  return position + normal * std::copysign(offset, dot(direction, normal));
 }
 
 [[nodiscard]] inline Ray spawn_ray(const SurfacePoint& point, const Vec3f& direction) {
-  return {offset_origin(point.position, point.position_error, point.geometric_normal, direction),
-          direction, infinity};
+  return {offset_origin(point.position, point.geometric_normal, point.offset, direction), direction,
+          infinity};
 }
 
 }  // namespace candela

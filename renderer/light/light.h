@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "renderer/math/constants.h"
+#include "renderer/math/ray.h"
 #include "renderer/math/vec.h"
 
 namespace candela {
@@ -26,6 +27,9 @@ struct Light {
   // Spot: 1 - cos of the angles, which narrow cones need: 1 - cos(0.01 degrees) is half an ulp of 1
   float versine_inner = 0;
   float versine_outer = 0;
+  // Triangle: unit, of edge1 x edge2, and a bound of the error along it of points on the triangle
+  Vec3f normal{0, 0, 1};
+  float offset = 0;
   float area = 0;                 // Triangle; > 0
   std::uint32_t geometry = none;  // Triangle: where it lies, for its shadow ray's end
   std::uint32_t triangle = 0;
@@ -36,19 +40,20 @@ struct Light {
   }
 };
 
-// A direction towards a light from a point. pdf 0: there is none, and nothing is lost by that.
+// A direction towards a light from a surface. pdf 0: there is none, and nothing is lost by that.
+// What lies on the open segment origin + t wi, 0 < t < distance, shades it: it begins just off the
+// surface and ends just off the light.
 struct LightSample {
   Vec3f wi{0};      // unit
   Rgb radiance{0};  // arriving along wi if nothing is in the way; delta lights: irradiance
                     // on a surface that faces them (pdf is 1)
   float pdf = 0;    // solid angle, given the light was chosen; 1 for delta lights; 0: no sample
   bool is_delta = false;
-  bool is_infinite = false;  // directional, environment: no end point
-  Vec3f point{0};            // where the shadow ray ends, unless is_infinite
-  Vec3f point_error{0};      // bound of its rounding error, per axis
-  Vec3f normal{0};           // geometric normal there, unit; zero for point and spot lights
+  Vec3f origin{0};
+  float distance = infinity;
 
   [[nodiscard]] bool is_valid() const { return pdf > 0; }
+  [[nodiscard]] Ray ray() const { return {origin, wi, distance}; }
 };
 
 }  // namespace candela

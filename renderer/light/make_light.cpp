@@ -38,6 +38,15 @@ Light make_directional_light(const Vec3d& to_light, const Rgb& irradiance) {
   return light;
 }
 
+namespace {
+
+// The products of floats are exact in double, so even needles have a normal.
+Vec3f unit_normal(const Vec3f& edge1, const Vec3f& edge2, double area) {
+  return Vec3f(cross(Vec3d(edge1), Vec3d(edge2)) * (0.5 / area));
+}
+
+}  // namespace
+
 Light make_triangle_light(const std::array<Vec3f, 3>& vertices, const Rgb& radiance,
                           bool emits_both_sides) {
   Light light;
@@ -52,6 +61,11 @@ Light make_triangle_light(const std::array<Vec3f, 3>& vertices, const Rgb& radia
   const bool is_usable =
       area >= std::numeric_limits<float>::min() && area <= std::numeric_limits<float>::max();
   light.area = is_usable ? static_cast<float>(area) : 0.0f;
+  if (is_usable) light.normal = unit_normal(light.edge1, light.edge2, area);
+  // The edges carry the rounding of v1 - v0, then a product and two sums round again.
+  const Vec3f error =
+      gamma_bound(5) * (glm::abs(light.position) + glm::abs(light.edge1) + glm::abs(light.edge2));
+  light.offset = dot(glm::abs(light.normal), error);
   return light;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "renderer/light/light.h"
+#include "renderer/light/light_segment.h"
 
 namespace candela {
 
@@ -18,16 +19,23 @@ namespace candela {
   return t * t * (3 - 2 * t);
 }
 
-[[nodiscard]] inline LightSample sample_point_light(const Light& light, const Vec3f& p) {
-  const Vec3f to_light = light.position - p;
+[[nodiscard]] inline LightSample sample_point_light(const Light& light, const SurfacePoint& from) {
+  const Vec3f origin = offset_towards(from, light.position);
+  const Vec3f to_light = light.position - origin;
   const float distance2 = dot(to_light, to_light);
   if (!(distance2 > 0)) return {};
-  const Vec3f wi = to_light / std::sqrt(distance2);
+  const float distance = std::sqrt(distance2);
+  const Vec3f wi = to_light / distance;
   const float falloff = light.kind == LightKind::Spot ? spot_falloff(light, -wi) : 1.0f;
   const Rgb irradiance = light.emission * (falloff / distance2);
   // Nothing outside of the cone; and nearer than floats can tell, the irradiance has no value.
   if (is_black(irradiance) || !is_finite(irradiance)) return {};
-  return {.wi = wi, .radiance = irradiance, .pdf = 1, .is_delta = true, .point = light.position};
+  return {.wi = wi,
+          .radiance = irradiance,
+          .pdf = 1,
+          .is_delta = true,
+          .origin = origin,
+          .distance = short_of(distance)};
 }
 
 }  // namespace candela

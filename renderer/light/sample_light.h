@@ -20,43 +20,47 @@ struct LightTables {
   const TextureStore* textures = nullptr;
 };
 
-[[nodiscard]] inline LightSample sample_environment_light(const LightTables& tables, Vec2f u) {
+[[nodiscard]] inline LightSample sample_environment_light(const LightTables& tables,
+                                                          const SurfacePoint& from, Vec2f u) {
   const EnvironmentSample sample = sample_environment(*tables.environment, u);
   if (!(sample.pdf > 0)) return {};
   const Rgb radiance =
       environment_radiance(*tables.environment, *tables.textures, sample.direction);
   if (is_black(radiance)) return {};
-  return {.wi = sample.direction, .radiance = radiance, .pdf = sample.pdf, .is_infinite = true};
+  return {.wi = sample.direction,
+          .radiance = radiance,
+          .pdf = sample.pdf,
+          .origin = spawn_ray(from, sample.direction).origin};
 }
 
-// Towards `light` from the point p; u in [0, 1)^2. The result is never NaN or Inf.
+// Towards `light` from a surface; u in [0, 1)^2. The result is never NaN or Inf.
 [[nodiscard]] inline LightSample sample_light(const LightTables& tables, const Light& light,
-                                              const Vec3f& p, Vec2f u) {
+                                              const SurfacePoint& from, Vec2f u) {
   switch (light.kind) {
     case LightKind::Point:
     case LightKind::Spot:
-      return sample_point_light(light, p);
+      return sample_point_light(light, from);
     case LightKind::Directional:
-      return sample_directional_light(light);
+      return sample_directional_light(light, from);
     case LightKind::Triangle:
-      return sample_triangle_light(light, p, u);
+      return sample_triangle_light(light, from, u);
     case LightKind::Environment:
-      return sample_environment_light(tables, u);
+      return sample_environment_light(tables, from, u);
   }
   return {};
 }
 
-// The density in solid angle, given the light was chosen, of a ray from p along the unit wi that
+// The density in solid angle, given the light was chosen, of a ray along the unit wi that
 // met the light at `distance` (ignored for the environment). 0 for delta lights.
-[[nodiscard]] inline float light_pdf(const LightTables& tables, const Light& light,
-                                     const Vec3f& /*p*/, const Vec3f& wi, float distance) {
+[[nodiscard]] inline float light_pdf(const LightTables& tables, const Light& light, const Vec3f& wi,
+                                     float distance) {
   switch (light.kind) {
     case LightKind::Point:
     case LightKind::Spot:
     case LightKind::Directional:
       return 0;
     case LightKind::Triangle:
-      return triangle_light_pdf(light, triangle_light_normal(light), wi, distance);
+      return triangle_light_pdf(light, wi, distance);
     case LightKind::Environment:
       return environment_pdf(*tables.environment, wi);
   }
@@ -66,7 +70,7 @@ struct LightTables {
 // Radiance that leaves an emitting triangle towards the unit direction wo (away from it). The side
 // is told by the light's own vertices, as in sampling.
 [[nodiscard]] inline Rgb emitted_radiance(const Light& light, const Vec3f& wo) {
-  return triangle_light_radiance(light, triangle_light_normal(light), wo);
+  return triangle_light_radiance(light, wo);
 }
 
 }  // namespace candela

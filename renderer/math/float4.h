@@ -8,6 +8,8 @@
 #include <emmintrin.h>
 #endif
 
+#include "renderer/math/vec.h"
+
 namespace candela {
 
 typedef float Float4 __attribute__((vector_size(16)));
@@ -15,6 +17,31 @@ typedef int Mask4 __attribute__((vector_size(16)));  // lanes 0 or -1
 
 [[nodiscard]] inline Float4 broadcast(float x) {
   return Float4{x, x, x, x};
+}
+
+// Vectors of three as lanes; the fourth is 0. The same operations in the same order as GLM's, so
+// that either way gives the same bits.
+[[nodiscard]] inline Float4 to_lanes(const Vec3f& v) {
+  return Float4{v.x, v.y, v.z, 0};
+}
+[[nodiscard]] inline Vec3f to_vec3(Float4 v) {
+  return {v[0], v[1], v[2]};
+}
+[[nodiscard]] inline Float4 absolute(Float4 v) {
+  constexpr int all_but_sign = 0x7fffffff;
+  return reinterpret_cast<Float4>(reinterpret_cast<Mask4>(v) &
+                                  Mask4{all_but_sign, all_but_sign, all_but_sign, all_but_sign});
+}
+[[nodiscard]] inline float dot3(Float4 a, Float4 b) {
+  const Float4 product = a * b;
+  return product[0] + product[1] + product[2];
+}
+[[nodiscard]] inline Float4 cross3(Float4 a, Float4 b) {
+  const Float4 a_yzx = __builtin_shufflevector(a, a, 1, 2, 0, 3);
+  const Float4 a_zxy = __builtin_shufflevector(a, a, 2, 0, 1, 3);
+  const Float4 b_yzx = __builtin_shufflevector(b, b, 1, 2, 0, 3);
+  const Float4 b_zxy = __builtin_shufflevector(b, b, 2, 0, 1, 3);
+  return a_yzx * b_zxy - b_yzx * a_zxy;
 }
 
 // At addresses that are multiples of 16.

@@ -21,6 +21,14 @@ class Sampler {
         sample_(sample),
         reversed_sample_(reverse_bits(sample)) {}
 
+  // The same pixel's.
+  [[nodiscard]] Sampler of_sample(std::uint32_t sample) const {
+    Sampler other = *this;
+    other.sample_ = sample;
+    other.reversed_sample_ = reverse_bits(sample);
+    return other;
+  }
+
   // Both in [0, 1).
   [[nodiscard]] Vec2f sample_2d(std::uint32_t bounce, Dimension dimension) const {
     const SobolPoint point = scrambled_sobol_2d(reversed_sample_, key(bounce, dimension));

@@ -96,6 +96,24 @@ void orient_windings(Geometry& geometry) {
     if (is_wound_inwards(geometry, t)) std::swap(t[1], t[2]);
 }
 
+// Whether every vertex normal says what its triangles' windings say, to the digits that files have:
+// then shading is flat, and the normals are not worth keeping.
+bool are_normals_flat(const Geometry& geometry) {
+  if (geometry.normals.empty()) return true;
+  constexpr float six_digits = 2e-6f;
+  return std::all_of(geometry.triangles.begin(), geometry.triangles.end(),
+                     [&](const std::array<std::uint32_t, 3>& t) {
+                       const Vec3d p0(geometry.positions[t[0]]);
+                       const Vec3d winding = cross(Vec3d(geometry.positions[t[1]]) - p0,
+                                                   Vec3d(geometry.positions[t[2]]) - p0);
+                       const Vec3f flat(winding / length(winding));
+                       return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
+                         const Vec3f& n = geometry.normals[v];
+                         return max_component(glm::abs(n - flat)) <= six_digits || n == Vec3f(0);
+                       });
+                     });
+}
+
 // A geometry of the picked triangles with just the vertices they use.
 Geometry picked(const description::Mesh& mesh, const MeshArrays& arrays,
                 std::span<const std::uint32_t> triangles, std::uint32_t material,
@@ -116,6 +134,7 @@ Geometry picked(const description::Mesh& mesh, const MeshArrays& arrays,
     geometry.triangles.push_back(t);
   }
   orient_windings(geometry);
+  if (are_normals_flat(geometry)) std::vector<Vec3f>().swap(geometry.normals);
   return geometry;
 }
 

@@ -14,33 +14,34 @@ constexpr double degree = pi_double / 180;
 TEST(Unit_PointLight, GivesThePlaneItsIrradiance) {
   const Light light = make_point_light({1, 2, 3}, Rgb(10, 20, 30));
   const Vec3f p(4, 0, -1);
-  const LightSample s = sample_light({}, light, p, {0, 0});
+  const LightSample s = sample_light({}, light, light_test::at(p), {0, 0});
   const double distance2 = 9 + 4 + 16;
   EXPECT_TRUE(s.is_delta);
-  EXPECT_FALSE(s.is_infinite);
   EXPECT_EQ(s.pdf, 1.0f);
-  EXPECT_EQ(s.point, Vec3f(1, 2, 3));
+  EXPECT_NEAR(length(s.origin + s.wi * s.distance - Vec3f(1, 2, 3)), 0, 1e-5);
   // E = I cos / d^2 = I h / d^3 at a height h over the plane y = 0.
   EXPECT_NEAR(s.radiance.y * s.wi.y, 20 * 2 / std::pow(distance2, 1.5), 1e-7);
-  EXPECT_EQ(light_pdf({}, light, p, s.wi, 1), 0.0f);
+  EXPECT_EQ(light_pdf({}, light, s.wi, 1), 0.0f);
 }
 
 TEST(Unit_PointLight, StaysFiniteWhereItTouches) {
   const Light light = make_point_light({1, 2, 3}, Rgb(1e10f));
-  EXPECT_FALSE(sample_light({}, light, {1, 2, 3}, {0, 0}).is_valid());
+  EXPECT_FALSE(sample_light({}, light, light_test::at({1, 2, 3}), {0, 0}).is_valid());
   for (const float d : {1e-6f, 1e-3f, 1.0f}) {
-    const LightSample s = sample_light({}, light, {1 + d, 2, 3}, {0, 0});
+    const LightSample s = sample_light({}, light, light_test::at({1 + d, 2, 3}), {0, 0});
     EXPECT_TRUE(is_finite(s.radiance) && is_finite(s.wi));
   }
   const Light at_origin = make_point_light(Vec3f(0), Rgb(1));
   for (const float d : {1e-38f, 1e-25f, 1e-19f})
-    EXPECT_TRUE(is_finite(sample_light({}, at_origin, {d, 0, 0}, {0, 0}).radiance)) << d;
+    EXPECT_TRUE(is_finite(sample_light({}, at_origin, light_test::at({d, 0, 0}), {0, 0}).radiance))
+        << d;
 }
 
 TEST(Unit_DirectionalLight, FacesTheSurfaceWithItsIrradiance) {
   const Light light = make_directional_light({0, 30, 40}, Rgb(7));
-  const LightSample s = sample_light({}, light, {5, 6, 7}, {0, 0});
-  EXPECT_TRUE(s.is_delta && s.is_infinite && s.is_valid());
+  const LightSample s = sample_light({}, light, light_test::at({5, 6, 7}), {0, 0});
+  EXPECT_TRUE(s.is_delta && s.is_valid());
+  EXPECT_EQ(s.distance, infinity);
   EXPECT_EQ(s.wi, Vec3f(0, 0.6f, 0.8f));
   EXPECT_EQ(s.radiance, Rgb(7));
 }
@@ -96,11 +97,11 @@ TEST(Unit_SpotLight, FluxOfTheConeIsItsPower) {
 
 TEST(Unit_SpotLight, SendsNothingOutsideOfItsCone) {
   const Light light = make_spot_light({0, 0, 2}, {0, 0, -1}, Rgb(8), 10 * degree, 20 * degree);
-  const LightSample below = sample_light({}, light, {0, 0, 0}, {0, 0});
+  const LightSample below = sample_light({}, light, light_test::at({0, 0, 0}), {0, 0});
   EXPECT_TRUE(below.is_valid() && below.is_delta);
   EXPECT_EQ(below.radiance, Rgb(2));
-  EXPECT_FALSE(sample_light({}, light, {0, 0, 4}, {0, 0}).is_valid());
-  EXPECT_FALSE(sample_light({}, light, {2, 0, 0}, {0, 0}).is_valid());
+  EXPECT_FALSE(sample_light({}, light, light_test::at({0, 0, 4}), {0, 0}).is_valid());
+  EXPECT_FALSE(sample_light({}, light, light_test::at({2, 0, 0}), {0, 0}).is_valid());
 }
 
 }  // namespace

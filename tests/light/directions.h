@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/geometry/surface_point.h"
 #include "renderer/math/frame.h"
 #include "renderer/math/vec.h"
 #include "tests/statistics/moments.h"
@@ -17,6 +18,13 @@ namespace candela::light_test {
 [[nodiscard]] float random_unit(std::uint64_t i, std::uint64_t stream);
 [[nodiscard]] Vec2f random_pair(std::uint64_t i, std::uint64_t stream);
 [[nodiscard]] Vec3f random_direction(std::uint64_t i, std::uint64_t stream);
+
+// A point without rounding errors and without a surface, to sample lights from.
+[[nodiscard]] inline SurfacePoint at(const Vec3f& position) {
+  SurfacePoint point;
+  point.position = position;
+  return point;
+}
 
 // The directions within acos(cos_min) of frame.z; the whole sphere by default.
 struct Cap {

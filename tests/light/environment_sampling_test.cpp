@@ -118,7 +118,8 @@ statistics::Moments irradiance(const MapEnvironment& map, const Vec3f& n, std::u
   const Light light = make_environment_light();
   statistics::Moments moments;
   for (std::uint64_t i = 0; i < count; ++i) {
-    const LightSample s = sample_light(tables, light, Vec3f(0), light_test::random_pair(i, 8));
+    const LightSample s =
+        sample_light(tables, light, light_test::at(Vec3f(0)), light_test::random_pair(i, 8));
     moments.add(s.is_valid() ? static_cast<double>(average(s.radiance)) *
                                    std::max(0.0f, dot(n, s.wi)) / static_cast<double>(s.pdf)
                              : 0);

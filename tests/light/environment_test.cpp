@@ -191,7 +191,7 @@ TEST(Unit_Environment, CountsTexelsThatAreNotRadiance) {
     ASSERT_TRUE(is_finite(seen) && min_component(seen) >= 0);
     ASSERT_TRUE(is_black(seen) || map.pdf(d) > 0);
     const LightSample s = sample_light({&map.environment, &map.textures}, make_environment_light(),
-                                       Vec3f(0), light_test::random_pair(i, 6));
+                                       light_test::at(Vec3f(0)), light_test::random_pair(i, 6));
     ASSERT_TRUE(is_finite(s.radiance) && std::isfinite(s.pdf));
   }
 }

@@ -105,6 +105,14 @@ TEST(Unit_Compile, WindingsFollowVertexNormals) {
   EXPECT_LT(n.z, 0);
 }
 
+TEST(Unit_Compile, DropsNormalsThatSayWhatTheWindingSays) {
+  description::SceneDescription description = one_quad();
+  description.meshes[0].normals.assign(4, Vec3f(0, 0, -2));
+  EXPECT_TRUE(compiled(description, {}).geometries[0].normals.empty());
+  description.meshes[0].normals[2] = Vec3f(1e-4f, 0, -2);
+  EXPECT_EQ(compiled(description, {}).geometries[0].normals.size(), 4u);
+}
+
 TEST(Unit_Compile, TriangleLightsBecomeSurfacesThatEmit) {
   description::SceneDescription description = one_quad();
   description.lights.push_back(
