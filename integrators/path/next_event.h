@@ -42,7 +42,7 @@ template <FeatureSet F, class A>
     ++counts.skipped.shadow_rays;
     return Rgb(0);
   }
-  const Ray ray = light.ray();
+  const Ray& ray = light.shadow_ray;
   if (!is_traceable(ray)) return Rgb(0);
   ++counts.rays.shadow;
   return context.accelerator.occluded(ray) ? Rgb(0) : contribution;

@@ -33,8 +33,11 @@ void record_shadow_ray(const Scene& scene, const SurfacePoint& from, const Sampl
   const LightSample sample =
       sample_light(tables, *light, from, sampler.sample_2d(bounce, Dimension::LightPoint));
   if (!sample.is_valid() || !(dot(sample.wi, from.geometric_normal) > 0)) return;
-  Ray ray = sample.ray();
-  ray.t_max *= 1 - 0x1p-12f;  // well short of the light's own surface
+  Ray ray = sample.shadow_ray;
+  if (ray.t_max < infinity) {  // to a finite light: unit, and well short of its own surface
+    const float distance = length(ray.direction);
+    ray = {ray.origin, ray.direction / distance, distance * (1 - 0x1p-12f)};
+  }
   if (is_traceable(ray)) rays.push_back(ray);
 }
 

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "integrators/first_hit.h"
-#include "integrators/path/render_tile.h"  // camera_ray, surface_point_at, shadow_ray
+#include "integrators/path/render_tile.h"  // camera_ray, surface_point_at
 #include "integrators/report/ggx_half_vector.h"
 #include "integrators/report/report_context.h"
 
@@ -35,18 +35,18 @@ template <class A>
       context.emitters.pick(sampler.sample_1d_bits(bounce, Dimension::LightChoice));
   const Light& lamp = scene.lights[index];
   const LightSample x =
-      sample_triangle_light(lamp, at.p.position, sampler.sample_2d(bounce, Dimension::LightPoint));
+      sample_triangle_light(lamp, at.p, sampler.sample_2d(bounce, Dimension::LightPoint));
   const Vec3f wi = at.p.shading.to_local(x.wi);
   if (!x.is_valid() || !is_consistent(at.p, x.wi, wi)) return Rgb(0);
   const Rgb f_cos = evaluate_bsdf(at.bsdf, at.wo, wi).value;
   if (is_black(f_cos)) return Rgb(0);
 
-  const Ray ray = shadow_ray(at.p, x);  // ends short of the lamp (corrected: 3.1)
+  const Ray& ray = x.shadow_ray;  // ends short of the lamp (corrected: 3.1)
   if (!is_traceable(ray)) return Rgb(0);
   ++counts.rays.shadow;
   if (context.base.accelerator.occluded(ray)) return Rgb(0);
-  const float cos_lamp = std::abs(dot(x.normal, x.wi));
-  const float distance2 = length_squared(x.point - at.p.position);
+  const float cos_lamp = std::abs(dot(lamp.normal, x.wi));
+  const float distance2 = x.pdf * cos_lamp * lamp.area;  // x.pdf is that of the solid angle
   return x.radiance * f_cos * cos_lamp / distance2 / context.emitters.pdf_area(scene, index);
 }
 

@@ -30,7 +30,7 @@ template <class A>
   if (point.geometry.is_emissive())
     sum += emitted_radiance(context.scene.lights[point.geometry.first_light + hit.triangle], wo);
   for (const Light& light : context.lights) {
-    const LightSample sample = sample_light({}, light, point.place.position, Vec2f(0));
+    const LightSample sample = sample_light({}, light, point.place, Vec2f(0));
     if (!sample.is_valid()) continue;
     const float highlight =
         lab_highlight(context.rules.specular, surface.exponent, n, wo, sample.wi);
@@ -40,8 +40,7 @@ template <class A>
       ++counts.skipped.shadow_rays;
       continue;
     }
-    if (!context.rules.shadows || is_lit(context, point.place, light, sample, counts))
-      sum += contribution;
+    if (!context.rules.shadows || is_lit(context, light, sample, counts)) sum += contribution;
   }
   return sum;
 }

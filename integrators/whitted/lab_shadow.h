@@ -11,12 +11,11 @@
 
 namespace candela {
 
-// From `origin` to just before the light, whose wi was found from there or nearby.
-[[nodiscard]] inline Ray lab_shadow_ray(const Vec3f& origin, const LightSample& light) {
-  if (light.is_infinite) return {origin, light.wi, infinity};
-  const Vec3f to_light = light.point - origin;
-  const float distance = length(to_light);
-  return {origin, to_light / distance, distance * (1 - gamma_bound(16))};
+// The rest of a shadow ray from behind what it met; t_max 0 where that lies past its end.
+[[nodiscard]] inline Ray remaining_shadow_ray(const Ray& ray, const Vec3f& behind) {
+  if (ray.t_max == infinity) return {behind, ray.direction, infinity};
+  const Vec3f to_end = ray.origin + ray.direction - behind;
+  return {behind, to_end, dot(to_end, ray.direction) > 0 ? ray.t_max : 0.0f};
 }
 
 // Whether a shadow ray goes on behind what it met: holes, and the lamp that it is cast to.
@@ -29,12 +28,10 @@ namespace candela {
 
 // Steps through holes until a blocker or the light.
 template <class A>
-[[nodiscard]] inline bool is_lit(const LabContext<A>& context, const SurfacePoint& from,
-                                 const Light& light, const LightSample& sample,
-                                 TileCounts& counts) {
+[[nodiscard]] inline bool is_lit(const LabContext<A>& context, const Light& light,
+                                 const LightSample& sample, TileCounts& counts) {
   constexpr int most_steps = 10'000;  // a guard against rounding; no scene has so many layers
-  Ray ray = lab_shadow_ray(
-      offset_origin(from.position, from.position_error, from.geometric_normal, sample.wi), sample);
+  Ray ray = sample.shadow_ray;
   if (!context.has_holes && light.geometry == Light::none) {
     ++counts.rays.shadow;
     return is_traceable(ray) && !context.accelerator.occluded(ray);
@@ -46,9 +43,9 @@ template <class A>
     const SurfacePoint place = lab_place(context.scene, hit, -ray.direction);
     if (!passes_light(context.scene, light, hit, place)) return false;
     const Vec3f behind =
-        offset_origin(place.position, place.position_error, place.geometric_normal, sample.wi);
-    if (!sample.is_infinite && !(dot(sample.point - behind, sample.wi) > 0)) return true;
-    ray = lab_shadow_ray(behind, sample);
+        offset_origin(place.position, place.geometric_normal, place.offset, sample.wi);
+    ray = remaining_shadow_ray(ray, behind);
+    if (!(ray.t_max > 0)) return true;
   }
   return false;
 }

@@ -12,7 +12,7 @@ namespace candela {
           .radiance = light.emission,
           .pdf = 1,
           .is_delta = true,
-          .origin = spawn_ray(from, light.position).origin};
+          .shadow_ray = spawn_ray(from, light.position)};
 }
 
 }  // namespace candela

@@ -41,19 +41,17 @@ struct Light {
 };
 
 // A direction towards a light from a surface. pdf 0: there is none, and nothing is lost by that.
-// What lies on the open segment origin + t wi, 0 < t < distance, shades it: it begins just off the
-// surface and ends just off the light.
 struct LightSample {
   Vec3f wi{0};      // unit
   Rgb radiance{0};  // arriving along wi if nothing is in the way; delta lights: irradiance
                     // on a surface that faces them (pdf is 1)
   float pdf = 0;    // solid angle, given the light was chosen; 1 for delta lights; 0: no sample
   bool is_delta = false;
-  Vec3f origin{0};
-  float distance = infinity;
+  // What this ray meets shades the light. It starts just off the surface; where the light is finite
+  // its direction is not unit but goes to just off the light, at t = 1.
+  Ray shadow_ray;
 
   [[nodiscard]] bool is_valid() const { return pdf > 0; }
-  [[nodiscard]] Ray ray() const { return {origin, wi, distance}; }
 };
 
 }  // namespace candela

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "renderer/light/light.h"
-#include "renderer/light/light_segment.h"
+#include "renderer/light/shadow_segment.h"
 
 namespace candela {
 
@@ -20,12 +20,10 @@ namespace candela {
 }
 
 [[nodiscard]] inline LightSample sample_point_light(const Light& light, const SurfacePoint& from) {
-  const Vec3f origin = offset_towards(from, light.position);
-  const Vec3f to_light = light.position - origin;
+  const Vec3f to_light = light.position - from.position;
   const float distance2 = dot(to_light, to_light);
   if (!(distance2 > 0)) return {};
-  const float distance = std::sqrt(distance2);
-  const Vec3f wi = to_light / distance;
+  const Vec3f wi = to_light / std::sqrt(distance2);
   const float falloff = light.kind == LightKind::Spot ? spot_falloff(light, -wi) : 1.0f;
   const Rgb irradiance = light.emission * (falloff / distance2);
   // Nothing outside of the cone; and nearer than floats can tell, the irradiance has no value.
@@ -34,8 +32,7 @@ namespace candela {
           .radiance = irradiance,
           .pdf = 1,
           .is_delta = true,
-          .origin = origin,
-          .distance = short_of(distance)};
+          .shadow_ray = shadow_segment(from, to_light, light.position)};
 }
 
 }  // namespace candela

@@ -30,7 +30,7 @@ struct LightTables {
   return {.wi = sample.direction,
           .radiance = radiance,
           .pdf = sample.pdf,
-          .origin = spawn_ray(from, sample.direction).origin};
+          .shadow_ray = spawn_ray(from, sample.direction)};
 }
 
 // Towards `light` from a surface; u in [0, 1)^2. The result is never NaN or Inf.

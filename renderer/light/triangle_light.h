@@ -3,7 +3,7 @@
 #pragma once
 
 #include "renderer/light/light.h"
-#include "renderer/light/light_segment.h"
+#include "renderer/light/shadow_segment.h"
 #include "renderer/sampling/warp.h"
 
 namespace candela {
@@ -26,20 +26,18 @@ namespace candela {
                                                        Vec2f u) {
   const Vec2f weights = square_to_triangle(u);
   const Vec3f point = light.position + (light.edge1 * weights.x + light.edge2 * weights.y);
-  const Vec3f origin = offset_towards(from, point);
-  const Vec3f end = offset_origin(point, light.normal, light.offset, origin - point);
-  const Vec3f to_end = end - origin;
-  const float distance2 = dot(to_end, to_end);
+  const Vec3f to_light = point - from.position;
+  const float distance2 = dot(to_light, to_light);
   if (!(distance2 > 0)) return {};
   const float distance = std::sqrt(distance2);
-  const Vec3f wi = to_end / distance;
+  const Vec3f wi = to_light / distance;
   const Rgb radiance = triangle_light_radiance(light, -wi);
   if (is_black(radiance)) return {};
+  const Vec3f end = offset_origin(point, light.normal, light.offset, -wi);
   return {.wi = wi,
           .radiance = radiance,
           .pdf = triangle_light_pdf(light, wi, distance),
-          .origin = origin,
-          .distance = short_of(distance)};
+          .shadow_ray = shadow_segment(from, wi, end)};
 }
 
 }  // namespace candela

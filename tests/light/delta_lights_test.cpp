@@ -18,7 +18,7 @@ TEST(Unit_PointLight, GivesThePlaneItsIrradiance) {
   const double distance2 = 9 + 4 + 16;
   EXPECT_TRUE(s.is_delta);
   EXPECT_EQ(s.pdf, 1.0f);
-  EXPECT_NEAR(length(s.origin + s.wi * s.distance - Vec3f(1, 2, 3)), 0, 1e-5);
+  EXPECT_NEAR(length(s.shadow_ray.origin + s.shadow_ray.direction - Vec3f(1, 2, 3)), 0, 1e-6);
   // E = I cos / d^2 = I h / d^3 at a height h over the plane y = 0.
   EXPECT_NEAR(s.radiance.y * s.wi.y, 20 * 2 / std::pow(distance2, 1.5), 1e-7);
   EXPECT_EQ(light_pdf({}, light, s.wi, 1), 0.0f);
@@ -41,7 +41,7 @@ TEST(Unit_DirectionalLight, FacesTheSurfaceWithItsIrradiance) {
   const Light light = make_directional_light({0, 30, 40}, Rgb(7));
   const LightSample s = sample_light({}, light, light_test::at({5, 6, 7}), {0, 0});
   EXPECT_TRUE(s.is_delta && s.is_valid());
-  EXPECT_EQ(s.distance, infinity);
+  EXPECT_EQ(s.shadow_ray.t_max, infinity);
   EXPECT_EQ(s.wi, Vec3f(0, 0.6f, 0.8f));
   EXPECT_EQ(s.radiance, Rgb(7));
 }

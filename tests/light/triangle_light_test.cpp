@@ -87,16 +87,18 @@ TEST(Unit_TriangleLight, SampleAndPdfAgreeAndEndOnTheTriangle) {
       ASSERT_TRUE(s.is_valid()) << c.name;
       EXPECT_EQ(s.radiance, Rgb(1, 2, 3));
       EXPECT_NEAR(length(s.wi), 1, 3e-7);
-      EXPECT_NEAR(light_pdf({}, light, s.wi, s.distance) / s.pdf, 1, 1e-5) << c.name;
+      const double distance = distance_to(c, s.wi);
+      if (distance > 0)  // else rounding took the direction past an edge
+        EXPECT_NEAR(light_pdf({}, light, s.wi, static_cast<float>(distance)) / s.pdf, 1, 1e-5)
+            << c.name;
       // The segment ends on the near side of the exact plane, within twice the stated bound.
       const Vec3d n = normalize(cross(Vec3d(c.vertices[1]) - Vec3d(c.vertices[0]),
                                       Vec3d(c.vertices[2]) - Vec3d(c.vertices[0])));
       const auto height = [&](const Vec3d& p) { return dot(n, p - Vec3d(c.vertices[0])); };
       const double side = height(Vec3d(c.p)) < 0 ? -1 : 1;
-      const Vec3d end = Vec3d(s.origin) + static_cast<double>(s.distance) * Vec3d(s.wi);
+      const Vec3d end = Vec3d(s.shadow_ray.origin) + Vec3d(s.shadow_ray.direction);
       EXPECT_GE(side * height(end), 0) << c.name;
-      const double shortened = static_cast<double>(s.distance * gamma_bound(32));
-      EXPECT_LE(side * height(end), 2 * static_cast<double>(light.offset) + shortened) << c.name;
+      EXPECT_LE(side * height(end), 2 * static_cast<double>(light.offset)) << c.name;
     }
   }
 }
