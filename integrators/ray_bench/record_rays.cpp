@@ -25,10 +25,11 @@ const Light* pick_light(const Scene& scene, std::uint32_t bits) {
   return &scene.lights[light];
 }
 
-void record_shadow_ray(const Scene& scene, const SurfacePoint& from, const Sampler& sampler,
-                       std::uint32_t bounce, std::vector<Ray>& rays) {
+// A flat lamp does not light itself: such rays lie in its plane, up to rounding.
+void record_shadow_ray(const Scene& scene, const Hit& hit, const SurfacePoint& from,
+                       const Sampler& sampler, std::uint32_t bounce, std::vector<Ray>& rays) {
   const Light* light = pick_light(scene, sampler.sample_1d_bits(bounce, Dimension::LightChoice));
-  if (!light) return;
+  if (!light || light->geometry == hit.geometry) return;
   const LightTables tables{scene.environment ? &*scene.environment : nullptr, &scene.textures};
   const LightSample sample =
       sample_light(tables, *light, from, sampler.sample_2d(bounce, Dimension::LightPoint));
@@ -50,7 +51,7 @@ void record_path(const Scene& scene, const EmbreeAccel& accelerator, const Recor
     const SurfacePoint from = surface_point(scene, ray, hit);
     if (!is_finite(from.geometric_normal)) return;  // no area
     const auto dimension_bounce = static_cast<std::uint32_t>(bounce);
-    record_shadow_ray(scene, from, sampler, dimension_bounce,
+    record_shadow_ray(scene, hit, from, sampler, dimension_bounce,
                       rays[static_cast<std::size_t>(RayClass::Shadow)]);
     if (bounce == options.bounces) return;
     const Vec3f local =

@@ -29,8 +29,19 @@ constexpr bool has_model(BsdfModel model) {
 
 // Whether sample_bsdf() reads the number that picks a lobe.
 [[nodiscard]] inline bool picks_a_lobe(const Bsdf& bsdf) {
-  return bsdf.model == BsdfModel::CookTorrance || bsdf.model == BsdfModel::Lab ||
-         bsdf.model == BsdfModel::Dielectric || bsdf.model == BsdfModel::ThinDielectric;
+  switch (bsdf.model) {
+    case BsdfModel::Diffuse:
+    case BsdfModel::Mirror:
+    case BsdfModel::Conductor:
+      return false;
+    case BsdfModel::CookTorrance:
+    case BsdfModel::CompensatedCookTorrance:
+    case BsdfModel::Lab:
+    case BsdfModel::Dielectric:
+    case BsdfModel::ThinDielectric:
+      return true;
+  }
+  return true;
 }
 
 // The sum of the non-delta lobes. wo.z > 0 always holds; wi is of unit length.
