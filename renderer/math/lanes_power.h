@@ -22,7 +22,8 @@ namespace candela {
 [[nodiscard]] inline Float4 power_2_2(Float4 x) {
   using Bits = std::int32_t __attribute__((vector_size(16)));
   constexpr std::int32_t sqrt_half_bits = 0x3F3504F3;
-  const auto bits = std::bit_cast<Bits>(min(x, broadcast(0x1p56f)));
+  const Float4 bounded = max(min(x, broadcast(0x1p56f)), broadcast(0x1p-56f));
+  const auto bits = std::bit_cast<Bits>(bounded);
   const Bits exponent = (bits - sqrt_half_bits) >> 23;
   const auto m = std::bit_cast<Float4>(bits - (exponent << 23));
   const Float4 s = (m - 1.0f) / (m + 1.0f);

@@ -39,6 +39,8 @@ TEST(Unit_LanesPower, PowerIsExactAtItsEndsAndTakesAnyFloat) {
   EXPECT_EQ(far[1], far[2]);
   EXPECT_TRUE(std::isfinite(far[1]));
   EXPECT_EQ(far[3], 0);
+  const Float4 small = power_2_2(Float4{-0.0f, -1e-38f, -0.01f, 1e-45f});
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(small[i], 0) << i;
 }
 
 TEST(Unit_LanesPower, PowerNeverFallsBetweenTheStepsOfEightBits) {
