@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "integrators/kernel.h"
+#include "integrators/path/check_sampling.h"
 #include "integrators/path/kernels.h"
 #include "integrators/report/check_report.h"
 #include "integrators/report/report_context.h"
@@ -20,7 +21,10 @@ bool is_set(const CancelFlag* flag) {
 template <class A>
 Kernel path_kernel(const Scene& scene, const A& accelerator, const Filter& filter,
                    const RenderOptions& options) {
-  const PathKernel<A> kernel = select_path_kernel<A>(scene.features, options.use_general_kernel);
+  const PathKernel<A> kernel =
+      has_default_strategy(options)
+          ? select_path_kernel<A>(scene.features, options.use_general_kernel)
+          : strategy_kernel<A>();
   return {
       "path/" + std::string(kernel.name),
       [render = kernel.render, context = make_path_context(scene, accelerator, filter, options)](
@@ -96,12 +100,22 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
 
 Diagnostics check_integrator(const description::SceneDescription& scene,
                              const RenderOptions& options) {
-  return options.integrator == IntegratorKind::Report ? check_report(scene) : Diagnostics{};
+  switch (options.integrator) {
+    case IntegratorKind::Path:
+      return check_sampling(scene, options.sampling);
+    case IntegratorKind::Report:
+      return check_report(scene);
+    case IntegratorKind::Whitted:
+    case IntegratorKind::Raster:
+      return {};
+  }
+  return {};
 }
 
 std::string kernel_name(const Scene& scene, const RenderOptions& options) {
   switch (options.integrator) {
     case IntegratorKind::Path:
+      if (!has_default_strategy(options)) return "path/strategies";
       return "path/" +
              std::string(
                  select_path_kernel<EmbreeAccel>(scene.features, options.use_general_kernel).name);

@@ -6,10 +6,12 @@
 #include <optional>
 #include <string>
 
+#include "integrators/sampling_strategy.h"
 #include "renderer/accel/any_accel.h"
 #include "renderer/base/progress.h"
 #include "renderer/film/film.h"
 #include "renderer/film/filter.h"
+#include "renderer/sampling/mis.h"
 #include "renderer/scene/compile.h"
 #include "renderer/scene/scene.h"
 
@@ -33,6 +35,9 @@ struct RenderOptions {
   // path: bounces as pbrt counts them: 0 sees emission only, 1 direct light, ...; none: no limit.
   // whitted: surfaces that a ray may meet, as the lab counts them; none: 5.
   std::optional<int> max_depth;
+  // path: any. report: Light (its own, which Mis stands for, too), Cosine or Uniform directions.
+  SamplingStrategy sampling = SamplingStrategy::Mis;
+  Heuristic heuristic = Heuristic::Power;  // of Mis
   SpecularModel specular = SpecularModel::Blinn;
   // whitted and raster: normals as the lab's code interpolates them, neither made unit nor turned
   // to the viewer; for comparisons with its pictures.
@@ -89,8 +94,8 @@ struct RenderResult {
 // What compile() must do for a render with these options.
 [[nodiscard]] CompileOptions compile_options(const RenderOptions& options);
 
-// What the options' integrator cannot draw of a scene: errors that a caller should heed, since
-// render() leaves such lights and surfaces black.
+// What the options' integrator and strategy cannot draw of a scene: errors that a caller should
+// heed, since render() leaves such lights and surfaces black.
 [[nodiscard]] Diagnostics check_integrator(const description::SceneDescription& scene,
                                            const RenderOptions& options);
 

@@ -8,6 +8,7 @@
 #include "scene_io/default_camera.h"
 #include "scene_io/lab3/mesh_files.h"
 #include "scene_io/lab3/read_lab3.h"
+#include "scene_io/override_materials.h"
 #include "scene_io/text/cursor.h"
 #include "scene_io/text/file.h"
 #include "scene_io/text/source.h"
@@ -69,7 +70,9 @@ Result<SceneDescription> load_mesh(const std::string& path, lab3::MeshFormat for
 
 }  // namespace
 
-Result<SceneDescription> load(const std::string& path, const LoadOptions& options) {
+namespace {
+
+Result<SceneDescription> load_file(const std::string& path, const LoadOptions& options) {
   if (is_yaml(path)) return lab3::read_lab3(path, options);
   const lab3::MeshFormat format = lab3::mesh_format_of(path);
   if (format != lab3::MeshFormat::Unknown) return load_mesh(path, format, options);
@@ -77,6 +80,15 @@ Result<SceneDescription> load(const std::string& path, const LoadOptions& option
       fmt::format("{}: found {}, expected a scene: .yaml, .yml, .obj or .ply (each also "
                   "with .gz)",
                   text::quoted_path(path), describe_extension(path)));
+}
+
+}  // namespace
+
+Result<SceneDescription> load(const std::string& path, const LoadOptions& options) {
+  Result<SceneDescription> scene = load_file(path, options);
+  if (scene) override_materials(options, *scene, scene.diagnostics);
+  if (scene.diagnostics.has_errors()) return std::move(scene.diagnostics);
+  return scene;
 }
 
 }  // namespace candela

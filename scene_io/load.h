@@ -13,6 +13,9 @@ struct LoadOptions {
   bool use_mtl_materials = false;          // --materials mtl: Ke, Ni, illum, map_d, ... count
   std::optional<std::string> lab3_ground;  // --lab3-ground IMAGE: LAB3.md section 6
   std::optional<Vec3d> ambient;            // --ambient R,G,B
+  // --fresnel, --geometry: of all cook_torrance materials
+  std::optional<description::FresnelModel> fresnel;
+  std::optional<description::GeometryModel> geometry;
 };
 
 // All problems at once, as far as recovery goes (errors at most 20). Reads files only; decodes no

@@ -13,6 +13,7 @@ struct FeatureSet {
   bool delta_lights = true;
   bool environment = true;
   bool thin_lens = true;
+  bool strategies = false;  // RenderOptions' sampling and heuristic count; else Mis by Power
   ModelSet models = all_models;
 
   [[nodiscard]] constexpr bool covers(const SceneFeatures& scene) const {
@@ -23,6 +24,9 @@ struct FeatureSet {
 };
 
 inline constexpr FeatureSet general_features{};
+
+// For comparisons of estimators.
+inline constexpr FeatureSet strategy_features{.strategies = true};
 
 // Cornell boxes and the like: triangles, area lights, opaque untextured surfaces.
 inline constexpr FeatureSet plain_features{

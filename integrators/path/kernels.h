@@ -29,11 +29,24 @@ extern template TileCounts render_tile<general_features>(
     const PathContext<RecordingAccel<BvhAccel>>&, const PixelRect&, std::uint32_t, std::uint32_t,
     Film&);
 
+extern template TileCounts render_tile<strategy_features>(const PathContext<EmbreeAccel>&,
+                                                          const PixelRect&, std::uint32_t,
+                                                          std::uint32_t, Film&);
+extern template TileCounts render_tile<strategy_features>(const PathContext<BvhAccel>&,
+                                                          const PixelRect&, std::uint32_t,
+                                                          std::uint32_t, Film&);
+
 template <class A>
 struct PathKernel {
   std::string_view name;
   TileKernel<A> render;
 };
+
+// For comparisons of estimators.
+template <class A>
+[[nodiscard]] PathKernel<A> strategy_kernel() {
+  return {"strategies", &render_tile<strategy_features, A>};
+}
 
 // The smallest instance that covers the scene. The reference BVH and the recorder have only the
 // general one.

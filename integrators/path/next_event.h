@@ -3,11 +3,11 @@
 
 #include "integrators/path/context.h"
 #include "integrators/path/feature_set.h"
+#include "integrators/path/strategy.h"
 #include "renderer/accel/accelerator.h"
 #include "renderer/bsdf/dispatch.h"
 #include "renderer/geometry/surface_point.h"
 #include "renderer/light/sample_light.h"
-#include "renderer/sampling/mis.h"
 
 namespace candela {
 
@@ -36,7 +36,7 @@ template <FeatureSet F, class A>
   }
   const BsdfEvaluation f = evaluate_bsdf<F.models>(bsdf, wo_local, wi_local);
   const float pdf = light.pdf * choice;
-  const float weight = light.is_delta ? 1.0f : power_heuristic(pdf, f.pdf);
+  const float weight = light.is_delta ? 1.0f : light_sample_weight<F>(context.options, pdf, f.pdf);
   const Rgb contribution = f.value * light.radiance * (weight / pdf);
   if (is_black(contribution)) {
     ++counts.skipped.shadow_rays;

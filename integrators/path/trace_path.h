@@ -21,42 +21,46 @@ struct PathState {
   float bsdf_pdf = 0;     // solid angle, of the direction of `ray`
   float eta_squared = 1;  // what refraction multiplied the throughput by: no loss of light
   bool is_delta = true;   // camera rays and delta lobes: only this strategy finds the light
-  bool is_invalid = false;
 };
 
-// The weight of light found by following the BSDF, against the light sampler's density.
-[[nodiscard]] inline float bsdf_strategy_weight(const PathState& path, float light_pdf) {
-  return path.is_delta ? 1.0f : power_heuristic(path.bsdf_pdf, light_pdf);
+// Light that the path met; `light_pdf` is the light sampler's density of its direction, 0 where it
+// would not have found it.
+template <FeatureSet F>
+inline void add_met_light(const RenderOptions& options, const Rgb& radiance, float light_pdf,
+                          PathState& path) {
+  const float weight =
+      path.is_delta ? 1.0f : met_light_weight<F>(options, path.bsdf_pdf, light_pdf);
+  path.radiance += path.throughput * radiance * weight;
 }
 
 // Light from a ray that left the scene.
 template <FeatureSet F>
-inline void add_environment(const Scene& scene, std::uint32_t bounce, bool is_hidden,
+inline void add_environment(const Scene& scene, const RenderOptions& options, std::uint32_t bounce,
                             PathState& path) {
   if constexpr (F.environment) {
     if (!scene.environment) return;
     const Environment& environment = *scene.environment;
-    if (bounce == 0 && (is_hidden || !environment.is_seen_by_camera)) return;
+    if (bounce == 0 && (options.transparent || !environment.is_seen_by_camera)) return;
     const Rgb radiance = environment_radiance(environment, scene.textures, path.ray.direction);
     const bool is_unsampled = path.is_delta || scene.environment_light == Light::none;
     const float pdf = is_unsampled ? 0.0f
                                    : environment_pdf(environment, path.ray.direction) *
                                          scene.light_sampler.probability(scene.environment_light);
-    path.radiance += path.throughput * radiance * bsdf_strategy_weight(path, pdf);
+    add_met_light<F>(options, radiance, pdf, path);
   }
 }
 
 // Light that the surface itself sends back along the ray.
-inline void add_emission(const Scene& scene, const Geometry& geometry, const Hit& hit,
-                         PathState& path) {
+template <FeatureSet F>
+inline void add_emission(const Scene& scene, const RenderOptions& options, const Geometry& geometry,
+                         const Hit& hit, PathState& path) {
   const std::uint32_t index = geometry.first_light + hit.triangle;
   const Light& light = scene.lights[index];
   const Vec3f& wi = path.ray.direction;
   const float pdf =
       path.is_delta ? 0.0f
                     : triangle_light_pdf(light, wi, hit.t) * scene.light_sampler.probability(index);
-  path.radiance +=
-      path.throughput * triangle_light_radiance(light, -wi) * bsdf_strategy_weight(path, pdf);
+  add_met_light<F>(options, triangle_light_radiance(light, -wi), pdf, path);
 }
 
 template <FeatureSet F>
@@ -79,14 +83,23 @@ template <FeatureSet F>
   return point;
 }
 
-// Continues the path in a direction drawn from the BSDF; false where it ends.
+// A direction drawn from the BSDF, or from what the options ask for.
 template <FeatureSet F>
-[[nodiscard]] inline bool scatter(const Sampler& sampler, std::uint32_t bounce,
-                                  const SurfacePoint& point, const Bsdf& bsdf,
-                                  const Vec3f& wo_local, PathState& path) {
+[[nodiscard]] inline BsdfSample sample_direction(const RenderOptions& options,
+                                                 const Sampler& sampler, std::uint32_t bounce,
+                                                 const Bsdf& bsdf, const Vec3f& wo_local) {
   const float lobe = picks_a_lobe(bsdf) ? sampler.sample_1d(bounce, Dimension::LobeChoice) : 0.0f;
-  const BsdfSample sample =
-      sample_bsdf<F.models>(bsdf, wo_local, lobe, sampler.sample_2d(bounce, Dimension::Direction));
+  const Vec2f direction = sampler.sample_2d(bounce, Dimension::Direction);
+  if constexpr (F.strategies) {
+    if (!samples_bsdfs(options.sampling) && !is_only_delta(bsdf))
+      return sample_plain_direction<F.models>(options.sampling, bsdf, wo_local, lobe, direction);
+  }
+  return sample_bsdf<F.models>(bsdf, wo_local, lobe, direction);
+}
+
+// Continues the path in a direction of a sample; false where it ends.
+[[nodiscard]] inline bool scatter(const SurfacePoint& point, const BsdfSample& sample,
+                                  PathState& path) {
   if (is_black(sample.weight)) return false;
   const Vec3f wi = point.shading.to_world(sample.wi);
   if (!is_consistent(point, wi, sample.wi)) return false;
@@ -128,7 +141,7 @@ template <FeatureSet F, class A>
     }
     const Hit hit = context.accelerator.intersect(path.ray);
     if (!hit.is_hit()) {
-      add_environment<F>(scene, bounce, context.options.transparent, path);
+      add_environment<F>(scene, context.options, bounce, path);
       if (bounce == 0) sample.alpha = 0;
       break;
     }
@@ -136,7 +149,7 @@ template <FeatureSet F, class A>
     const Material& material = scene.materials[geometry.material.index];
     const Vec3f wo = -path.ray.direction;
     const SurfacePoint point = surface_point_at<F>(scene, hit, material, wo);
-    if (geometry.is_emissive()) add_emission(scene, geometry, hit, path);
+    if (geometry.is_emissive()) add_emission<F>(scene, context.options, geometry, hit, path);
     const bool is_last = bounce >= context.max_depth;
     if (is_last && (bounce > 0 || context.options.aovs == 0)) break;
 
@@ -145,10 +158,11 @@ template <FeatureSet F, class A>
     if (bounce == 0 && context.options.aovs != 0)
       record_first_hit(scene, context.camera, geometry, point, bsdf, wo_local, sample);
     if (is_last) break;
-    if (!is_only_delta(bsdf))
+    if (!is_only_delta(bsdf) && (!F.strategies || samples_lights(context.options.sampling)))
       path.radiance += path.throughput *
                        direct_light<F>(context, sampler, bounce, point, bsdf, wo_local, counts);
-    if (!scatter<F>(sampler, bounce, point, bsdf, wo_local, path)) break;
+    const BsdfSample next = sample_direction<F>(context.options, sampler, bounce, bsdf, wo_local);
+    if (!scatter(point, next, path)) break;
     if (!survives_roulette(sampler, bounce, path)) break;
     ++counts.rays.indirect;
   }

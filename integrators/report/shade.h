@@ -11,6 +11,7 @@
 
 #include "integrators/first_hit.h"
 #include "integrators/path/render_tile.h"  // camera_ray, surface_point_at
+#include "integrators/plain_direction.h"
 #include "integrators/report/ggx_half_vector.h"
 #include "integrators/report/report_context.h"
 
@@ -61,12 +62,14 @@ template <class A>
 // 3. A direction for the reflected light: cosine-weighted, theta = arccos sqrt(1 - xi) (corrected:
 // 3.8), and where ks > 0 one of that and the mirror direction about a half vector. The density is
 // that of both together, p_ggx = D (n.h) / (4 (wo.h)) (corrected: 3.9, 3.10). `weight` is all of
-// f cos / pdf; zero below the surface.
-[[nodiscard]] inline BsdfSample sample_reflection(const Sampler& sampler, std::uint32_t bounce,
-                                                  const ReportPoint& at) {
+// f cos / pdf; zero below the surface. For comparison (4.2): uniform or cosine-weighted directions
+// whatever the material.
+[[nodiscard]] inline BsdfSample sample_reflection(SamplingStrategy strategy, const Sampler& sampler,
+                                                  std::uint32_t bounce, const ReportPoint& at) {
+  const Vec2f xi = sampler.sample_2d(bounce, Dimension::Direction);
+  if (!samples_bsdfs(strategy)) return sample_plain_direction(strategy, at.bsdf, at.wo, 0, xi);
   const float a = ggx_width(at.bsdf.alpha);
   const float p_ggx = half_vector_probability(at.bsdf, at.wo.z);
-  const Vec2f xi = sampler.sample_2d(bounce, Dimension::Direction);
   const bool is_ggx = sampler.sample_1d(bounce, Dimension::LobeChoice) < p_ggx;
   const Vec3f wi = is_ggx ? reflect_about(at.wo, sample_ggx_half_vector(a, xi))
                           : square_to_cosine_hemisphere(xi);
@@ -121,7 +124,8 @@ template <class A>
     // 2. "if random_float > P_RR return L_dir".
     if (!(sampler.sample_1d(bounce, Dimension::Roulette) < context.p_rr)) break;
 
-    const BsdfSample reflection = sample_reflection(sampler, bounce, at);  // 3.
+    const BsdfSample reflection =
+        sample_reflection(context.base.options.sampling, sampler, bounce, at);  // 3.
     if (is_black(reflection.weight)) break;
     const Vec3f wi = p.shading.to_world(reflection.wi);
     if (!is_consistent(p, wi, reflection.wi)) break;

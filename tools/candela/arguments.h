@@ -46,6 +46,8 @@ struct RenderArguments {
   std::size_t camera = 0;
   std::optional<PixelRect> crop;
   std::optional<DepthLimit> max_depth;
+  std::optional<SamplingStrategy> sampling;
+  std::optional<Heuristic> heuristic;
   std::optional<SpecularModel> specular;
   bool has_lab_normals = false;
   std::optional<double> report_p_rr;

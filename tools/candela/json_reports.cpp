@@ -52,6 +52,11 @@ void add_options(Json& json, const RenderReport& report) {
     json["specular"] = name_of(options.specular, specular_choices());
     json["lab_normals"] = options.lab_normals;
   }
+  if (!is_lab_shading(options.integrator)) {
+    json["sampling"] = sampling_name(options);
+    if (options.integrator == IntegratorKind::Path)
+      json["heuristic"] = name_of(options.heuristic, heuristic_choices());
+  }
   if (options.integrator == IntegratorKind::Report) json["rr"] = options.report_p_rr;
   json["filter"] = name_of(options.filter, filter_choices());
   json["transparent"] = options.transparent;

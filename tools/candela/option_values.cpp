@@ -9,12 +9,26 @@
 namespace candela::cli {
 namespace {
 
+using description::FresnelModel;
+using description::GeometryModel;
+
 constexpr Choice<IntegratorKind> integrators[] = {{"path", IntegratorKind::Path},
                                                   {"whitted", IntegratorKind::Whitted},
                                                   {"raster", IntegratorKind::Raster},
                                                   {"report", IntegratorKind::Report}};
 constexpr Choice<SpecularModel> speculars[] = {{"blinn", SpecularModel::Blinn},
                                                {"phong", SpecularModel::Phong}};
+constexpr Choice<SamplingStrategy> samplings[] = {{"uniform", SamplingStrategy::Uniform},
+                                                  {"cosine", SamplingStrategy::Cosine},
+                                                  {"bsdf", SamplingStrategy::Bsdf},
+                                                  {"light", SamplingStrategy::Light},
+                                                  {"mis", SamplingStrategy::Mis}};
+constexpr Choice<Heuristic> heuristics[] = {{"balance", Heuristic::Balance},
+                                            {"power", Heuristic::Power}};
+constexpr Choice<FresnelModel> fresnels[] = {{"schlick", FresnelModel::Schlick},
+                                             {"exact", FresnelModel::Exact}};
+constexpr Choice<GeometryModel> geometries[] = {{"schlick_ggx", GeometryModel::SchlickGgx},
+                                                {"smith", GeometryModel::Smith}};
 constexpr Choice<FilterKind> filters[] = {{"box", FilterKind::Box},
                                           {"gaussian", FilterKind::Gaussian},
                                           {"blackman_harris", FilterKind::BlackmanHarris}};
@@ -58,6 +72,18 @@ std::span<const Choice<IntegratorKind>> integrator_choices() {
 }
 std::span<const Choice<SpecularModel>> specular_choices() {
   return speculars;
+}
+std::span<const Choice<SamplingStrategy>> sampling_choices() {
+  return samplings;
+}
+std::span<const Choice<Heuristic>> heuristic_choices() {
+  return heuristics;
+}
+std::span<const Choice<FresnelModel>> fresnel_choices() {
+  return fresnels;
+}
+std::span<const Choice<GeometryModel>> geometry_choices() {
+  return geometries;
 }
 std::span<const Choice<FilterKind>> filter_choices() {
   return filters;

@@ -66,6 +66,10 @@ void add_reading(CLI::App& command, SceneArguments& scene) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   add_value(command, "--ambient", "R,G,B", scene.load.ambient, parse_rgb,
             "Radiance of the constant environment in place of the scene's AmbientIntensity");
+  add_choice(command, "--fresnel", "Fresnel term", scene.load.fresnel, fresnel_choices(),
+             "Of all cook_torrance materials [the scene's]");
+  add_choice(command, "--geometry", "geometry term", scene.load.geometry, geometry_choices(),
+             "Of all cook_torrance materials [the scene's]");
   command.add_flag("--strict", scene.is_strict, "Treat warnings as errors (exit 3)");
 }
 
@@ -118,6 +122,12 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
   add_value(command, "--max-depth", "N|none", render.max_depth, parse_depth_limit,
             "Longest path in bounces: 0 sees lights only, 1 direct light [the scene's, else none]; "
             "for whitted surfaces that a ray may meet [the scene's, else 5]");
+  add_choice(command, "--sampling", "strategy", render.sampling, sampling_choices(),
+             "How path finds light, for comparisons: light samples and directions weighted (mis), "
+             "one of them alone, or light samples with plain directions; report takes light, "
+             "cosine, uniform [mis; report: light]");
+  add_choice(command, "--heuristic", "heuristic", render.heuristic, heuristic_choices(),
+             "How mis weights [power]");
   add_choice(command, "--specular", "highlight", render.specular, specular_choices(),
              "How whitted and raster shade highlights [blinn]");
   command.add_flag("--lab-normals", render.has_lab_normals,

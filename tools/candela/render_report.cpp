@@ -19,6 +19,20 @@ std::string lab_text(const RenderOptions& options) {
                      options.lab_normals ? "yes" : "no");
 }
 
+std::string strategy_text(const RenderOptions& options) {
+  switch (options.integrator) {
+    case IntegratorKind::Path:
+      return fmt::format(" sampling={} heuristic={}", sampling_name(options),
+                         name_of(options.heuristic, heuristic_choices()));
+    case IntegratorKind::Report:
+      return fmt::format(" sampling={} rr={}", sampling_name(options), options.report_p_rr);
+    case IntegratorKind::Whitted:
+    case IntegratorKind::Raster:
+      return "";
+  }
+  return "";
+}
+
 // Everything that decides the pixels, in one line.
 std::string options_text(const RenderReport& report) {
   const RenderOptions& options = report.options;
@@ -26,14 +40,20 @@ std::string options_text(const RenderReport& report) {
   const PixelRect crop = options.crop.value_or(whole);
   return fmt::format(
       "size={}x{} crop={},{},{},{} camera={} max_depth={} filter={} transparent={} accel={} "
-      "robust={}{}",
+      "robust={}{}{}",
       options.width, options.height, crop.x0, crop.y0, crop.x1, crop.y1, options.camera,
       depth_text(options.max_depth), name_of(options.filter, filter_choices()),
       options.transparent ? "yes" : "no", name_of(report.accelerator, accelerator_choices()),
-      report.is_robust ? "on" : "off", lab_text(options));
+      report.is_robust ? "on" : "off", lab_text(options), strategy_text(options));
 }
 
 }  // namespace
+
+std::string_view sampling_name(const RenderOptions& options) {
+  const bool is_own =
+      options.integrator == IntegratorKind::Report && options.sampling == SamplingStrategy::Mis;
+  return name_of(is_own ? SamplingStrategy::Light : options.sampling, sampling_choices());
+}
 
 std::uint64_t peak_memory_bytes() {
   std::ifstream status("/proc/self/status");

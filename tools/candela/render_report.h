@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "integrators/render.h"
@@ -44,6 +45,9 @@ struct RenderReport {
     return min_samples < static_cast<std::uint32_t>(options.samples_per_pixel);
   }
 };
+
+// The report integrator's own way is called light: its lamps are sampled, never met.
+[[nodiscard]] std::string_view sampling_name(const RenderOptions& options);
 
 // The process's largest resident memory so far (VmHWM); 0 where the system does not tell.
 [[nodiscard]] std::uint64_t peak_memory_bytes();

@@ -143,6 +143,28 @@ void settle_camera(const RenderArguments& arguments,
                 ExitCode::Usage};
 }
 
+void refuse_sampling(const RenderArguments& arguments, const RenderOptions& options) {
+  const std::string_view name = integrator_name(options);
+  if ((arguments.sampling || arguments.heuristic) && is_lab_shading(options.integrator))
+    throw Refusal{fmt::format("{} is for path and report, this is {}",
+                              arguments.sampling ? "--sampling" : "--heuristic", name),
+                  ExitCode::Usage};
+  const bool is_report = options.integrator == IntegratorKind::Report;
+  if (is_report &&
+      (options.sampling == SamplingStrategy::Bsdf || arguments.sampling == SamplingStrategy::Mis))
+    throw Refusal{
+        fmt::format("--sampling {}: the report integrator always samples its lamps alone; "
+                    "expected light, cosine or uniform",
+                    name_of(options.sampling, sampling_choices())),
+        ExitCode::Usage};
+  if (arguments.heuristic && (is_report || options.sampling != SamplingStrategy::Mis))
+    throw Refusal{"--heuristic weights the strategies of path with --sampling mis",
+                  ExitCode::Usage};
+  if (arguments.measures_ray_limit && (arguments.sampling || arguments.heuristic))
+    throw Refusal{"--ray-limit measures the default kernels: not with --sampling or --heuristic",
+                  ExitCode::Usage};
+}
+
 // What the chosen integrator has no use for.
 void refuse_what_does_not_fit(const RenderArguments& arguments, const RenderOptions& options) {
   const std::string_view name = integrator_name(options);
@@ -197,7 +219,10 @@ RenderSettings settled(const RenderArguments& arguments,
   options.transparent = arguments.is_transparent;
   options.lab_normals = arguments.has_lab_normals;
   options.specular = arguments.specular.value_or(options.specular);
+  options.sampling = arguments.sampling.value_or(options.sampling);
+  options.heuristic = arguments.heuristic.value_or(options.heuristic);
   refuse_what_does_not_fit(arguments, options);
+  refuse_sampling(arguments, options);
   if (is_lab_shading(options.integrator)) options.filter = FilterKind::Box;
   refuse_giant(options);
   settings.display = {arguments.tone_map,

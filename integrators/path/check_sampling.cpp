@@ -1,0 +1,102 @@
+#include "integrators/path/check_sampling.h"
+
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "integrators/worn_materials.h"
+#include "renderer/bsdf/ggx.h"
+
+namespace candela {
+namespace {
+
+using namespace description;
+
+bool is_smooth(const ScalarInput& roughness) {
+  return !roughness.map && roughness.factor < static_cast<double>(smallest_ggx_width);
+}
+
+// The delta lobe of a material, or "".
+struct NameOfDeltaLobe {
+  std::string_view operator()(const MirrorMaterial&) const { return "a mirror"; }
+  std::string_view operator()(const ConductorMaterial& m) const {
+    return is_smooth(m.roughness) ? "a smooth conductor" : "";
+  }
+  std::string_view operator()(const DielectricMaterial& m) const {
+    return m.is_thin || is_smooth(m.roughness) ? "a smooth dielectric" : "";
+  }
+  template <class Rough>
+  std::string_view operator()(const Rough&) const {
+    return "";
+  }
+};
+
+// The kind of a delta light that sheds light, or "".
+struct NameOfDeltaLight {
+  std::string_view operator()(const PointLight& light) const {
+    return light.intensity == Vec3d(0.0) ? "" : "a point light";
+  }
+  std::string_view operator()(const SpotLight& light) const {
+    return light.intensity == Vec3d(0.0) ? "" : "a spot light";
+  }
+  std::string_view operator()(const DirectionalLight& light) const {
+    return light.irradiance == Vec3d(0.0) ? "" : "a directional light";
+  }
+  template <class Wide>
+  std::string_view operator()(const Wide&) const {
+    return "";
+  }
+};
+
+std::string_view name_of(SamplingStrategy strategy) {
+  switch (strategy) {
+    case SamplingStrategy::Mis:
+      return "mis";
+    case SamplingStrategy::Light:
+      return "light";
+    case SamplingStrategy::Bsdf:
+      return "bsdf";
+    case SamplingStrategy::Cosine:
+      return "cosine";
+    case SamplingStrategy::Uniform:
+      return "uniform";
+  }
+  return "";
+}
+
+void check_lobes(const SceneDescription& scene, SamplingStrategy strategy,
+                 Diagnostics& diagnostics) {
+  const std::vector<bool> worn = worn_materials(scene);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const Material& material = scene.materials[i];
+    const std::string_view lobe = std::visit(NameOfDeltaLobe{}, material.model);
+    if (worn[i] && !lobe.empty())
+      diagnostics.error(material.span,
+                        fmt::format("material '{}' is {}, in which sampling by '{}' cannot see "
+                                    "lights; expected mis or bsdf",
+                                    material.name, lobe, name_of(strategy)));
+  }
+}
+
+void check_lights(const SceneDescription& scene, Diagnostics& diagnostics) {
+  for (const Light& light : scene.lights) {
+    const std::string_view kind = std::visit(NameOfDeltaLight{}, light.kind);
+    if (!kind.empty())
+      diagnostics.error(light.span,
+                        fmt::format("the scene has {}, which sampling by 'bsdf' never meets; "
+                                    "expected mis, light, cosine or uniform",
+                                    kind));
+  }
+}
+
+}  // namespace
+
+Diagnostics check_sampling(const SceneDescription& scene, SamplingStrategy strategy) {
+  Diagnostics diagnostics;
+  if (strategy == SamplingStrategy::Bsdf) check_lights(scene, diagnostics);
+  if (strategy != SamplingStrategy::Bsdf && strategy != SamplingStrategy::Mis)
+    check_lobes(scene, strategy, diagnostics);
+  return diagnostics;
+}
+
+}  // namespace candela

@@ -1,0 +1,26 @@
+// Which estimators of the light at a surface an integrator uses, alone or together.
+#pragma once
+
+#include <cstdint>
+
+namespace candela {
+
+//            light at a surface          next direction   lamps that a path meets
+//   Mis      light samples and BSDF      BSDF             weighted against light samples
+//   Light    light samples               BSDF             not counted: the light samples have them
+//   Bsdf     none                        BSDF             counted
+//   Cosine   light samples               by the cosine    not counted
+//   Uniform  light samples               uniform          not counted
+//
+// All converge to the same picture but for what they cannot see: only Mis and Bsdf find light
+// through delta lobes, and Bsdf does not find delta lights (check_sampling.h refuses such scenes).
+enum class SamplingStrategy : std::uint8_t { Mis, Light, Bsdf, Cosine, Uniform };
+
+[[nodiscard]] constexpr bool samples_lights(SamplingStrategy strategy) {
+  return strategy != SamplingStrategy::Bsdf;
+}
+[[nodiscard]] constexpr bool samples_bsdfs(SamplingStrategy strategy) {
+  return strategy != SamplingStrategy::Cosine && strategy != SamplingStrategy::Uniform;
+}
+
+}  // namespace candela
