@@ -66,10 +66,6 @@ void add_reading(CLI::App& command, SceneArguments& scene) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   add_value(command, "--ambient", "R,G,B", scene.load.ambient, parse_rgb,
             "Radiance of the constant environment in place of the scene's AmbientIntensity");
-  add_choice(command, "--fresnel", "Fresnel term", scene.load.fresnel, fresnel_choices(),
-             "Of all cook_torrance materials [the scene's]");
-  add_choice(command, "--geometry", "geometry term", scene.load.geometry, geometry_choices(),
-             "Of all cook_torrance materials [the scene's]");
   command.add_flag("--strict", scene.is_strict, "Treat warnings as errors (exit 3)");
 }
 
@@ -128,6 +124,10 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
              "cosine, uniform [mis; report: light]");
   add_choice(command, "--heuristic", "heuristic", render.heuristic, heuristic_choices(),
              "How mis weights [power]");
+  add_choice(command, "--fresnel", "Fresnel term", render.scene.load.fresnel, fresnel_choices(),
+             "Of all cook_torrance materials [the scene's]");
+  add_choice(command, "--geometry", "geometry term", render.scene.load.geometry, geometry_choices(),
+             "Of all cook_torrance materials [the scene's]");
   add_choice(command, "--specular", "highlight", render.specular, specular_choices(),
              "How whitted and raster shade highlights [blinn]");
   command.add_flag("--lab-normals", render.has_lab_normals,
