@@ -10,6 +10,11 @@ float versine(double angle_radians) {
   return static_cast<float>(2 * square(std::sin(0.5 * angle_radians)));
 }
 
+// The products of floats are exact in double, so even needles have a normal.
+Vec3f unit_normal(const Vec3f& edge1, const Vec3f& edge2, double area) {
+  return Vec3f(cross(Vec3d(edge1), Vec3d(edge2)) * (0.5 / area));
+}
+
 }  // namespace
 
 Light make_point_light(const Vec3f& position, const Rgb& intensity) {
@@ -37,15 +42,6 @@ Light make_directional_light(const Vec3d& to_light, const Rgb& irradiance) {
   light.emission = irradiance;
   return light;
 }
-
-namespace {
-
-// The products of floats are exact in double, so even needles have a normal.
-Vec3f unit_normal(const Vec3f& edge1, const Vec3f& edge2, double area) {
-  return Vec3f(cross(Vec3d(edge1), Vec3d(edge2)) * (0.5 / area));
-}
-
-}  // namespace
 
 Light make_triangle_light(const std::array<Vec3f, 3>& vertices, const Rgb& radiance,
                           bool emits_both_sides) {

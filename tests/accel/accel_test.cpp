@@ -75,6 +75,30 @@ TEST(Unit_Accel, OracleIsContentWithInstances) {
   expect_oracle_content(scene, placed(soup, some_instances()));
 }
 
+// Shadow rays end at t = 1, whatever their length: the answer is that of the unit ray, from far away
+// and from as near as floats allow, and nothing aborts.
+template <Accelerator A>
+void expect_any_length(const A& accelerator, const std::vector<Ray>& rays) {
+  for (const Ray& ray : rays) {
+    const bool expected = accelerator.occluded(ray);
+    for (const int exponent : {-60, -30, -3, 3, 20}) {
+      const float scale = std::ldexp(1.0f, exponent);
+      const Ray scaled{ray.origin, ray.direction * scale, ray.t_max / scale};
+      ASSERT_TRUE(is_traceable(scaled));
+      const bool found = accelerator.occluded(scaled);
+      if (exponent > -30) ASSERT_EQ(found, expected) << "2^" << exponent;
+    }
+  }
+}
+
+TEST(Unit_Accel, DirectionsMayHaveAnyLength) {
+  const Soup soup = test::random_soup(200, 0.3f, 19);
+  const Scene scene = test::scene_of(soup);
+  const std::vector<Ray> rays = test::random_rays(soup, 1000, 20);
+  expect_any_length(EmbreeAccel(scene), rays);
+  expect_any_length(BvhAccel(scene), rays);
+}
+
 // A complaint about a wrong answer, or the tests above show nothing.
 TEST(Unit_Accel, OracleComplains) {
   const Soup soup = test::random_soup(50, 0.5f, 18);
