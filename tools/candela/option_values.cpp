@@ -150,7 +150,7 @@ Result<double> parse_probability(std::string_view text) {
 Result<Size> parse_size(std::string_view text) {
   const auto parts = split(text, 'x');
   const auto width = whole<int>(parts[0]);
-  const auto height = parts.size() == 2 ? whole<int>(parts[1]) : std::nullopt;
+  const auto height = whole<int>(parts.size() == 2 ? parts[1] : std::string_view());
   if (!width || !height)
     return failure(fmt::format("expected WIDTHxHEIGHT such as 640x480, found '{}'", text));
   if (*width < 1 || *height < 1 || *width > max_side || *height > max_side)
