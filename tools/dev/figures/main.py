@@ -1,0 +1,119 @@
+"""Renders the report's figures and writes them as one page; tools/figures calls this."""
+
+import argparse
+import datetime
+import json
+import os
+import pathlib
+import shlex
+import shutil
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+NAMES = ("figure_1", "figure_2", "figure_3", "figure_4", "figure_5", "encoded_average", "furnace",
+         "course_scenes")
+DOCS_PLOTS = ("encoded_average_ceiling", "furnace")
+
+
+def arguments():
+    parser = argparse.ArgumentParser(
+        prog="tools/figures",
+        description="Renders the report's figures and writes them as one HTML page.")
+    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("figures"), metavar="DIR",
+                        help="folder for index.html, figures.json, renders and plots (figures)")
+    parser.add_argument("--quick", action="store_true",
+                        help="smaller pictures and fewer samples: under 2 minutes on 2 cores")
+    parser.add_argument("--docs", action="store_true",
+                        help="also put the plots that docs/ shows into docs/images")
+    parser.add_argument("--only", action="append", metavar="NAME", choices=NAMES,
+                        help="make this one alone; may be given several times: " + ", ".join(NAMES))
+    parser.add_argument("--tiny", action="store_true", help=argparse.SUPPRESS)  # for the tests
+    parser.add_argument("--program", type=pathlib.Path, help=argparse.SUPPRESS,
+                        default=ROOT / "build" / "release" / "candela")
+    return parser.parse_args()
+
+
+def processor():
+    name = next((line.split(":", 1)[1].strip()
+                 for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines()
+                 if line.startswith("model name")), "unknown")
+    return f"{name}, {len(os.sched_getaffinity(0))} processors"
+
+
+def makers():
+    """What makes each figure, in the order of the page."""
+    import convergence
+    import course_scenes
+    import encoded_average
+    import furnace
+    import ray_tracing
+    import strategies
+
+    return {
+        "figure_1": convergence.make,
+        "figure_2": ray_tracing.overview,
+        "figure_3": ray_tracing.colour_bleeding,
+        "figure_4": ray_tracing.penumbra,
+        "figure_5": strategies.make,
+        "encoded_average": encoded_average.make,
+        "furnace": furnace.make,
+        "course_scenes": lambda shop: course_scenes.make(shop, course_scenes.folder_of_scenes(ROOT)),
+    }
+
+
+def figures_of(workshop, only):
+    for name, make in makers().items():
+        if only and name not in only:
+            continue
+        start = time.monotonic()
+        yield make(workshop)
+        print(f"tools/figures: {name}: {time.monotonic() - start:.1f} s", file=sys.stderr)
+
+
+def run(options):
+    from page import page
+    from renders import Candela
+    from scale import FULL, QUICK, TINY
+    from workshop import Workshop
+
+    start = time.monotonic()
+    out = options.out.resolve()
+    candela = Candela(options.program, out / "renders")
+    scale = TINY if options.tiny else QUICK if options.quick else FULL
+    workshop = Workshop(candela, scale, ROOT / "assets", out)
+    record = {
+        "version": candela.version(),
+        "command": shlex.join(["tools/figures", *sys.argv[1:]]),
+        "date": datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC"),
+        "processor": processor(),
+        "figures": list(figures_of(workshop, options.only)),
+    }
+    record["seconds"] = round(time.monotonic() - start, 1)
+    (out / "figures.json").write_text(json.dumps(record, indent=1, allow_nan=False) + "\n")
+    (out / "index.html").write_text(page(out, record))
+    if options.docs:
+        for name in DOCS_PLOTS:
+            if not workshop.plot(name).exists():  # left out by --only
+                continue
+            shutil.copyfile(workshop.plot(name), ROOT / "docs" / "images" / f"{name}.png")
+    print(out / "index.html")
+
+
+def main():
+    options = arguments()
+    try:
+        import matplotlib  # noqa: F401
+        import numpy  # noqa: F401
+    except ImportError as missing:
+        sys.exit(f"tools/figures: {missing}; expected Debian's python3-numpy and "
+                 "python3-matplotlib, which `tools/setup --figures` installs.")
+    from renders import CandelaFailed
+    try:
+        run(options)
+    except (CandelaFailed, OSError) as problem:
+        sys.exit(f"tools/figures: {problem}")
+
+
+if __name__ == "__main__":
+    main()
