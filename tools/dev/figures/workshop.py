@@ -25,7 +25,7 @@ class Workshop:
         """Of an asset, by `path`; rendered once a run."""
         if name not in self.references:
             self.references[name] = self.candela.render(
-                f"reference_{name}", self.scene(name), spp=self.scale.reference_spp,
+                f"reference_{name}", self.scene(name), spp=self.scale.reference_spp[name],
                 size=square(self.scale.size), seed=REFERENCE_SEED)
         return self.references[name]
 
