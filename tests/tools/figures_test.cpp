@@ -172,6 +172,9 @@ void expect_what_the_sentences_say(const FiguresRun& run) {
     if (row["spp"] != 4) continue;
     EXPECT_LT(row["encoded_each"], row["encoded_once"]) << row;
   }
+  const Json& strategies = run.figure("figure_5")["rows"];
+  ASSERT_EQ(strategies[5]["caption"], "all diffuse, uniform");
+  EXPECT_GT(strategies[5]["relmse"], strategies[6]["relmse"]) << strategies[6]["caption"];
   const Json& furnace = run.figure("furnace")["rows"];
   for (const Json& row : furnace) EXPECT_NEAR(row["compensated"], 1, 0.02) << row;
   // Mean albedo of roughness .2 and 1, by a Monte Carlo integral of its own.

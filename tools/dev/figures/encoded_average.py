@@ -13,7 +13,7 @@ SCENE = "cornell_box_diffuse"
 # Columns and rows of a picture of 512 x 512: the ceiling in front of the lamp, and the tall box's
 # shadow on the floor.
 REGIONS = {"ceiling": ((150, 360), (8, 60)), "shadow": ((110, 150), (395, 410))}
-STRATEGIES = {"uniform": "C0", "mis": "C1"}
+STRATEGIES = {"uniform": "C0", "cosine": "C1"}
 GAMMA = 2.2  # the lab's display
 
 

@@ -24,7 +24,7 @@ def line_plot(path, curves, x_label, y_label, log=False, log_x=False, marks="o",
         axes.set_xticks(curves[0][1], [f"{x:g}" for x in curves[0][1]])
     axes.set(xlabel=x_label, ylabel=y_label)
     axes.grid(alpha=.3)
-    axes.legend(fontsize=8)
+    axes.legend(fontsize=8, handlelength=3.5)
     save(figure, path)
 
 
@@ -39,7 +39,7 @@ def bar_plot(path, groups, y_label):
     axes.set_yscale("log")
     axes.set_ylabel(y_label)
     axes.grid(axis="y", alpha=.3)
-    axes.legend(fontsize=8)
+    axes.legend(fontsize=8, handlelength=3.5)
     save(figure, path)
 
 
