@@ -9,6 +9,7 @@
 #include "renderer/accel/alpha_test.h"
 #include "renderer/accel/embree_api.h"
 #include "renderer/accel/placement.h"
+#include "renderer/base/handover.h"
 #include "renderer/base/parallel.h"
 
 namespace candela {
@@ -73,6 +74,7 @@ void set_ray(RTCRay& target, const Ray& ray) {
 struct EmbreeAccel::State {
   const Scene* scene = nullptr;
   EmbreeOptions options;
+  Handover callbacks;  // Embree calls back from threads of its own
   std::atomic<std::size_t> bytes{0};
   std::mutex error_mutex;
   RTCError error = RTC_ERROR_NONE;
@@ -100,21 +102,25 @@ struct EmbreeAccel::State {
 
 void EmbreeAccel::State::record_error(void* state, RTCError code, const char* text) {
   State& self = *static_cast<State*>(state);
+  self.callbacks.enter();
   const std::lock_guard lock(self.error_mutex);
   // A failed allocation explains what fails after it.
   if (self.error != RTC_ERROR_NONE && code != RTC_ERROR_OUT_OF_MEMORY) return;
   self.error = code;
   self.error_text = text ? text : "";
+  self.callbacks.leave();
 }
 
 bool EmbreeAccel::State::count_bytes(void* state, ssize_t bytes, bool /*is_done*/) {
   State& self = *static_cast<State*>(state);
+  self.callbacks.enter();
   const std::size_t now = self.bytes += static_cast<std::size_t>(bytes);
   return bytes <= 0 || self.options.memory_limit_bytes == 0 ||
          now <= self.options.memory_limit_bytes;
 }
 
 void EmbreeAccel::State::throw_if_failed() {
+  callbacks.end();
   if (error == RTC_ERROR_NONE) return;
   if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
   throw std::runtime_error("Embree: " + error_text);
@@ -123,6 +129,7 @@ void EmbreeAccel::State::throw_if_failed() {
 void EmbreeAccel::State::open_device() {
   device.reset(rtcNewDevice(nullptr));
   if (!device) throw std::runtime_error("Embree cannot open a device on this processor");
+  callbacks.begin();
   rtcSetDeviceErrorFunction(device.get(), record_error, this);
   rtcSetDeviceMemoryMonitorFunction(device.get(), count_bytes, this);
 }

@@ -13,9 +13,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#if defined(CANDELA_THREAD_SANITIZER)
-#include <sanitizer/tsan_interface.h>
-#endif
+#include "renderer/base/handover.h"
 
 namespace candela {
 namespace {
@@ -43,31 +41,6 @@ class FlushDenormals {
 
  private:
   [[maybe_unused]] unsigned before_ = 0;
-};
-
-// ThreadSanitizer sees nothing of how oneTBB's library hands work over; this tells it. What was
-// done before `begin` is seen by bodies between `enter` and `leave`, and what they did after `end`.
-class Handover {
- public:
-  void begin() { release(&begun_); }
-  void enter() { acquire(&begun_); }
-  void leave() { release(&done_); }
-  void end() { acquire(&done_); }
-
- private:
-#if defined(CANDELA_THREAD_SANITIZER)
-  static void acquire(char* place) {
-    __tsan_acquire(place);
-  }
-  static void release(char* place) {
-    __tsan_release(place);
-  }
-#else
-  static void acquire(char*) {}
-  static void release(char*) {}
-#endif
-  char begun_ = 0;
-  char done_ = 0;
 };
 
 }  // namespace
