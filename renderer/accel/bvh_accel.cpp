@@ -125,7 +125,7 @@ struct BvhAccel::State {
       }
       return false;
     };
-    bvh::traverse(triangles.tree, ray, best.t, visit);
+    bvh::traverse<any_hit>(triangles.tree, ray, best.t, visit);
   }
 
   template <bool any_hit>
@@ -134,7 +134,7 @@ struct BvhAccel::State {
     best.t = std::min(ray.t_max, std::numeric_limits<float>::max());
     search<any_hit>(ray, world, ray, none, best);
     if (any_hit && best.is_hit()) return best;
-    bvh::traverse(placed_tree, ray, best.t, [&](std::uint32_t leaf) {
+    bvh::traverse<any_hit>(placed_tree, ray, best.t, [&](std::uint32_t leaf) {
       const PlacedObject& p = placed[placed_tree.leaves[leaf].items[0]];
       search<any_hit>(p.world_to_object.apply(ray), object_of(p.instance), ray, p.instance, best);
       return any_hit && best.is_hit();

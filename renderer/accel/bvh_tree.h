@@ -129,9 +129,24 @@ struct StackEntry {
   return nearest;
 }
 
-// Calls visit(leaf index) for the leaves that the ray meets, near ones first; visit may shorten
-// t_max, and ends the walk by returning true.
-template <class Visit>
+// The same without an order: one of the leaves, if there is one, comes first, since what it holds
+// may end the walk.
+[[nodiscard]] inline StackEntry descend_unordered(const Node& node, const BoxHits& hits,
+                                                  StackEntry* stack, std::size_t& size) {
+  int mask = hits.mask;
+  if (mask == 0) return {no_child, 0};
+  Child first = node.children[lowest_lane(mask)];
+  for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
+    Child child = node.children[lowest_lane(mask)];
+    if (child & leaf_bit) std::swap(child, first);
+    stack[size++] = {child, 0};
+  }
+  return {first, 0};
+}
+
+// Calls visit(leaf index) for the leaves that the ray meets, near ones first unless any hit will
+// do; visit may shorten t_max, and ends the walk by returning true.
+template <bool any_hit, class Visit>
 void traverse(const Tree& tree, const Ray& ray, float& t_max, const Visit& visit) {
   if (tree.root == no_child) return;
   const BoxRay box_ray(ray, tree.bounds);
@@ -142,7 +157,9 @@ void traverse(const Tree& tree, const Ray& ray, float& t_max, const Visit& visit
     if (current.t <= t_max) {
       if (!(current.child & leaf_bit)) {
         const Node& node = tree.nodes[current.child];
-        current = descend(node, hit_boxes(node, box_ray, t_max), stack, size);
+        const BoxHits hits = hit_boxes(node, box_ray, t_max);
+        current =
+            any_hit ? descend_unordered(node, hits, stack, size) : descend(node, hits, stack, size);
         if (current.child != no_child) continue;
       } else if (visit(current.child & ~leaf_bit)) {
         return;
