@@ -28,7 +28,7 @@ double magnitude(const Instance& i) {
 PlacedTriangle placed_triangle(const Scene& scene, const Ray& ray, const Hit& hit) {
   const Geometry& geometry = scene.geometries[hit.geometry];
   PlacedTriangle triangle;
-  for (int i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < 3; ++i)
     triangle.vertices[i] = Vec3d(geometry.positions[geometry.triangles[hit.triangle][i]]);
   if (!hit.is_instanced()) return triangle;
   const Instance& instance = scene.instances[hit.instance];
