@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 namespace candela {
 
@@ -15,6 +16,22 @@ namespace candela {
 // All converge to the same picture but for what they cannot see: only Mis and Bsdf find light
 // through delta lobes, and Bsdf does not find delta lights (check_sampling.h refuses such scenes).
 enum class SamplingStrategy : std::uint8_t { Mis, Light, Bsdf, Cosine, Uniform };
+
+[[nodiscard]] constexpr std::string_view name_of(SamplingStrategy strategy) {
+  switch (strategy) {
+    case SamplingStrategy::Mis:
+      return "mis";
+    case SamplingStrategy::Light:
+      return "light";
+    case SamplingStrategy::Bsdf:
+      return "bsdf";
+    case SamplingStrategy::Cosine:
+      return "cosine";
+    case SamplingStrategy::Uniform:
+      return "uniform";
+  }
+  return "";
+}
 
 [[nodiscard]] constexpr bool samples_lights(SamplingStrategy strategy) {
   return strategy != SamplingStrategy::Bsdf;

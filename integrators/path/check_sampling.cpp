@@ -48,22 +48,6 @@ struct NameOfDeltaLight {
   }
 };
 
-std::string_view name_of(SamplingStrategy strategy) {
-  switch (strategy) {
-    case SamplingStrategy::Mis:
-      return "mis";
-    case SamplingStrategy::Light:
-      return "light";
-    case SamplingStrategy::Bsdf:
-      return "bsdf";
-    case SamplingStrategy::Cosine:
-      return "cosine";
-    case SamplingStrategy::Uniform:
-      return "uniform";
-  }
-  return "";
-}
-
 void check_lobes(const SceneDescription& scene, SamplingStrategy strategy,
                  Diagnostics& diagnostics) {
   const std::vector<bool> worn = worn_materials(scene);

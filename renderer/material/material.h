@@ -56,8 +56,8 @@ struct Material {
   bool lab_opacity = false;           // thresholds 0.2 and 0.9 of LAB3 section 8
   // Where the opacity map need not be asked; absent where visibility never asks it.
   Handle<CoverageGrid> coverage_grid{};
-  TextureHandle height{};             // bump
-  float height_scale = 1;             // see description::Material
+  TextureHandle height{};  // bump
+  float height_scale = 1;  // see description::Material
   TextureHandle normal_map{};
 
   [[nodiscard]] bool is_emissive() const { return !is_black(emission); }

@@ -6,8 +6,8 @@
 
 namespace candela {
 
-// Points origin + t * direction with 0 < t < t_max. The direction has unit length for rays that the
-// integrators make, so that t is a distance.
+// Points origin + t * direction with 0 < t < t_max. The direction has unit length for rays whose
+// hits are asked for, so that t is a distance; shadow rays to a point end there at t = 1.
 struct Ray {
   Vec3f origin{0};
   Vec3f direction{0, 0, 1};

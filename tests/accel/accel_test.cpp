@@ -75,8 +75,8 @@ TEST(Unit_Accel, OracleIsContentWithInstances) {
   expect_oracle_content(scene, placed(soup, some_instances()));
 }
 
-// Shadow rays end at t = 1, whatever their length: the answer is that of the unit ray, from far away
-// and from as near as floats allow, and nothing aborts.
+// Shadow rays end at t = 1, whatever their length: the answer is that of the unit ray, from far
+// away and from as near as floats allow, and nothing aborts.
 template <Accelerator A>
 void expect_any_length(const A& accelerator, const std::vector<Ray>& rays) {
   for (const Ray& ray : rays) {

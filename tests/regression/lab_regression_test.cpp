@@ -5,45 +5,26 @@
 // some 1e-6 and can flip a ray that passes within rounding of an edge. So every pixel must agree to
 // 1e-4 of its value, but for one in two hundred. `CANDELA_WRITE_REFERENCES=1` renders the
 // references anew (look at them before committing).
-#include <filesystem>
-
 #include <gtest/gtest.h>
 
 #include "renderer/image/image_io.h"
-#include "scene_io/load.h"
+#include "tests/regression/asset_case.h"
 #include "tests/scenes/render_scene.h"
 
 namespace candela {
 namespace {
 
-namespace fs = std::filesystem;
+using regression::Case;
+using regression::described;
+using regression::reference_path;
 
 constexpr int size = 64;
 
-struct Case {
-  std::string asset;
-  IntegratorKind integrator;
-  std::string name;
-};
-
 std::vector<Case> cases() {
-  std::vector<Case> list;
-  for (const char* asset : {"cornell_box", "cornell_box_diffuse", "cutouts", "glass_and_metal"}) {
-    list.push_back({asset, IntegratorKind::Whitted, std::string(asset) + "_whitted"});
-    list.push_back({asset, IntegratorKind::Raster, std::string(asset) + "_raster"});
-  }
+  std::vector<Case> list = regression::all_assets_by(IntegratorKind::Whitted, "whitted");
+  for (Case& c : regression::all_assets_by(IntegratorKind::Raster, "raster"))
+    list.push_back(std::move(c));
   return list;
-}
-
-std::string reference_path(const Case& c) {
-  return (fs::path(CANDELA_SOURCE_DIR) / "tests" / "regression" / (c.name + ".exr")).string();
-}
-
-description::SceneDescription described(const Case& c) {
-  const fs::path file = fs::path(CANDELA_SOURCE_DIR) / "assets" / c.asset / (c.asset + ".yaml");
-  Result<description::SceneDescription> loaded = load(file.string(), {});
-  EXPECT_TRUE(loaded) << file;
-  return loaded ? std::move(*loaded) : description::SceneDescription{};
 }
 
 Image picture(const description::SceneDescription& description, const Case& c) {

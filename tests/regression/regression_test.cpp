@@ -14,7 +14,7 @@
 
 #include "renderer/base/parallel.h"
 #include "renderer/image/image_io.h"
-#include "scene_io/load.h"
+#include "tests/regression/asset_case.h"
 #include "tests/scenes/render_scene.h"
 #include "tests/statistics/image_test.h"
 
@@ -22,6 +22,9 @@ namespace candela {
 namespace {
 
 namespace fs = std::filesystem;
+using regression::Case;
+using regression::described;
+using regression::reference_path;
 using test::RenderSettings;
 
 constexpr int size = 64;
@@ -30,29 +33,8 @@ constexpr int replicates = 16;
 constexpr int reference_replicates = 128;
 constexpr std::uint64_t first_reference_seed = 1'000'000;
 
-struct Case {
-  std::string asset;
-  IntegratorKind integrator;
-  std::string name;
-};
-
 std::vector<Case> cases() {
-  std::vector<Case> list;
-  for (const char* asset : {"cornell_box", "cornell_box_diffuse", "cutouts", "glass_and_metal"})
-    list.push_back({asset, IntegratorKind::Path, std::string(asset) + "_path"});
-  return list;
-}
-
-fs::path reference_path(const Case& c) {
-  return fs::path(CANDELA_SOURCE_DIR) / "tests" / "regression" / (c.name + ".exr");
-}
-
-description::SceneDescription described(const Case& c) {
-  const fs::path file = fs::path(CANDELA_SOURCE_DIR) / "assets" / c.asset / (c.asset + ".yaml");
-  Result<description::SceneDescription> loaded = load(file.string(), {});
-  for (const Diagnostic& diagnostic : loaded.diagnostics.list())
-    EXPECT_NE(diagnostic.severity, Severity::Error) << to_string(diagnostic);
-  return loaded ? std::move(*loaded) : description::SceneDescription{};
+  return regression::all_assets_by(IntegratorKind::Path, "path");
 }
 
 // The mean of independent renders and the variance of that mean.
@@ -101,11 +83,11 @@ void write_reference(const Case& c) {
       image.values[9 * i + 3 + k] = m.mean.values[3 * i + k];
       image.values[9 * i + 6 + k] = m.variance.values[3 * i + k];
     }
-  EXPECT_FALSE(write_image(reference_path(c).string(), image, {}).has_errors());
+  EXPECT_FALSE(write_image(reference_path(c), image, {}).has_errors());
 }
 
 Measured read_reference(const Case& c) {
-  const Result<Image> image = read_image(reference_path(c).string());
+  const Result<Image> image = read_image(reference_path(c));
   Measured out;
   if (!image) {
     ADD_FAILURE() << "no reference " << reference_path(c);

@@ -1,24 +1,10 @@
 // --sampling, --heuristic, --fresnel and --geometry on the command line.
-#include <gtest/gtest.h>
-
 #include <nlohmann/json.hpp>
 
-#include "tests/tools/run_program.h"
+#include "tests/tools/refusals.h"
 
 namespace candela::cli_test {
 namespace {
-
-const std::string assets = std::string(CANDELA_SOURCE_DIR) + "/assets";
-const std::string cornell_box = assets + "/cornell_box/cornell_box.yaml";
-
-void expect_refused(std::vector<std::string> words, int exit_code, const std::string& sentence) {
-  const std::string image = fresh_folder("strategy_refused") + "/a.exr";
-  words.insert(words.begin(), "render");
-  words.insert(words.end(), {"-o", image});
-  const ProgramResult result = run_candela(words);
-  EXPECT_EQ(result.exit_code, exit_code) << result.error;
-  EXPECT_NE(result.error.find(sentence), std::string::npos) << result.error;
-}
 
 TEST(Errors_StrategyOptions, AreRefusedInSentences) {
   expect_refused({assets + "/glass_and_metal/glass_and_metal.yaml", "--sampling", "light"}, 3,

@@ -18,11 +18,12 @@ constexpr Choice<IntegratorKind> integrators[] = {{"path", IntegratorKind::Path}
                                                   {"report", IntegratorKind::Report}};
 constexpr Choice<SpecularModel> speculars[] = {{"blinn", SpecularModel::Blinn},
                                                {"phong", SpecularModel::Phong}};
-constexpr Choice<SamplingStrategy> samplings[] = {{"uniform", SamplingStrategy::Uniform},
-                                                  {"cosine", SamplingStrategy::Cosine},
-                                                  {"bsdf", SamplingStrategy::Bsdf},
-                                                  {"light", SamplingStrategy::Light},
-                                                  {"mis", SamplingStrategy::Mis}};
+constexpr Choice<SamplingStrategy> samplings[] = {
+    {name_of(SamplingStrategy::Uniform), SamplingStrategy::Uniform},
+    {name_of(SamplingStrategy::Cosine), SamplingStrategy::Cosine},
+    {name_of(SamplingStrategy::Bsdf), SamplingStrategy::Bsdf},
+    {name_of(SamplingStrategy::Light), SamplingStrategy::Light},
+    {name_of(SamplingStrategy::Mis), SamplingStrategy::Mis}};
 constexpr Choice<Heuristic> heuristics[] = {{"balance", Heuristic::Balance},
                                             {"power", Heuristic::Power}};
 constexpr Choice<FresnelModel> fresnels[] = {{"schlick", FresnelModel::Schlick},
