@@ -18,13 +18,17 @@ bool is_set(const CancelFlag* flag) {
   return flag != nullptr && flag->load(std::memory_order_relaxed);
 }
 
+// The instance for the scene, or the one for comparisons of estimators.
+template <class A>
+PathKernel<A> path_instance(const Scene& scene, const RenderOptions& options) {
+  if (!has_default_strategy(options)) return strategy_kernel<A>();
+  return select_path_kernel<A>(scene.features, options.use_general_kernel);
+}
+
 template <class A>
 Kernel path_kernel(const Scene& scene, const A& accelerator, const Filter& filter,
                    const RenderOptions& options) {
-  const PathKernel<A> kernel =
-      has_default_strategy(options)
-          ? select_path_kernel<A>(scene.features, options.use_general_kernel)
-          : strategy_kernel<A>();
+  const PathKernel<A> kernel = path_instance<A>(scene, options);
   return {
       "path/" + std::string(kernel.name),
       [render = kernel.render, context = make_path_context(scene, accelerator, filter, options)](
@@ -115,10 +119,7 @@ Diagnostics check_integrator(const description::SceneDescription& scene,
 std::string kernel_name(const Scene& scene, const RenderOptions& options) {
   switch (options.integrator) {
     case IntegratorKind::Path:
-      if (!has_default_strategy(options)) return "path/strategies";
-      return "path/" +
-             std::string(
-                 select_path_kernel<EmbreeAccel>(scene.features, options.use_general_kernel).name);
+      return "path/" + std::string(path_instance<EmbreeAccel>(scene, options).name);
     case IntegratorKind::Whitted:
       return "whitted";
     case IntegratorKind::Raster:
