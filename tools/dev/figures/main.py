@@ -11,6 +11,7 @@ import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
+sys.path.append(str(ROOT / "tools" / "dev" / "shared"))  # what tools/bench uses too
 NAMES = ("figure_1", "figure_2", "figure_3", "figure_4", "figure_5", "encoded_average", "furnace",
          "course_scenes")
 # Plots that docs/ shows, and their names there.
@@ -49,6 +50,7 @@ def makers():
     import encoded_average
     import furnace
     import ray_tracing
+    import scenes
     import strategies
 
     return {
@@ -59,7 +61,7 @@ def makers():
         "figure_5": strategies.make,
         "encoded_average": encoded_average.make,
         "furnace": furnace.make,
-        "course_scenes": lambda shop: course_scenes.make(shop, course_scenes.folder_of_scenes(ROOT)),
+        "course_scenes": lambda shop: course_scenes.make(shop, scenes.course_scenes(ROOT)),
     }
 
 

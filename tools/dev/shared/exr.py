@@ -51,8 +51,8 @@ def _unpacked(block, size):
     return unpacked.tobytes()
 
 
-def read_exr(path):
-    """Linear R, G, B of the data window: an array [row from the top, column, channel]."""
+def read_channels(path):
+    """The data window's channels by their names: arrays [row from the top, column]."""
     data = path.read_bytes()
     attributes, at = _attributes(data, 8)
     names = _channels(attributes["channels"])
@@ -67,4 +67,14 @@ def read_exr(path):
         raw = _unpacked(data[offset + 8:offset + 8 + size], 4 * width * len(names) * count)
         image[y - y0:y - y0 + count] = numpy.frombuffer(raw, "<f4").reshape(
             count, len(names), width)
-    return image[:, [names.index(c) for c in "RGB"]].transpose(0, 2, 1).astype(float)
+    return {name: image[:, i].astype(float) for i, name in enumerate(names)}
+
+
+def stacked(channels, names):
+    """Some of the channels as one array [row from the top, column, channel]."""
+    return numpy.stack([channels[name] for name in names], axis=2)
+
+
+def read_exr(path):
+    """Linear R, G, B: an array [row from the top, column, channel]."""
+    return stacked(read_channels(path), "RGB")
