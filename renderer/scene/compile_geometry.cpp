@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "renderer/base/parallel.h"
+#include "renderer/scene/normalise.h"
 #include "renderer/scene/triangle_sort.h"
 
 namespace candela {
@@ -180,12 +181,18 @@ Transform normalising(const Normalisation& normalisation) {
   return {Mat3d(normalisation.scale), -normalisation.centre * normalisation.scale};
 }
 
-// Object space is the mesh's own, moved to its centre and scaled like the world.
-Normalisation object_space(const description::Mesh& mesh, double scale) {
-  Bounds3d bounds;
-  for (const Vec3d& p : mesh.positions)
-    if (is_finite(p)) bounds.include(p);
-  return {bounds.is_empty() ? Vec3d(0.0) : bounds.centre(), scale};
+// Divided by the power of two that brings them near 1: squares of their lengths must be floats,
+// however small or large the instance is.
+void set_normal_columns(const Transform& t, Instance& out) {
+  const std::array<Vec3d, 3> columns{t.normal({1, 0, 0}), t.normal({0, 1, 0}), t.normal({0, 0, 1})};
+  double largest = 0;
+  for (const Vec3d& column : columns) largest = std::max(largest, max_component(glm::abs(column)));
+  int exponent = 0;
+  (void)std::frexp(largest, &exponent);
+  const double unit = std::ldexp(1.0, -exponent);
+  out.normal_x = Vec3f(columns[0] * unit);
+  out.normal_y = Vec3f(columns[1] * unit);
+  out.normal_z = Vec3f(columns[2] * unit);
 }
 
 Instance compile_instance(const Transform& t, ObjectHandle object) {
@@ -195,9 +202,7 @@ Instance compile_instance(const Transform& t, ObjectHandle object) {
   out.y = Vec3f(t.linear[1]);
   out.z = Vec3f(t.linear[2]);
   out.translation = Vec3f(t.translation);
-  out.normal_x = Vec3f(t.normal({1, 0, 0}));
-  out.normal_y = Vec3f(t.normal({0, 1, 0}));
-  out.normal_z = Vec3f(t.normal({0, 0, 1}));
+  set_normal_columns(t, out);
   out.is_mirrored = t.determinant() < 0;
   return out;
 }
@@ -208,12 +213,17 @@ struct Plan {
   std::vector<ObjectHandle> object_of;  // by placement; invalid: the world
 };
 
+struct SharedObject {
+  ObjectHandle handle;
+  Transform to_mesh;  // object space -> the mesh's own numbers
+};
+
 Plan plan_placements(const SceneDescription& description, Scene& scene) {
   std::map<MeshUse, std::size_t> uses;
   for (const description::Instance& instance : description.instances) ++uses[use_of(instance)];
 
   Plan plan;
-  std::map<MeshUse, ObjectHandle> objects;
+  std::map<MeshUse, SharedObject> objects;
   const Transform to_world = normalising(scene.normalisation);
   for (const description::Instance& instance : description.instances) {
     const MeshUse use = use_of(instance);
@@ -223,16 +233,17 @@ Plan plan_placements(const SceneDescription& description, Scene& scene) {
       plan.object_of.emplace_back();
       continue;
     }
-    const Normalisation space =
-        object_space(description.meshes[instance.mesh.index], scene.normalisation.scale);
-    const auto [at, is_new] = objects.try_emplace(use, ObjectHandle(objects.size()));
+    const auto [at, is_new] = objects.try_emplace(use);
+    SharedObject& object = at->second;
     if (is_new) {
-      plan.placements.push_back(
-          {instance.mesh, instance.material_override, normalising(space), {}, {}});
-      plan.object_of.push_back(at->second);
+      const Transform to_object =
+          normalising(normalisation_of(description.meshes[instance.mesh.index]));
+      object = {ObjectHandle(objects.size() - 1), inverse(to_object)};
+      plan.placements.push_back({instance.mesh, instance.material_override, to_object, {}, {}});
+      plan.object_of.push_back(object.handle);
     }
-    scene.instances.push_back(compile_instance(
-        to_world * instance.object_to_world * inverse(normalising(space)), at->second));
+    scene.instances.push_back(
+        compile_instance(to_world * instance.object_to_world * object.to_mesh, object.handle));
   }
   scene.objects.resize(objects.size());
   return plan;

@@ -63,15 +63,12 @@ Bounds3d inner_bounds(std::vector<Vec3d> points) {
   return bounds;
 }
 
-}  // namespace
-
-Normalisation normalisation_of(const SceneDescription& description) {
-  const std::vector<Vec3d> points = sampled_points(description);
-  if (points.empty()) return {};
+// `points` are some of what `full` bounds.
+Normalisation normalisation_of(const Bounds3d& full, std::vector<Vec3d> points) {
   constexpr double most_ratio = 100;
-  Bounds3d bounds = full_bounds(description, points);
-  const Bounds3d inner = inner_bounds(points);
-  if (max_component(bounds.extent()) > most_ratio * max_component(inner.extent()) &&
+  Bounds3d bounds = full;
+  const Bounds3d inner = inner_bounds(std::move(points));
+  if (max_component(full.extent()) > most_ratio * max_component(inner.extent()) &&
       max_component(inner.extent()) > 0)
     bounds = inner;
   const double half_extent = 0.5 * max_component(bounds.extent());
@@ -79,6 +76,28 @@ Normalisation normalisation_of(const SceneDescription& description) {
   int exponent = 0;
   (void)std::frexp(half_extent, &exponent);
   return {bounds.centre(), std::ldexp(1.0, -exponent)};
+}
+
+}  // namespace
+
+Normalisation normalisation_of(const SceneDescription& description) {
+  std::vector<Vec3d> points = sampled_points(description);
+  if (points.empty()) return {};
+  const Bounds3d bounds = full_bounds(description, points);
+  return normalisation_of(bounds, std::move(points));
+}
+
+Normalisation normalisation_of(const description::Mesh& mesh) {
+  Bounds3d bounds;
+  std::vector<Vec3d> points;
+  const std::size_t stride =
+      std::max<std::size_t>(1, mesh.positions.size() / most_points_an_instance);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    if (!is_finite(mesh.positions[i])) continue;
+    bounds.include(mesh.positions[i]);
+    if (i % stride == 0) points.push_back(mesh.positions[i]);
+  }
+  return points.empty() ? Normalisation{} : normalisation_of(bounds, std::move(points));
 }
 
 }  // namespace candela

@@ -12,4 +12,8 @@ namespace candela {
 // Multiplying the file's coordinates by a power of two gives the same normalised scene, bit by bit.
 [[nodiscard]] Normalisation normalisation_of(const description::SceneDescription& description);
 
+// The same of a mesh alone: the space of an object that instances share. Its unit is its own and
+// not the scene's, so that a mesh in micrometres may be placed a million times enlarged.
+[[nodiscard]] Normalisation normalisation_of(const description::Mesh& mesh);
+
 }  // namespace candela

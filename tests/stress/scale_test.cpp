@@ -32,7 +32,7 @@ void divide_lengths(Renders& renders, float factor) {
 TEST(Stress_Scale, PowersOfTwoGiveTheSameBits) {
   const RenderSettings settings = with_all_layers(48, is_heavy() ? 256 : 16);
   const Renders undisturbed = renders_of("undisturbed", busy_room(), settings, 1);
-  for (const Where where : {Where::Vertices})
+  for (const Where where : {Where::Vertices, Where::Instances})
     for (const int k : {-40, -20, -10, 10, 20, 40}) {
       const auto name =
           fmt::format("2^{}, {}", k, where == Where::Vertices ? "vertices" : "instances");
