@@ -140,16 +140,33 @@ Rgb ambient_of(const SceneDescription& description) {
   return Rgb(0);
 }
 
+bool is_infinitely_far(const Light& light) {
+  return light.kind == LightKind::Environment || light.kind == LightKind::Directional;
+}
+
+// The power of a light at infinity grows with the square of the scene's size, whatever of it
+// reaches what is seen: a far outlier or a wide ground would leave nothing for the lamps. Together
+// such lights are picked at most every other time.
+void limit_far_powers(const std::vector<Light>& lights, std::vector<double>& powers) {
+  double near = 0;
+  double far = 0;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    (is_infinitely_far(lights[i]) ? far : near) += powers[i];
+  if (!(near > 0) || far <= near) return;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    if (is_infinitely_far(lights[i])) powers[i] *= near / far;
+}
+
 // Emissive triangles too small to have a power stay in the table, since others count on their
 // order; nothing ever picks them.
 LightSampler build_light_sampler(const Scene& scene) {
-  const double radius =
-      scene.bounds.is_empty() ? 1.0 : 0.5 * static_cast<double>(length(scene.bounds.extent()));
+  const double radius = scene.bounds.is_empty() ? 1.0 : 0.5 * length(Vec3d(scene.bounds.extent()));
   std::vector<double> powers;
   powers.reserve(scene.lights.size());
   for (const Light& light : scene.lights) {
     powers.push_back(light_power(light, scene.environment ? &*scene.environment : nullptr, radius));
   }
+  limit_far_powers(scene.lights, powers);
   return {scene.lights, powers};
 }
 
