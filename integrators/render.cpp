@@ -1,22 +1,18 @@
 #include "integrators/render.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "integrators/kernel.h"
 #include "integrators/path/check_sampling.h"
 #include "integrators/path/kernels.h"
+#include "integrators/render_rounds.h"
 #include "integrators/report/check_report.h"
 #include "integrators/report/report_context.h"
-#include "integrators/tiles.h"
 #include "integrators/whitted/kernels.h"
-#include "renderer/base/parallel.h"
 
 namespace candela {
 namespace {
-
-bool is_set(const CancelFlag* flag) {
-  return flag != nullptr && flag->load(std::memory_order_relaxed);
-}
 
 // The instance for the scene, or the one for comparisons of estimators.
 template <class A>
@@ -63,23 +59,11 @@ Kernel select_kernel(const Scene& scene, const A& accelerator, const Filter& fil
   throw std::invalid_argument("no such integrator");
 }
 
-TileCounts render_passes(const RenderOptions& options, const TileFunction& render_tile, Film& film,
-                         ProgressSink* progress, const CancelFlag* cancel) {
-  const std::vector<PixelRect> tiles = tiles_of(film.crop(), options.tile_size);
-  std::vector<TileCounts> counts(tiles.size());
-  for (const SampleRange pass : passes_of(static_cast<std::uint32_t>(options.samples_per_pixel))) {
-    parallel_for(tiles.size(), [&](std::size_t i) {
-      if (is_set(cancel)) return;
-      const PixelRect& tile = tiles[i];
-      counts[i].add(render_tile(tile, pass.first, pass.end, film));
-      if (progress != nullptr)
-        progress->advance(static_cast<std::uint64_t>(tile.width()) *
-                          static_cast<std::uint64_t>(tile.height()) * (pass.end - pass.first));
-    });
-  }
-  TileCounts sum;
-  for (const TileCounts& tile : counts) sum.add(tile);
-  return sum;
+// Effective replicates: whitted and raster draw nothing at random.
+std::uint32_t replicates_of(const RenderOptions& options) {
+  if (is_lab_shading(options.integrator)) return 1;
+  return static_cast<std::uint32_t>(
+      std::clamp(options.replicates, 1, std::max(options.samples_per_pixel, 1)));
 }
 
 }  // namespace
@@ -88,15 +72,19 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
                     const RenderOptions& options, ProgressSink* progress,
                     const CancelFlag* cancel) {
   const Filter filter = make_filter(options);
-  RenderResult result{Film(options.width, options.height, rendered_rect(options), options.aovs),
+  RenderResult result{Film(options.width, options.height, rendered_rect(options), options.aovs,
+                           replicates_of(options)),
+                      {},
                       {}};
   std::visit(
       [&](const auto& backend) {
         const Kernel kernel = select_kernel(scene, backend, filter, options);
-        const TileCounts counts =
-            render_passes(options, kernel.render_tile, result.film, progress, cancel);
+        const RoundsDone done =
+            render_rounds(options, kernel.render_tile, result.film, progress, cancel);
+        const TileCounts& counts = done.counts;
         result.statistics = {counts.rays,          counts.skipped, counts.invalid_samples,
-                             counts.first_invalid, kernel.name,    is_set(cancel)};
+                             counts.first_invalid, kernel.name,    done.stop};
+        result.error = done.error;
       },
       accelerator);
   return result;

@@ -3,12 +3,14 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
 #include "integrators/sampling_strategy.h"
 #include "renderer/accel/any_accel.h"
 #include "renderer/base/progress.h"
+#include "renderer/film/error_estimate.h"
 #include "renderer/film/film.h"
 #include "renderer/film/filter.h"
 #include "renderer/sampling/mis.h"
@@ -31,7 +33,15 @@ struct RenderOptions {
   IntegratorKind integrator = IntegratorKind::Path;
   int width = 512;
   int height = 512;
+  // When to stop: the first that is met. Whether it is tells what is done after whole rounds
+  // (rounds.h); the time limit may leave some pixels one sample short, or without any where it does
+  // not suffice for one.
   int samples_per_pixel = 64;  // whitted and raster: a square number, else the grid has gaps
+  std::optional<double> target_relmse;  // stated; needs replicates
+  std::optional<double> time_limit_seconds;
+  // Independently randomised sequences a pixel, whose spread states the error; at most
+  // samples_per_pixel are used. 1: none is stated. whitted and raster have no error to state.
+  int replicates = 4;
   // path: bounces as pbrt counts them: 0 sees emission only, 1 direct light, ...; none: no limit.
   // whitted: surfaces that a ray may meet, as the lab counts them; none: 5.
   std::optional<int> max_depth;
@@ -52,6 +62,8 @@ struct RenderOptions {
   bool use_general_kernel = false;  // whatever the scene's features are
   int tile_size = 16;
   float report_p_rr = 0.8f;  // Report: the probability P_RR to go on, in (0, 1]
+  // Samples are dimmed to this in their largest channel. Biased: takes light away.
+  float clamp = std::numeric_limits<float>::infinity();
 };
 
 struct RayCounts {
@@ -71,18 +83,21 @@ struct InvalidSample {
   std::uint32_t sample = 0;
 };
 
+enum class StopReason : std::uint8_t { Samples, Error, Time, Cancelled };
+
 struct RenderStatistics {
   RayCounts rays;
   SkippedCounts skipped;
   std::uint64_t invalid_samples = 0;
   std::optional<InvalidSample> first_invalid;
   std::string kernel;  // the instance that ran
-  bool was_cancelled = false;
+  StopReason stop = StopReason::Samples;
 };
 
 struct RenderResult {
   Film film;
   RenderStatistics statistics;
+  std::optional<ErrorEstimate> error;  // none where some pixel has no two replicates
 };
 
 // Runs on the current arena's threads (base/parallel.h: with_threads). `progress` and `cancel` may

@@ -26,13 +26,13 @@ TileCounts render_tile(const PathContext<A>& context, const PixelRect& tile,
   TileCounts counts;
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) {
-      const Sampler pixel_sampler(context.options.seed, static_cast<std::uint32_t>(x),
-                                  static_cast<std::uint32_t>(y), 0);
+      const PixelSampler pixel(context.options.seed, static_cast<std::uint32_t>(x),
+                               static_cast<std::uint32_t>(y), film.replicates());
       for (std::uint32_t s = first_sample; s < end_sample; ++s) {
-        const Sampler sampler = pixel_sampler.of_sample(s);
+        const Sampler sampler = pixel.at(s);
         const Ray ray = camera_ray<F>(context, sampler, x, y);
         const FilmSample sample = trace_path<F>(context, sampler, ray, counts);
-        add_or_count(sample, x, y, s, film, counts);
+        add_or_count(sample, x, y, s, context.options.clamp, film, counts);
       }
     }
   }

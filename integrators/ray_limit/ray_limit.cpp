@@ -2,7 +2,7 @@
 
 #include "integrators/path/kernels.h"
 #include "integrators/render.h"
-#include "integrators/tiles.h"
+#include "renderer/film/tiles.h"
 #include "renderer/base/thread_clock.h"
 
 namespace candela {

@@ -146,11 +146,13 @@ TileCounts render_report_tile(const ReportContext<A>& context, const PixelRect& 
   TileCounts counts;
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) {
+      const PixelSampler pixel(context.base.options.seed, static_cast<std::uint32_t>(x),
+                               static_cast<std::uint32_t>(y), film.replicates());
       for (std::uint32_t s = first_sample; s < end_sample; ++s) {
-        const Sampler sampler(context.base.options.seed, static_cast<std::uint32_t>(x),
-                              static_cast<std::uint32_t>(y), s);
+        const Sampler sampler = pixel.at(s);
         const Ray ray = camera_ray<general_features>(context.base, sampler, x, y);
-        add_or_count(shade(context, sampler, ray, counts), x, y, s, film, counts);
+        add_or_count(shade(context, sampler, ray, counts), x, y, s, context.base.options.clamp, film,
+                     counts);
       }
     }
   }

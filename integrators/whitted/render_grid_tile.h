@@ -36,8 +36,8 @@ TileCounts render_grid_tile(const LabContext<A>& context, Trace trace, const Pix
   for (int y = tile.y0; y < tile.y1; ++y)
     for (int x = tile.x0; x < tile.x1; ++x)
       for (std::uint32_t s = first; s < end; ++s)
-        add_or_count(trace(context, grid_ray(context, x, y, s, side), counts), x, y, s, film,
-                     counts);
+        add_or_count(trace(context, grid_ray(context, x, y, s, side), counts), x, y, s,
+                     context.options.clamp, film, counts);
   return counts;
 }
 

@@ -13,8 +13,12 @@ using CancelFlag = std::atomic<bool>;
 class ProgressSink {
  public:
   virtual ~ProgressSink() = default;
-  // `samples` more camera samples are done, of a total announced by the caller.
+  // `samples` more camera samples are done.
   virtual void advance(std::uint64_t samples) = 0;
+  // So many will be done in all, as far as can be told now.
+  virtual void expect(std::uint64_t total_samples) = 0;
+  // The picture's stated error is now `rmse` (error_estimate.h).
+  virtual void state_error(double rmse) = 0;
 };
 
 }  // namespace candela

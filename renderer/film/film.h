@@ -1,4 +1,5 @@
-// Where samples are summed: double sums a pixel, folded in the order of the sample index.
+// Where samples are summed: in double, a pixel's replicates apart, each in the order of the sample
+// index.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +20,18 @@ struct PixelRect {
 };
 
 // Layers beside the picture, all from the first hit of camera rays, averaged over the samples that
-// hit (material_id: of sample 0). File units.
-enum class Aov : std::uint8_t { Albedo, Normal, Depth, Position, MaterialId, Samples };
+// hit (material_id: of sample 0), in file units; how many samples there are; and what is known of the
+// error: the variance of the pixel's mean, and a mask of where it cannot be trusted (heavy_tails.h).
+enum class Aov : std::uint8_t {
+  Albedo,
+  Normal,
+  Depth,
+  Position,
+  MaterialId,
+  Samples,
+  Variance,
+  HeavyTail
+};
 using AovSet = std::uint32_t;
 constexpr AovSet aov_bit(Aov aov) {
   return 1u << static_cast<unsigned>(aov);
@@ -41,7 +52,9 @@ struct FilmSample {
 class Film {
  public:
   Film() = default;
-  Film(int full_width, int full_height, PixelRect crop, AovSet aovs);
+  // `replicates`: at least 1. Sample s of a pixel belongs to replicate s mod `replicates`, whose
+  // samples are independent of those of the others (sampler.h: PixelSampler).
+  Film(int full_width, int full_height, PixelRect crop, AovSet aovs, std::uint32_t replicates = 1);
 
   // Adds the next sample of a pixel; calls for one pixel come in order of the sample index and from
   // one thread at a time. Coordinates of the full picture. Non-finite or negative radiance must not
@@ -54,18 +67,32 @@ class Film {
   [[nodiscard]] int full_width() const { return full_width_; }
   [[nodiscard]] int full_height() const { return full_height_; }
   [[nodiscard]] AovSet aovs() const { return aovs_; }
+  [[nodiscard]] std::uint32_t replicates() const { return replicates_; }
+  [[nodiscard]] std::size_t pixel_count() const { return pixels_.size(); }
+
+  // A pixel's place in the crop, in rows from the top; the others take it.
+  [[nodiscard]] std::size_t index(int x, int y) const;
+  [[nodiscard]] std::uint32_t samples(std::size_t i) const { return pixels_[i].samples; }
+  [[nodiscard]] std::uint32_t samples_of_replicate(std::size_t i, std::uint32_t replicate) const {
+    return (pixels_[i].samples + replicates_ - 1 - replicate) / replicates_;
+  }
+  [[nodiscard]] const Vec3d& replicate_sum(std::size_t i, std::uint32_t replicate) const {
+    return sums_[i * replicates_ + replicate];
+  }
+  // 0 where there is no sample.
+  [[nodiscard]] Vec3d mean(std::size_t i) const;
   // Samples a pixel: the fewest and the most over the crop.
   [[nodiscard]] std::uint32_t min_samples() const;
   [[nodiscard]] std::uint32_t max_samples() const;
 
   // The means as an image of the crop's size: channels R G B, then A where `with_alpha`, then
   // layers under the names that Blender, tev and OIDN read: albedo.R .G .B, normal.X .Y .Z,
-  // depth.Z, position.X .Y .Z, material_id.V, samples.V. Pixels without samples are 0.
+  // depth.Z, position.X .Y .Z, material_id.V, samples.V, variance.R .G .B, heavy_tail.V. Pixels
+  // without samples are 0.
   [[nodiscard]] Image to_image(bool with_alpha) const;
 
  private:
   struct Pixel {
-    Vec3d radiance{0.0};
     double alpha = 0;
     std::uint32_t samples = 0;
   };
@@ -77,13 +104,13 @@ class Film {
     std::uint32_t hits = 0;
     std::uint32_t material = 0;  // + 1; 0: none
   };
-  [[nodiscard]] std::size_t index(int x, int y) const;
-
   int full_width_ = 0;
   int full_height_ = 0;
   PixelRect crop_;
   AovSet aovs_ = 0;
+  std::uint32_t replicates_ = 1;
   std::vector<Pixel> pixels_;
+  std::vector<Vec3d> sums_;  // of radiance: `replicates_` a pixel
   std::vector<AovPixel> aov_pixels_;
 };
 

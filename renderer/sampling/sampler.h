@@ -16,22 +16,16 @@ namespace candela {
 
 class Sampler {
  public:
-  Sampler(std::uint64_t seed, std::uint32_t pixel_x, std::uint32_t pixel_y, std::uint32_t sample)
-      : pixel_key_(hash_pixel(seed, pixel_x, pixel_y)),
-        sample_(sample),
-        reversed_sample_(reverse_bits(sample)) {}
-
-  // The same pixel's.
-  [[nodiscard]] Sampler of_sample(std::uint32_t sample) const {
-    Sampler other = *this;
-    other.sample_ = sample;
-    other.reversed_sample_ = reverse_bits(sample);
-    return other;
-  }
+  // Point `index` of the sequence that belongs to `sequence_key`.
+  Sampler(std::uint64_t sequence_key, std::uint32_t index)
+      : sequence_key_(sequence_key), reversed_index_(reverse_bits(index)) {}
+  // Of a pixel that has one sequence only.
+  Sampler(std::uint64_t seed, std::uint32_t pixel_x, std::uint32_t pixel_y, std::uint32_t index)
+      : Sampler(hash_pixel(seed, pixel_x, pixel_y), index) {}
 
   // Both in [0, 1).
   [[nodiscard]] Vec2f sample_2d(std::uint32_t bounce, Dimension dimension) const {
-    const SobolPoint point = scrambled_sobol_2d(reversed_sample_, key(bounce, dimension));
+    const SobolPoint point = scrambled_sobol_2d(reversed_index_, key(bounce, dimension));
     return {unit_float(point.x), unit_float(point.y)};
   }
   // In [0, 1).
@@ -40,20 +34,35 @@ class Sampler {
   }
   // All 32 bits: for choices among so many things that 24 bits are too coarse.
   [[nodiscard]] std::uint32_t sample_1d_bits(std::uint32_t bounce, Dimension dimension) const {
-    return scrambled_sobol_1d(reversed_sample_, key(bounce, dimension));
+    return scrambled_sobol_1d(reversed_index_, key(bounce, dimension));
   }
-  [[nodiscard]] std::uint32_t sample_index() const { return sample_; }
 
  private:
   [[nodiscard]] std::uint64_t key(std::uint32_t bounce, Dimension dimension) const {
     const std::uint64_t place =
         (std::uint64_t{bounce} << 8) | static_cast<std::uint64_t>(dimension);
-    return hash_counter(pixel_key_, place);
+    return hash_counter(sequence_key_, place);
   }
 
+  std::uint64_t sequence_key_;
+  std::uint32_t reversed_index_;
+};
+
+// A pixel's replicates: sequences that are randomised independently of each other, so that their
+// means tell the variance of the pixel [LEcuyer02, section 2]. Samples are dealt out in turn.
+class PixelSampler {
+ public:
+  PixelSampler(std::uint64_t seed, std::uint32_t pixel_x, std::uint32_t pixel_y,
+               std::uint32_t replicates)
+      : pixel_key_(hash_pixel(seed, pixel_x, pixel_y)), replicates_(replicates) {}
+
+  [[nodiscard]] Sampler at(std::uint32_t sample) const {
+    return {hash_counter(pixel_key_, sample % replicates_), sample / replicates_};
+  }
+
+ private:
   std::uint64_t pixel_key_;
-  std::uint32_t sample_;
-  std::uint32_t reversed_sample_;
+  std::uint32_t replicates_;
 };
 
 }  // namespace candela

@@ -44,7 +44,8 @@ TEST(Unit_ProgressReport, ReportsNowAndThenAndStops) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   Console console(false, file);
   {
-    ProgressReport report(console, 100, 5ms);
+    ProgressReport report(console, 5ms);
+    report.expect(100);
     report.advance(50);
     while (cli_test::file_text(path).find("50.0 %") == std::string::npos)
       std::this_thread::sleep_for(1ms);
@@ -61,7 +62,7 @@ TEST(Unit_ProgressReport, IsSilentWhenQuiet) {
   const std::string path = cli_test::fresh_folder("progress_quiet") + "/lines";
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   Console console(true, file);
-  ProgressReport report(console, 100, 1ms);
+  ProgressReport report(console, 1ms);
   report.advance(50);
   std::this_thread::sleep_for(20ms);
   report.stop();

@@ -41,6 +41,11 @@ struct RenderArguments {
   std::optional<std::string> stats_path;
   std::optional<IntegratorKind> integrator;
   std::optional<int> samples_per_pixel;
+  std::optional<double> error_goal;   // rMSE
+  std::optional<double> relmse_goal;
+  std::optional<double> time_limit_seconds;
+  std::optional<int> replicates;
+  std::optional<double> clamp;
   std::optional<Size> size;
   double scale = 1.0;  // of the size
   std::size_t camera = 0;

@@ -36,6 +36,25 @@ Json crop_json(const RenderOptions& options) {
   return Json::array({crop.x0, crop.y0, crop.x1, crop.y1});
 }
 
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json stop_json(const RenderReport& report) {
+  return {{"by", stop_name(report.statistics.stop)},
+          {"target_relmse", or_null(report.options.target_relmse)},
+          {"time_limit", or_null(report.options.time_limit_seconds)}};
+}
+
+Json error_json(const std::optional<ErrorEstimate>& error) {
+  if (!error) return nullptr;
+  return {{"relmse", error->relmse},
+          {"rmse", error->rmse},
+          {"interval95", {error->interval95.low, error->interval95.high}},
+          {"heavy_tails", error->heavy_tails}};
+}
+
 void add_options(Json& json, const RenderReport& report) {
   const RenderOptions& options = report.options;
   json["integrator"] = name_of(options.integrator, integrator_choices());
@@ -43,11 +62,14 @@ void add_options(Json& json, const RenderReport& report) {
   json["height"] = options.height;
   json["crop"] = crop_json(options);
   json["camera"] = options.camera;
-  json["spp"] = options.samples_per_pixel;
+  json["spp"] = report.has_sample_limit() ? Json(options.samples_per_pixel) : Json(nullptr);
   json["min_samples"] = report.min_samples;
   json["max_samples"] = report.max_samples;
   json["interrupted"] = report.is_interrupted();
-  json["max_depth"] = options.max_depth ? Json(*options.max_depth) : Json(nullptr);
+  json["stop"] = stop_json(report);
+  json["replicates"] = report.replicates;
+  json["biased"] = biases_of(options);
+  json["max_depth"] = or_null(options.max_depth);
   if (is_lab_shading(options.integrator)) {
     json["specular"] = name_of(options.specular, specular_choices());
     json["lab_normals"] = options.lab_normals;
@@ -69,6 +91,7 @@ void add_options(Json& json, const RenderReport& report) {
 
 void add_results(Json& json, const RenderReport& report) {
   const RenderStatistics& statistics = report.statistics;
+  json["error"] = error_json(report.error);
   json["seconds"] = seconds_json(report.seconds);
   json["rays"] = {{"camera", statistics.rays.camera},
                   {"indirect", statistics.rays.indirect},

@@ -39,7 +39,8 @@ constexpr Choice<ToneMap> tone_maps[] = {
     {"srgb", ToneMap::Srgb}, {"aces", ToneMap::Aces}, {"lab3", ToneMap::Lab3}};
 constexpr Choice<Aov> aovs[] = {
     {"albedo", Aov::Albedo},     {"normal", Aov::Normal},          {"depth", Aov::Depth},
-    {"position", Aov::Position}, {"material_id", Aov::MaterialId}, {"samples", Aov::Samples}};
+    {"position", Aov::Position}, {"material_id", Aov::MaterialId}, {"samples", Aov::Samples},
+    {"variance", Aov::Variance}, {"heavy_tail", Aov::HeavyTail}};
 constexpr Choice<bool> switches[] = {{"on", true}, {"off", false}};
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -146,6 +147,28 @@ Result<double> parse_probability(std::string_view text) {
   if (!value || !(static_cast<float>(*value) > 0) || *value > 1)
     return failure(fmt::format("expected a number above 0 and up to 1, found '{}'", text));
   return double(*value);
+}
+
+Result<double> parse_error_goal(std::string_view text) {
+  const bool is_percentage = text.ends_with('%');
+  const std::optional<double> value = finite(text.substr(0, text.size() - (is_percentage ? 1 : 0)));
+  if (!value || *value <= 0)
+    return failure(fmt::format("expected an error above 0 such as 1% or 0.01, found '{}'", text));
+  return *value / (is_percentage ? 100 : 1);
+}
+
+Result<double> parse_duration(std::string_view text) {
+  double unit = 1;
+  std::string_view number = text;
+  for (const auto& [letter, seconds] : {std::pair{'s', 1.0}, {'m', 60.0}, {'h', 3600.0}})
+    if (text.ends_with(letter)) {
+      unit = seconds;
+      number.remove_suffix(1);
+    }
+  const std::optional<double> value = finite(number);
+  if (!value || *value <= 0)
+    return failure(fmt::format("expected a time above 0 such as 60s, 5m or 1h, found '{}'", text));
+  return *value * unit;
 }
 
 Result<Size> parse_size(std::string_view text) {

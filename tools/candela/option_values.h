@@ -61,6 +61,10 @@ template <class T>
 [[nodiscard]] Result<double> parse_positive_number(std::string_view text);
 // Above 0 and up to 1.
 [[nodiscard]] Result<double> parse_probability(std::string_view text);
+// "1%" or "0.01".
+[[nodiscard]] Result<double> parse_error_goal(std::string_view text);
+// "90", "90s", "1.5m", "1h": seconds.
+[[nodiscard]] Result<double> parse_duration(std::string_view text);
 // "640x480", each side 1..max_side.
 [[nodiscard]] Result<Size> parse_size(std::string_view text);
 // "X0,Y0,X1,Y1", half-open, not empty, not negative.
@@ -76,5 +80,6 @@ template <class T>
 
 inline constexpr int max_side = 65536;
 inline constexpr int max_samples_per_pixel = 1 << 30;
+inline constexpr int max_replicates = 1024;
 
 }  // namespace candela::cli

@@ -106,8 +106,18 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
              "How light is followed [the scene's, else path]");
   add_value(command, "--spp", "N", render.samples_per_pixel,
             integer_between(1, max_samples_per_pixel),
-            "Samples a pixel; a square number for whitted and raster [the scene's, else 64, or 16 "
-            "for whitted and raster]");
+            "Stop at so many samples a pixel; a square number for whitted and raster [the scene's, "
+            "else 64, or 16 for whitted and raster; no limit where another rule is given]");
+  add_value(command, "--error", "E", render.error_goal, parse_error_goal,
+            "Stop when the stated rMSE is at most E, such as 1%");
+  add_value(command, "--relmse", "E", render.relmse_goal, parse_positive_number,
+            "Stop when the stated relMSE is at most E, such as 1e-4");
+  add_value(command, "--time", "T", render.time_limit_seconds, parse_duration,
+            "Stop rendering after this time, such as 60s, 5m or 1h");
+  add_value(command, "--replicates", "R", render.replicates, integer_between(1, max_replicates),
+            "Independent sequences a pixel, from which the error is stated; 1 states none [4]");
+  add_value(command, "--clamp", "X", render.clamp, parse_positive_number,
+            "Dim samples to X in their largest channel: less noise, less light (biased)");
   add_value(command, "--size", "WxH", render.size, parse_size,
             "Pixels [the scene's, else 512x512]");
   add_value(command, "--scale", "F", render.scale, parse_positive_number, "Multiply the size by F");

@@ -37,11 +37,17 @@ std::string duration_text(double seconds) {
   return fmt::format("{}:{:02}", minutes, whole % 60);
 }
 
+std::string error_text(double rmse) {
+  return fmt::format("{:.2g} %", rmse * 100);
+}
+
 std::string progress_line(const ProgressState& state) {
   const double rate =
       state.elapsed_seconds > 0 ? static_cast<double>(state.done) / state.elapsed_seconds : 0;
-  return fmt::format("{}, {} elapsed, {} left, {:.2f} Msamples/s", percent_text(state),
-                     duration_text(state.elapsed_seconds), seconds_left_text(state), rate * 1e-6);
+  const std::string error = state.rmse ? ", error " + error_text(*state.rmse) : "";
+  return fmt::format("{}, {} elapsed, {} left, {:.2f} Msamples/s{}", percent_text(state),
+                     duration_text(state.elapsed_seconds), seconds_left_text(state), rate * 1e-6,
+                     error);
 }
 
 std::string progress_bar(const ProgressState& state, std::size_t columns) {
@@ -54,9 +60,8 @@ std::string progress_bar(const ProgressState& state, std::size_t columns) {
   return fmt::format("[{}{}] {}", std::string(filled, '#'), std::string(cells - filled, '.'), line);
 }
 
-ProgressReport::ProgressReport(Console& console, std::uint64_t total_samples, Interval interval)
+ProgressReport::ProgressReport(Console& console, Interval interval)
     : console_(console),
-      total_(total_samples),
       interval_(interval.count() > 0    ? interval
                 : console.is_terminal() ? bar_interval
                                         : line_interval) {
@@ -76,7 +81,9 @@ void ProgressReport::stop() {
 
 ProgressState ProgressReport::state() const {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-  return {done_.load(std::memory_order_relaxed), total_, elapsed.count()};
+  const double rmse = rmse_.load(std::memory_order_relaxed);
+  return {done_.load(std::memory_order_relaxed), total_.load(std::memory_order_relaxed),
+          elapsed.count(), rmse == unknown ? std::nullopt : std::optional(rmse)};
 }
 
 void ProgressReport::run(std::stop_token stop) {

@@ -6,6 +6,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -18,13 +19,16 @@ struct ProgressState {
   std::uint64_t done = 0;  // camera samples
   std::uint64_t total = 0;
   double elapsed_seconds = 0;
+  std::optional<double> rmse;  // stated so far
 };
 
 // "42.3 %", never "100 %": that is said when the files are on disk.
 [[nodiscard]] std::string percent_text(const ProgressState& state);
 // "1:05", "2:03:04".
 [[nodiscard]] std::string duration_text(double seconds);
-// "42.3 %, 0:12 elapsed, 0:17 left, 3.21 Msamples/s".
+// "2.1 %".
+[[nodiscard]] std::string error_text(double rmse);
+// "42.3 %, 0:12 elapsed, 0:17 left, 3.21 Msamples/s, error 2.1 %".
 [[nodiscard]] std::string progress_line(const ProgressState& state);
 // The same behind a bar that fills the rest of `columns` characters; cut where they do not suffice.
 [[nodiscard]] std::string progress_bar(const ProgressState& state, std::size_t columns);
@@ -36,7 +40,7 @@ class ProgressReport : public ProgressSink {
   static constexpr Interval bar_interval{125};
 
   // Reports every `interval`; 0: the one that fits the console.
-  ProgressReport(Console& console, std::uint64_t total_samples, Interval interval = Interval{0});
+  explicit ProgressReport(Console& console, Interval interval = Interval{0});
   ~ProgressReport() override;
   ProgressReport(const ProgressReport&) = delete;
   ProgressReport& operator=(const ProgressReport&) = delete;
@@ -44,19 +48,26 @@ class ProgressReport : public ProgressSink {
   void advance(std::uint64_t samples) override {
     done_.fetch_add(samples, std::memory_order_relaxed);
   }
+  void expect(std::uint64_t total_samples) override {
+    total_.store(total_samples, std::memory_order_relaxed);
+  }
+  void state_error(double rmse) override { rmse_.store(rmse, std::memory_order_relaxed); }
   // Stops reporting and removes the bar. Called by the destructor too.
   void stop();
   [[nodiscard]] ProgressState state() const;
 
  private:
+  static constexpr double unknown = -1;
+
   void run(std::stop_token stop);
   void report();
 
   Console& console_;
-  std::uint64_t total_;
   Interval interval_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::atomic<std::uint64_t> done_{0};
+  std::atomic<std::uint64_t> total_{0};
+  std::atomic<double> rmse_{unknown};
   std::mutex mutex_;
   std::condition_variable_any wake_;
   std::jthread thread_;  // last: it uses the others

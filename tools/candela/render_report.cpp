@@ -1,10 +1,10 @@
 #include "tools/candela/render_report.h"
 
+#include <cmath>
 #include <fstream>
 
 #include <fmt/format.h>
-
-#include "tools/candela/option_values.h"
+#include <fmt/ranges.h>
 
 namespace candela::cli {
 namespace {
@@ -40,11 +40,12 @@ std::string options_text(const RenderReport& report) {
   const PixelRect crop = options.crop.value_or(whole);
   return fmt::format(
       "size={}x{} crop={},{},{},{} camera={} max_depth={} filter={} transparent={} accel={} "
-      "robust={}{}{}",
+      "robust={} replicates={}{}{}",
       options.width, options.height, crop.x0, crop.y0, crop.x1, crop.y1, options.camera,
       depth_text(options.max_depth), name_of(options.filter, filter_choices()),
       options.transparent ? "yes" : "no", name_of(report.accelerator, accelerator_choices()),
-      report.is_robust ? "on" : "off", lab_text(options), strategy_text(options));
+      report.is_robust ? "on" : "off", report.replicates,
+      lab_text(options), strategy_text(options));
 }
 
 }  // namespace
@@ -53,6 +54,28 @@ std::string_view sampling_name(const RenderOptions& options) {
   const bool is_own =
       options.integrator == IntegratorKind::Report && options.sampling == SamplingStrategy::Mis;
   return name_of(is_own ? SamplingStrategy::Light : options.sampling, sampling_choices());
+}
+
+std::string_view stop_name(StopReason stop) {
+  switch (stop) {
+    case StopReason::Samples:
+      return "spp";
+    case StopReason::Error:
+      return "error";
+    case StopReason::Time:
+      return "time";
+    case StopReason::Cancelled:
+      return "interrupted";
+  }
+  return "";
+}
+
+std::vector<std::string> biases_of(const RenderOptions& options) {
+  std::vector<std::string> biases;
+  if (std::isfinite(options.clamp)) biases.push_back(fmt::format("clamp {}", options.clamp));
+  if (options.max_depth && options.integrator == IntegratorKind::Path)
+    biases.push_back(fmt::format("max depth {}", *options.max_depth));
+  return biases;
 }
 
 std::uint64_t peak_memory_bytes() {
@@ -70,7 +93,7 @@ std::uint64_t peak_memory_bytes() {
 Metadata metadata_of(const RenderReport& report) {
   const auto integer = [](std::uint64_t value) { return static_cast<std::int64_t>(value); };
   const RenderStatistics& statistics = report.statistics;
-  return {
+  Metadata metadata{
       {"Software", "candela " CANDELA_VERSION},
       {"candela:version", CANDELA_VERSION},
       {"candela:command", report.command},
@@ -89,7 +112,19 @@ Metadata metadata_of(const RenderReport& report) {
       {"candela:seconds_compile", report.seconds.compile},
       {"candela:seconds_build", report.seconds.build},
       {"candela:seconds_render", report.seconds.render},
+      {"candela:stop", std::string(stop_name(statistics.stop))},
   };
+  if (report.error) {
+    metadata.push_back({"candela:relmse", report.error->relmse});
+    metadata.push_back({"candela:rmse", report.error->rmse});
+    metadata.push_back({"candela:relmse_low", report.error->interval95.low});
+    metadata.push_back({"candela:relmse_high", report.error->interval95.high});
+    metadata.push_back({"candela:heavy_tails", report.error->heavy_tails});
+  }
+  const std::vector<std::string> biases = biases_of(report.options);
+  if (!biases.empty())
+    metadata.push_back({"candela:biased", fmt::format("{}", fmt::join(biases, ", "))});
+  return metadata;
 }
 
 }  // namespace candela::cli

@@ -10,6 +10,7 @@
 #include "integrators/render.h"
 #include "renderer/image/image_io.h"
 #include "tools/candela/arguments.h"
+#include "tools/candela/option_values.h"
 
 namespace candela::cli {
 
@@ -32,6 +33,8 @@ struct RenderReport {
   int threads = 0;
   std::uint32_t min_samples = 0;  // a pixel; less than asked where the render was interrupted
   std::uint32_t max_samples = 0;
+  std::uint32_t replicates = 1;  // that samples were dealt out to
+  std::optional<ErrorEstimate> error;
   StageSeconds seconds;
   RenderStatistics statistics;
   std::size_t skipped_textures = 0;  // never decoded since no ray touched them
@@ -41,13 +44,21 @@ struct RenderReport {
   std::vector<std::string> outputs;
   std::optional<RayLimit> ray_limit;
 
-  [[nodiscard]] bool is_interrupted() const {
-    return min_samples < static_cast<std::uint32_t>(options.samples_per_pixel);
+  [[nodiscard]] bool is_interrupted() const { return statistics.stop == StopReason::Cancelled; }
+  // --error or --time alone: as many as they need.
+  [[nodiscard]] bool has_sample_limit() const {
+    return options.samples_per_pixel < max_samples_per_pixel;
   }
 };
 
 // The report integrator's own way is called light: its lamps are sampled, never met.
 [[nodiscard]] std::string_view sampling_name(const RenderOptions& options);
+
+// Which rule ended the render: "spp", "error", "time", or "interrupted".
+[[nodiscard]] std::string_view stop_name(StopReason stop);
+
+// What makes the picture's expectation differ from the scene's own answer, such as "clamp 10".
+[[nodiscard]] std::vector<std::string> biases_of(const RenderOptions& options);
 
 // The process's largest resident memory so far (VmHWM); 0 where the system does not tell.
 [[nodiscard]] std::uint64_t peak_memory_bytes();

@@ -1,6 +1,7 @@
 #include "tools/candela/render_run.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,6 +21,27 @@ namespace {
 
 std::string samples_text(std::uint32_t low, std::uint32_t high) {
   return low == high ? fmt::format("{} spp", low) : fmt::format("{} to {} spp", low, high);
+}
+
+// What the render is to stop at.
+std::string rules_text(const RenderReport& report) {
+  const RenderOptions& options = report.options;
+  std::vector<std::string> rules;
+  if (report.has_sample_limit()) rules.push_back(fmt::format("{} spp", options.samples_per_pixel));
+  if (options.target_relmse)
+    rules.push_back("an error of " + error_text(std::sqrt(*options.target_relmse)));
+  if (options.time_limit_seconds)
+    rules.push_back(fmt::format("{:g} s", *options.time_limit_seconds));
+  return fmt::format("{}", fmt::join(rules, " or "));
+}
+
+// What it did stop at, and the error.
+std::string stop_text(const RenderReport& report) {
+  const std::string samples = samples_text(report.min_samples, report.max_samples);
+  const std::string error = report.error ? ", error " + error_text(report.error->rmse) : "";
+  const StopReason stop = report.statistics.stop;
+  if (stop == StopReason::Samples) return samples + error;
+  return fmt::format("stopped by --{} at {}{}", stop_name(stop), samples, error);
 }
 
 bool is_exr(const std::string& path) {
@@ -153,15 +175,11 @@ ProgressSink* RenderRun::start_rendering(const Scene& scene) {
   const PixelRect whole{0, 0, options().width, options().height};
   const PixelRect crop = options().crop.value_or(whole);
   report_.triangles = triangle_count(scene);
-  console_.note(fmt::format("{}: {} triangles, {}x{}, {} spp, {}, {} thread{}", report_.scene,
-                            report_.triangles, crop.width(), crop.height(),
-                            options().samples_per_pixel,
+  console_.note(fmt::format("{}: {} triangles, {}x{}, {}, {}, {} thread{}", report_.scene,
+                            report_.triangles, crop.width(), crop.height(), rules_text(report_),
                             name_of(options().integrator, integrator_choices()), report_.threads,
                             report_.threads == 1 ? "" : "s"));
-  const auto pixels =
-      static_cast<std::uint64_t>(crop.width()) * static_cast<std::uint64_t>(crop.height());
-  progress_ = std::make_unique<ProgressReport>(
-      console_, pixels * static_cast<std::uint64_t>(options().samples_per_pixel));
+  progress_ = std::make_unique<ProgressReport>(console_);
   return progress_.get();
 }
 
@@ -169,9 +187,25 @@ void RenderRun::rendered(const Scene& scene, const RenderResult& result) {
   report_.statistics = result.statistics;
   report_.min_samples = result.film.min_samples();
   report_.max_samples = result.film.max_samples();
+  report_.replicates = result.film.replicates();
+  report_.error = result.error;
   report_.skipped_textures = undecoded_textures(scene.textures);
   if (!arguments_.scene.is_strict) record(scene.textures.decoding_diagnostics());
   report_invalid_samples();
+  report_reliability();
+}
+
+void RenderRun::report_reliability() {
+  constexpr double negligible = 1e-3;
+  if (report_.error && report_.error->heavy_tails > negligible)
+    warn(
+        fmt::format("in {:.1f} % of the pixels rare strong samples hold most of the light: the "
+                    "stated error may be too small (--aov heavy_tail shows where)",
+                    report_.error->heavy_tails * 100));
+  if (report_.min_samples == 0 && report_.statistics.stop == StopReason::Time)
+    warn("the time did not suffice for one sample in every pixel; those without are black");
+  for (const std::string& bias : biases_of(options()))
+    if (bias.starts_with("clamp")) warn(bias + ": the picture is biased, it lacks light");
 }
 
 void RenderRun::report_invalid_samples() {
@@ -215,9 +249,11 @@ void RenderRun::report_samples() {
   if (report_.max_samples == 0)
     console_.error("interrupted before the first sample; nothing was written");
   else
-    console_.error(fmt::format("interrupted; the picture holds {} of {}",
+    console_.error(fmt::format("interrupted; the picture holds {}{}",
                                samples_text(report_.min_samples, report_.max_samples),
-                               options().samples_per_pixel));
+                               report_.has_sample_limit()
+                                   ? fmt::format(" of {}", options().samples_per_pixel)
+                                   : ""));
 }
 
 void RenderRun::write_stats() {
@@ -249,10 +285,10 @@ ExitCode RenderRun::finish(const Scene& scene, const AnyAccelerator& accelerator
   progress_->stop();
   report_samples();
   if (exit_code_ == ExitCode::Done)
-    console_.note(fmt::format("100 %, {} elapsed, {:.2f} Msamples/s; wrote {}",
+    console_.note(fmt::format("100 %, {} elapsed, {:.2f} Msamples/s; {}; wrote {}",
                               duration_text(state.elapsed_seconds),
-                              static_cast<double>(state.total) * 1e-6 / report_.seconds.render,
-                              fmt::join(report_.outputs, ", ")));
+                              static_cast<double>(state.done) * 1e-6 / report_.seconds.render,
+                              stop_text(report_), fmt::join(report_.outputs, ", ")));
   else if (!report_.outputs.empty())
     console_.note(fmt::format("wrote {}", fmt::join(report_.outputs, ", ")));
   if (arguments_.measures_ray_limit && !report_.is_interrupted())

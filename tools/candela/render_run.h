@@ -70,6 +70,7 @@ class RenderRun {
   void warn_of_useless_options();
   [[nodiscard]] bool is_dark(const Scene& scene) const;
   void report_invalid_samples();
+  void report_reliability();
   void report_samples();
   void measure_ray_limit(const Scene& scene, const AnyAccelerator& accelerator);
   [[nodiscard]] std::vector<std::string> all_paths() const;

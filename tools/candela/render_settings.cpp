@@ -66,6 +66,11 @@ std::string_view integrator_name(const RenderOptions& options) {
   return name_of(options.integrator, integrator_choices());
 }
 
+// --error, --relmse or --time: the number of samples follows.
+bool has_other_rule(const RenderOptions& options) {
+  return options.target_relmse || options.time_limit_seconds;
+}
+
 int square_side_below(int samples) {
   return static_cast<int>(std::sqrt(static_cast<double>(samples)));
 }
@@ -88,10 +93,50 @@ void settle_grid(bool is_said, RenderOptions& options, std::vector<std::string>&
                   asked, integrator_name(options), side * side, side, side));
 }
 
+// What draws nothing at random has no error to state, and a grid is complete or has gaps.
+void refuse_stop_rules(const RenderArguments& arguments, const RenderOptions& options) {
+  const auto refuse = [&](bool is_said, std::string_view option) {
+    if (is_said)
+      throw Refusal{fmt::format("{} is for path and report, this is {}", option,
+                                integrator_name(options)),
+                    ExitCode::Usage};
+  };
+  if (is_lab_shading(options.integrator)) {
+    refuse(arguments.error_goal.has_value(), "--error");
+    refuse(arguments.relmse_goal.has_value(), "--relmse");
+    refuse(arguments.time_limit_seconds.has_value(), "--time");
+    refuse(arguments.replicates.has_value(), "--replicates");
+    refuse(arguments.clamp.has_value(), "--clamp");
+  }
+  if (options.target_relmse && options.replicates < 2)
+    throw Refusal{fmt::format("{} needs an error to go by, and --replicates 1 states none",
+                              arguments.error_goal ? "--error" : "--relmse"),
+                  ExitCode::Usage};
+  if (arguments.measures_ray_limit && has_other_rule(options) && !arguments.samples_per_pixel)
+    throw Refusal{"--ray-limit needs --spp, since no number of samples is known beforehand",
+                  ExitCode::Usage};
+}
+
+void settle_stop_rules(const RenderArguments& arguments, RenderOptions& options) {
+  options.replicates = arguments.replicates.value_or(options.replicates);
+  if (arguments.error_goal) options.target_relmse = *arguments.error_goal * *arguments.error_goal;
+  if (arguments.relmse_goal)
+    options.target_relmse =
+        std::min(*arguments.relmse_goal, options.target_relmse.value_or(*arguments.relmse_goal));
+  options.time_limit_seconds = arguments.time_limit_seconds;
+  if (arguments.clamp) options.clamp = static_cast<float>(*arguments.clamp);
+  refuse_stop_rules(arguments, options);
+}
+
 void settle_samples(const RenderArguments& arguments, const description::RenderDefaults& defaults,
                     RenderOptions& options, std::vector<std::string>& warnings) {
   constexpr int lab_samples = 16;
   if (is_lab_shading(options.integrator)) options.samples_per_pixel = lab_samples;
+  if (has_other_rule(options) && !arguments.samples_per_pixel) {
+    options.samples_per_pixel = max_samples_per_pixel;
+    options.seed = arguments.seed.value_or(defaults.seed.value_or(options.seed));
+    return;
+  }
   options.samples_per_pixel = arguments.samples_per_pixel.value_or(
       defaults.samples_per_pixel.value_or(options.samples_per_pixel));
   if (options.samples_per_pixel < 1 || options.samples_per_pixel > max_samples_per_pixel)
@@ -191,7 +236,7 @@ void refuse_giant(const RenderOptions& options) {
   const PixelRect whole{0, 0, options.width, options.height};
   const PixelRect crop = options.crop.value_or(whole);
   const double pixels = static_cast<double>(crop.width()) * crop.height();
-  constexpr double film_bytes = 40;
+  const double film_bytes = 16 + 24.0 * options.replicates;
   constexpr double aov_bytes = 88;
   const double channel_bytes = 4.0 * (4 + 3 * std::popcount(options.aovs));
   const double needed = pixels * (film_bytes + (options.aovs ? aov_bytes : 0) + channel_bytes);
@@ -211,6 +256,7 @@ RenderSettings settled(const RenderArguments& arguments,
   settle_size(arguments, description.defaults, options);
   settle_crop(arguments, options);
   settle_names(arguments, description.defaults, options);
+  settle_stop_rules(arguments, options);
   settle_samples(arguments, description.defaults, options, settings.warnings);
   settle_depth(arguments, description.defaults, options);
   settle_camera(arguments, description, options);

@@ -44,15 +44,30 @@ class Candela:
     def version(self):
         return self._output_of("--version").strip()
 
-    def render(self, name, scene, **options):
+    def render(self, name, scene, png=True, **options):
         """`options` are candela's own: spp=16 is --spp 16, lab_normals=True is --lab-normals."""
         base = self.folder / name
-        exr, png, stats = (base.with_suffix(end) for end in (".exr", ".png", ".json"))
-        words = ["render", scene, "-o", exr, "-o", png, "--stats", stats, "--quiet"]
+        files = Render(name, *(base.parent / (base.name + end) for end in (".exr", ".png")), {})
+        stats = base.parent / (base.name + ".json")
+        words = ["render", scene, "-o", files.exr, "--stats", stats, "--quiet"]
+        words += ["-o", files.png] if png else []
         for option, value in options.items():
             words += ["--" + option.replace("_", "-")] + ([] if value is True else [value])
         self._output_of(*words)
-        return Render(name, exr, png, json.loads(stats.read_text()))
+        return dataclasses.replace(files, stats=json.loads(stats.read_text()))
+
+    def cached(self, name, scene, **options):
+        """The same without PNG, once: what stays the same over many runs, such as references.
+        Another version, scene or option makes it anew; after a change of the program itself the
+        folder is to be deleted."""
+        asked = self.folder / f"{name}.asked.json"
+        key = json.dumps([self.version(), str(scene), {k: str(v) for k, v in options.items()}])
+        exr, stats = self.folder / f"{name}.exr", self.folder / f"{name}.json"
+        if asked.exists() and asked.read_text() == key and exr.exists():
+            return Render(name, exr, None, json.loads(stats.read_text()))
+        render = self.render(name, scene, png=False, **options)
+        asked.write_text(key)
+        return render
 
     def compare(self, render, reference):
         """relmse, mean_ratio and more of `candela compare --json`."""

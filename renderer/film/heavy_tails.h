@@ -1,0 +1,14 @@
+// Where the stated error cannot be trusted: regions whose light comes in few, rare, strong samples,
+// so that most of what there is may not have been met yet [DESIGN: invariant 10].
+#pragma once
+
+#include <vector>
+
+#include "renderer/film/film.h"
+
+namespace candela {
+
+// One flag a pixel of the crop, in rows from the top. Regions are blocks of 8x8 pixels.
+[[nodiscard]] std::vector<bool> heavy_tail_mask(const Film& film);
+
+}  // namespace candela

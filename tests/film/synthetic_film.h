@@ -1,0 +1,26 @@
+// Films filled with numbers of which mean and variance are known.
+#pragma once
+
+#include <random>
+
+#include "renderer/film/film.h"
+
+namespace candela::test {
+
+// `draw(random, x, y)`: the grey radiance of one sample of a pixel.
+template <class Draw>
+[[nodiscard]] Film synthetic_film(int size, int samples, std::uint32_t replicates,
+                                  std::uint64_t seed, Draw draw) {
+  Film film(size, size, {0, 0, size, size}, 0, replicates);
+  std::mt19937_64 random(seed);
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x)
+      for (int s = 0; s < samples; ++s) {
+        FilmSample sample;
+        sample.radiance = Rgb(static_cast<float>(draw(random, x, y)));
+        film.add(x, y, sample);
+      }
+  return film;
+}
+
+}  // namespace candela::test

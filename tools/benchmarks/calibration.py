@@ -1,0 +1,220 @@
+"""Is the stated error the true one? Over scenes, samples a pixel and seeds.
+
+The true relMSE is measured against a long reference of other seeds, whose own variance is taken
+off; the stated one is what the program says of itself. docs/accuracy.md tells what came out."""
+
+import csv
+import dataclasses
+import math
+import pathlib
+import sys
+
+import analytic_scenes
+from renders import Candela
+
+ABOUT = "the stated error against the true one"
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+REFERENCE_SEEDS = (900001, 900002)
+T95_THREE_DEGREES = 3.182446305  # Student's t, 97.5 %, of four replicates
+
+
+def add_arguments(parser):
+    parser.add_argument("--quick", action="store_true",
+                        help="4 to 64 samples a pixel only, references accordingly")
+    parser.add_argument("--scenes", metavar="NAMES", help="only these, by comma")
+    parser.add_argument("--spp", metavar="LIST", help="only these, by comma")
+    parser.add_argument("--seeds", type=int, default=20, help="pictures a case (20)")
+    parser.add_argument("--size", type=int, default=48, help="pixels a side (48)")
+    parser.add_argument("--stops", type=int, default=200, metavar="N",
+                        help="pictures that end by --error, a case (200); 0: none")
+    parser.add_argument("--no-cases", action="store_true", help="only those that end by --error")
+
+
+@dataclasses.dataclass
+class Scene:
+    name: str
+    path: pathlib.Path
+    radiance: float = None  # of every pixel, where it is known
+
+
+@dataclasses.dataclass
+class Reference:
+    image: "numpy.ndarray"
+    variance: "numpy.ndarray"  # of the image
+    weight: "numpy.ndarray"  # 1 / (r^2 + epsilon)
+
+    def relmse(self, image):
+        """As candela compare, without the reference's own noise."""
+        return float((((image - self.image) ** 2 - self.variance) * self.weight).mean())
+
+    def own_relmse(self):
+        return float((self.variance * self.weight).mean())
+
+
+def all_scenes(options):
+    from scenes import scenes_by_name
+    scenes = [Scene(name, path) for name, path in scenes_by_name(ROOT).items()]
+    for name, path, radiance in analytic_scenes.write(options.out / "scenes"):
+        scenes.append(Scene(name, path, radiance))
+    if options.scenes:
+        wanted = options.scenes.split(",")
+        scenes = [s for s in scenes if s.name in wanted]
+    return scenes
+
+
+def safe(name):
+    return name.replace("/", "_")
+
+
+def layers(render):
+    """The picture, its variance, and the mask of heavy tails."""
+    from exr import read_channels, stacked
+    channels = read_channels(render.exr)
+    return (stacked(channels, "RGB"), stacked(channels, [f"variance.{c}" for c in "RGB"]),
+            channels["heavy_tail.V"] > 0)
+
+
+def with_weight(image, variance):
+    epsilon = 1e-2 * image.mean() ** 2
+    return Reference(image, variance, 1 / (image ** 2 + epsilon))
+
+
+def reference(candela, scene, options, spp):
+    import numpy
+    if scene.radiance is not None:
+        image = numpy.full((options.size, options.size, 3), scene.radiance)
+        return with_weight(image, numpy.zeros_like(image))
+    parts = [layers(candela.cached(f"reference_{safe(scene.name)}_{seed}", scene.path,
+                                   integrator="path", size=f"{options.size}x{options.size}",
+                                   spp=spp, seed=seed, replicates=16, aov="variance,heavy_tail"))
+             for seed in REFERENCE_SEEDS]
+    count = len(parts)
+    return with_weight(sum(p[0] for p in parts) / count, sum(p[1] for p in parts) / count ** 2)
+
+
+@dataclasses.dataclass
+class Picture:
+    stated: float
+    true: float
+    interval_holds: bool
+    covered: float  # share of pixel intervals that hold the reference, outside the mask
+    covered_everywhere: float
+    masked: float
+
+
+def picture(candela, scene, options, truth, spp, seed):
+    render = candela.render(f"picture_{safe(scene.name)}", scene.path, png=False,
+                            integrator="path", size=f"{options.size}x{options.size}", spp=spp,
+                            seed=seed, aov="variance,heavy_tail")
+    image, variance, mask = layers(render)
+    # The image is stored as 32-bit floats: a pixel without variance is right up to their rounding.
+    reach = T95_THREE_DEGREES * (variance + truth.variance) ** .5 + 1e-6 * abs(truth.image)
+    holds = abs(image - truth.image) <= reach
+    error = render.stats["error"]
+    true = truth.relmse(image)
+    low, high = error["interval95"]
+    outside = holds[~mask]
+    return Picture(error["relmse"], true, low <= true <= high,
+                   float(outside.mean()) if outside.size else math.nan, float(holds.mean()),
+                   float(mask.mean()))
+
+
+def ratio_with_range(pictures):
+    """Of the means, stated over true, and its 95 % interval by the jackknife."""
+    stated, true = (sum(getattr(p, k) for p in pictures) for k in ("stated", "true"))
+    ratio = stated / true
+    n = len(pictures)
+    without = [(stated - p.stated) / (true - p.true) for p in pictures]
+    centre = sum(without) / n
+    error = math.sqrt((n - 1) / n * sum((r - centre) ** 2 for r in without))
+    return ratio, 2.09 * error  # Student's t of 19 degrees
+
+
+def mean(values):
+    values = [v for v in values if not math.isnan(v)]
+    return sum(values) / len(values) if values else math.nan
+
+
+def case_row(scene, spp, pictures, truth):
+    ratio, reach = ratio_with_range(pictures)
+    true = mean(p.true for p in pictures)
+    return {"scene": scene.name, "spp": spp, "seeds": len(pictures), "true_relmse": true,
+            "stated_over_true": ratio, "plus_minus": reach,
+            "reference_share": truth.own_relmse() / true,
+            "interval_holds": mean(float(p.interval_holds) for p in pictures),
+            "pixels_covered": mean(p.covered for p in pictures),
+            "pixels_covered_with_masked": mean(p.covered_everywhere for p in pictures),
+            "masked": mean(p.masked for p in pictures)}
+
+
+def cases(candela, options, counts):
+    reference_spp = 16 * max(counts)
+    for scene in all_scenes(options):
+        truth = reference(candela, scene, options, reference_spp)
+        for spp in counts:
+            pictures = [picture(candela, scene, options, truth, spp, seed)
+                        for seed in range(1, options.seeds + 1)]
+            if all(p.true == 0 and p.stated == 0 for p in pictures):
+                continue  # nothing random in it
+            row = case_row(scene, spp, pictures, truth)
+            print(" ".join(f"{k}={v:.4g}" if isinstance(v, float) else f"{k}={v}"
+                           for k, v in row.items()), file=sys.stderr, flush=True)
+            yield row
+
+
+STOP_SCENES = ("cornell_box_diffuse", "cornell_box", "cutouts", "furnace")
+
+
+def stops(candela, options):
+    """Does --error X end with a true error near X?"""
+    reference_spp = 1 << 14
+    for scene in all_scenes(options):
+        if scene.name not in STOP_SCENES:
+            continue
+        truth = reference(candela, scene, options, reference_spp)
+        once = candela.render("stop", scene.path, png=False, integrator="path", spp=64,
+                              size=f"{options.size}x{options.size}", seed=1)
+        goal = float(f"{once.stats['error']['rmse']:.2g}")  # reached near 64 samples
+        ratios, samples = [], []
+        for seed in range(1, options.stops + 1):
+            render = candela.render("stop", scene.path, png=False, integrator="path", error=goal,
+                                    size=f"{options.size}x{options.size}", seed=seed,
+                                    aov="variance,heavy_tail")
+            ratios.append(math.sqrt(max(truth.relmse(layers(render)[0]), 0)) / goal)
+            samples.append(render.stats["max_samples"])
+        row = {"scene": scene.name, "goal": goal, "runs": len(ratios),
+               "samples": sorted(samples)[len(samples) // 2],
+               "at_most_1.1": mean(float(r <= 1.1) for r in ratios),
+               "at_least_0.8": mean(float(r >= .8) for r in ratios),
+               "least": min(ratios), "median": sorted(ratios)[len(ratios) // 2],
+               "most": max(ratios)}
+        print(row, file=sys.stderr, flush=True)
+        yield row
+
+
+def write_csv(path, rows):
+    if not rows:
+        return
+    with path.open("w", newline="") as file:
+        writer = csv.DictWriter(file, rows[0].keys())
+        writer.writeheader()
+        for row in rows:
+            writer.writerow({k: f"{v:.6g}" if isinstance(v, float) else v for k, v in row.items()})
+
+
+def run(options):
+    options.out = options.out.resolve()
+    options.out.mkdir(parents=True, exist_ok=True)
+    candela = Candela(options.program, options.out / "renders")
+    counts = (4, 16, 64) if options.quick else (4, 16, 64, 256, 1024)
+    if options.spp:
+        counts = tuple(int(n) for n in options.spp.split(","))
+    if not options.no_cases:
+        rows = list(cases(candela, options, counts))
+        write_csv(options.out / "calibration.csv", rows)
+        ratios = sorted(r["stated_over_true"] for r in rows)
+        print(f"stated / true: median {ratios[len(ratios) // 2]:.3f}, "
+              f"from {ratios[0]:.3f} to {ratios[-1]:.3f}")
+    if options.stops:
+        write_csv(options.out / "stops.csv", list(stops(candela, options)))
