@@ -45,19 +45,25 @@ struct DielectricFresnel {
   return {clamp_unit(0.5f * (square(perpendicular) + square(parallel))), cos_t};
 }
 
-// One channel of a conductor with relative index eta + i k; [Lagarde13, "conductor-dielectric"].
+// One channel of a conductor with relative index eta + i k; [Lagarde13, "conductor-dielectric"]
+// with a + i b = sqrt((eta + i k)^2 - sin^2). Of a^2 and b^2 the larger is a sum and the smaller
+// their product (eta k)^2 over it, and the amplitudes' differences are squared as such: nothing
+// cancels where eta is near 1 and k near 0, also at grazing angles.
 [[nodiscard]] inline float fresnel_conductor(float cos_theta, float eta, float k) {
-  const float cos2 = square(clamp_unit(cos_theta));
-  const float sin2 = 1 - cos2;
-  const float difference = square(eta) - square(k) - sin2;
-  const float sum = std::sqrt(square(difference) + 4 * square(eta * k));  // a^2 + b^2
-  const float a = std::sqrt(std::max(0.0f, 0.5f * (sum + difference)));
-  const float two_a_cos = 2 * a * clamp_unit(cos_theta);
-  const float denominator_s = sum + cos2 + two_a_cos;
-  const float denominator_p = cos2 * sum + square(sin2) + two_a_cos * sin2;
+  const float c = clamp_unit(cos_theta);
+  const float sin2 = (1 - c) * (1 + c);
+  const float difference = (eta - 1) * (eta + 1) - square(k) + square(c);  // a^2 - b^2
+  const float product = square(eta * k);
+  const float larger = 0.5f * (std::sqrt(square(difference) + 4 * product) + std::abs(difference));
+  if (!(larger > 0)) return 1;
+  const float smaller = product / larger;
+  const float a = std::sqrt(difference > 0 ? larger : smaller);
+  const float b2 = difference > 0 ? smaller : larger;
+  const float denominator_s = square(a + c) + b2;
+  const float denominator_p = square(a * c + sin2) + b2 * square(c);
   if (!(denominator_s > 0) || !(denominator_p > 0)) return 1;
-  const float s = (sum + cos2 - two_a_cos) / denominator_s;
-  const float p_over_s = (cos2 * sum + square(sin2) - two_a_cos * sin2) / denominator_p;
+  const float s = (square(a - c) + b2) / denominator_s;
+  const float p_over_s = (square(a * c - sin2) + b2 * square(c)) / denominator_p;
   return clamp_unit(0.5f * s * (1 + p_over_s));
 }
 [[nodiscard]] inline Rgb fresnel_conductor(float cos_theta, const Rgb& eta, const Rgb& k) {

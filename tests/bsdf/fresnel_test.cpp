@@ -40,6 +40,16 @@ TEST(Unit_Fresnel, ConductorMatchesTheAmplitudes) {
       }
 }
 
+// Without absorption a conductor is a dielectric, at grazing angles and of index 1 as well.
+TEST(Unit_Fresnel, ConductorWithoutAbsorptionIsADielectric) {
+  for (const float eta : {1.0f, 1.0000001f, 1.0001f, 1.5f, 1000.0f, 0.9999f, 0.5f})
+    for (const float cos_theta : {1.0f, 0.3f, 1e-2f, 1e-3f, 1e-4f, 1e-6f}) {
+      const float dielectric = fresnel_dielectric(cos_theta, eta).reflectance;
+      EXPECT_NEAR(fresnel_conductor(cos_theta, eta, 0), dielectric, 2e-6)
+          << eta << " " << cos_theta;
+    }
+}
+
 TEST(Unit_Fresnel, KnownPlaces) {
   EXPECT_FLOAT_EQ(fresnel_dielectric(1, 1.5f).reflectance, 0.04f);
   EXPECT_FLOAT_EQ(normal_reflectance(1.5f), 0.04f);
