@@ -77,12 +77,13 @@ inline constexpr float smallest_refraction_spread = 1e-5f;
   const float cos_o = dot(wo, h);
   const float cos_i = -dot(wi, h);
   if (!(cos_o > 0) || !(cos_i > 0)) return {};
-  const float reflectance = fresnel_dielectric(cos_o, eta).reflectance;
-  const float p_refract = 1 - reflection_probability(reflectance, bsdf.transmittance);
+  const float transmitted = fresnel_transmittance(cos_o, cos_i, eta);
+  const float tinted = transmitted * max_component(bsdf.transmittance);
+  const float p_refract = tinted > 0 ? tinted / (1 - transmitted + tinted) : 0;
   const float distribution = ggx_distribution(h, a);
   const float solid_angles = cos_i / length2;  // dh / dwi over eta^2: |across| = |cos_o + eta wi.h|
   const float normal_pdf = ggx_visible_normal_pdf(distribution, cos_o, wo.z, a);
-  const float value = (1 - reflectance) * normal_pdf * smith_g1(-wi.z, a) * solid_angles;
+  const float value = transmitted * normal_pdf * smith_g1(-wi.z, a) * solid_angles;
   return {bsdf.transmittance * value, p_refract * normal_pdf * solid_angles * square(eta)};
 }
 

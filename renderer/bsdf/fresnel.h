@@ -45,6 +45,16 @@ struct DielectricFresnel {
   return {clamp_unit(0.5f * (square(perpendicular) + square(parallel))), cos_t};
 }
 
+// 1 - F of a refraction whose two cosines are known: without cancellation at grazing angles and
+// near the critical one, and the same from both sides.
+[[nodiscard]] inline float fresnel_transmittance(float cos_theta, float cos_transmitted,
+                                                 float eta) {
+  const float perpendicular = cos_theta + eta * cos_transmitted;
+  const float parallel = eta * cos_theta + cos_transmitted;
+  const float product = 2 * eta * cos_theta * cos_transmitted;
+  return clamp_unit(product / square(perpendicular) + product / square(parallel));
+}
+
 // One channel of a conductor with relative index eta + i k; [Lagarde13, "conductor-dielectric"]
 // with a + i b = sqrt((eta + i k)^2 - sin^2). Of a^2 and b^2 the larger is a sum and the smaller
 // their product (eta k)^2 over it, and the amplitudes' differences are squared as such: nothing

@@ -1,0 +1,87 @@
+// Of each material at the ends of its parameters, the light that its samples carry away: within
+// 1e-3 of what the papers' formulas give in double, from straight above to grazing.
+#include <gtest/gtest.h>
+
+#include "renderer/bsdf/dispatch.h"
+#include "renderer/sampling/sobol.h"
+#include "tests/bsdf/bsdf_cases.h"
+#include "tests/bsdf/reference_bsdf.h"
+#include "tests/statistics/moments.h"
+#include "tests/stress/material_cases.h"
+#include "tests/stress/row.h"
+
+namespace candela {
+namespace {
+
+using test::MaterialCase;
+
+constexpr double tolerance = 1e-3;
+
+// Weights without radiance's 1 / eta^2, until their mean is known to a fifth of the tolerance.
+statistics::Moments sampled_energy(const Bsdf& bsdf, const Vec3f& wo) {
+  const std::uint32_t most = test::is_heavy() ? 1 << 23 : 1 << 16;
+  constexpr std::uint32_t least = 1 << 13;  // what is rare must have been met
+  statistics::Moments energy;
+  for (std::uint32_t i = 0; i < most; ++i) {
+    const BsdfSample sample = sample_bsdf(bsdf, wo, owen_sobol_1d(i, 31), owen_sobol_2d(i, 32));
+    energy.add(double{sample.weight.y} * square(double{sample.eta}));
+    const bool is_net = (energy.count() & i) == 0;  // a power of two of them
+    if (is_net && energy.count() >= least && energy.standard_error() < tolerance / 5) break;
+  }
+  return energy;
+}
+
+std::vector<float> cosines() {
+  if (!test::is_heavy()) return {1, 0.3f, 1e-3f, 1e-6f};
+  return {1, 0.9f, 0.7f, 0.5f, 0.3f, 0.1f, 0.03f, 0.01f, 1e-3f, 1e-4f, 1e-5f, 1e-6f, 1e-7f, 1e-20f};
+}
+
+// The few samples of the default suite may need more than the tolerance; the heavy ones may not.
+double allowed(const statistics::Moments& found) {
+  return test::is_heavy() ? tolerance : std::max(tolerance, 4.5 * found.standard_error());
+}
+
+void expect_energy(const std::string& name, const std::vector<MaterialCase>& cases) {
+  double worst = 0;
+  for (const MaterialCase& c : cases)
+    for (const float cos_o : cosines()) {
+      const Vec3f wo = tests::direction_of(cos_o, 0.3f);
+      const double expected = tests::reference_albedo(c.bsdf, normalize(Vec3d(wo)));
+      const statistics::Moments found = sampled_energy(c.bsdf, wo);
+      EXPECT_NEAR(found.mean(), expected, allowed(found)) << c.name << " at cosine " << cos_o;
+      worst = std::max(worst, std::abs(found.mean() - expected));
+    }
+  test::add_row(name, {{"cases", static_cast<double>(cases.size() * cosines().size())},
+                       {"worst_deviation", worst}});
+}
+
+std::vector<MaterialCase> of_all_decades(std::vector<MaterialCase> (*cases_of)(float)) {
+  std::vector<MaterialCase> all;
+  for (const float roughness : test::roughness_decades)
+    for (MaterialCase& c : cases_of(roughness)) all.push_back(std::move(c));
+  return all;
+}
+
+TEST(Stress_MaterialEnergy, Conductors) {
+  expect_energy("conductors", of_all_decades(test::conductor_cases));
+}
+TEST(Stress_MaterialEnergy, Dielectrics) {
+  expect_energy("dielectrics", of_all_decades(test::dielectric_cases));
+}
+TEST(Stress_MaterialEnergy, DiffuseUnderSpecular) {
+  expect_energy("diffuse under specular", of_all_decades(test::layered_cases));
+}
+TEST(Stress_MaterialEnergy, PanesAndMirrors) {
+  std::vector<MaterialCase> cases;
+  for (const float ior : test::refractive_indices)
+    for (const float tint : {1.0f, 0.7f, 0.0f})
+      cases.push_back(
+          {fmt::format("pane {} tint {}", ior, tint),
+           {.model = BsdfModel::ThinDielectric, .eta = Rgb{ior}, .transmittance = Rgb{tint}}});
+  cases.push_back({"mirror", {.model = BsdfModel::Mirror, .diffuse = Rgb{0.6f}}});
+  cases.push_back({"diffuse", {.model = BsdfModel::Diffuse, .diffuse = Rgb{0.6f}}});
+  expect_energy("panes, mirror, diffuse", cases);
+}
+
+}  // namespace
+}  // namespace candela
