@@ -1,8 +1,27 @@
 #include "renderer/light/light_sampler.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace candela {
+namespace {
+
+// Nothing that shines is picked less often than every tenth of an equal share: what is dim may be
+// all that lights the place where it stands.
+void lift_dim_lights(std::vector<double>& weights) {
+  double sum = 0;
+  double count = 0;
+  for (const double weight : weights)
+    if (weight > 0) {
+      sum += weight;
+      ++count;
+    }
+  if (!std::isfinite(sum)) return;
+  for (double& weight : weights)
+    if (weight > 0) weight = std::max(weight, 0.1 * sum / count);
+}
+
+}  // namespace
 
 LightSampler::LightSampler(std::span<const Light> lights, std::span<const double> powers) {
   std::vector<double> weights(powers.begin(), powers.end());
@@ -13,6 +32,7 @@ LightSampler::LightSampler(std::span<const Light> lights, std::span<const double
     }
   if (always_.size() > delta_limit) always_.clear();
   for (const std::uint32_t i : always_) weights[i] = 0;
+  lift_dim_lights(weights);
   table_ = AliasTable(weights);
 }
 

@@ -2,7 +2,7 @@
 //
 // With at most `delta_limit` delta lights each of them is sampled at every hit, and one more light
 // is picked by power among the rest (triangles, environment). With more delta lights all are picked
-// by power. Black lights are never picked.
+// by power. Black lights are never picked, dim ones not less than every tenth of an equal share.
 #pragma once
 
 #include <cstdint>

@@ -83,6 +83,14 @@ TEST(Unit_LightSampler, DropsBlackLights) {
   EXPECT_EQ(sampler.probability(10), 0.0f);
 }
 
+TEST(Unit_LightSampler, LeavesDimLightsATenthOfAnEqualShare) {
+  const LightSampler sampler =
+      sampler_of({triangle_of(1e12f), triangle_of(1e-12f), triangle_of(0), triangle_of(1e12f)});
+  EXPECT_NEAR(sampler.probability(1), 0.1 / 3, 0.004);
+  EXPECT_EQ(sampler.probability(2), 0.0f);
+  EXPECT_NEAR(probability_sum(sampler, 4), 1, 1e-7);
+}
+
 TEST(Unit_LightSampler, HoldsPowersSixtyDecadesApart) {
   const std::vector<Light> lights{triangle_of(1e-30f), triangle_of(1), triangle_of(1e30f)};
   const LightSampler sampler = sampler_of(lights);

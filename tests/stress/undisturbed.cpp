@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/base/parallel.h"
 #include "renderer/image/compare.h"
 #include "tests/statistics/replicates.h"
 #include "tests/stress/row.h"
@@ -48,15 +49,19 @@ double relmse(const Image& image, const Image& reference) {
 
 Renders renders_of(const std::string& name, const description::SceneDescription& description,
                    const RenderSettings& settings, int count) {
-  RenderSettings with_seed = settings;
-  const Scene scene = compiled(description, settings.options);
+  RenderOptions options = settings.options;
+  const Scene scene = compiled(description, options);
   Renders renders{name, {}, 0};
-  for (int i = 0; i < count; ++i) {
-    with_seed.options.seed = static_cast<std::uint64_t>(i + 1);
-    const RenderResult result = rendered(scene, with_seed);
-    renders.images.push_back(result.film.to_image(false));
-    renders.invalid_samples += result.statistics.invalid_samples;
-  }
+  with_threads(settings.threads, [&] {
+    const AnyAccelerator accelerator = build_accelerator(scene, settings.accelerator);
+    for (int i = 0; i < count; ++i) {
+      options.seed = static_cast<std::uint64_t>(i + 1);
+      const RenderResult result = render(scene, accelerator, options, nullptr, nullptr);
+      renders.images.push_back(result.film.to_image(false));
+      renders.invalid_samples += result.statistics.invalid_samples;
+    }
+  });
+  EXPECT_EQ(renders.invalid_samples, 0u) << name;
   return renders;
 }
 
