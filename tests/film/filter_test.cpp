@@ -2,23 +2,31 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "renderer/math/constants.h"
+#include "renderer/sampling/hash.h"
+#include "tests/statistics/chi_square.h"
+#include "tests/statistics/distributions.h"
 
 namespace candela {
 namespace {
 
-// The variance of a filter's position, from its definition, by quadrature.
+// Not normalised, from its definition.
+double weight(FilterKind kind, double x, double r) {
+  if (kind == FilterKind::Gaussian) return std::exp(-x * x / 0.5) - std::exp(-r * r / 0.5);
+  if (kind == FilterKind::Box) return 1;
+  const double p = pi_double * (x / r + 1);
+  return 0.35875 - 0.48829 * std::cos(p) + 0.14128 * std::cos(2 * p) - 0.01168 * std::cos(3 * p);
+}
+
+// The variance of a filter's position, by quadrature.
 double variance_of(FilterKind kind, double r) {
   double sum = 0, moment = 0;
   constexpr int steps = 200000;
   for (int i = 0; i < steps; ++i) {
     const double x = r * ((2.0 * i + 1) / steps - 1);
-    double w = 1;
-    if (kind == FilterKind::Gaussian) w = std::exp(-x * x / 0.5) - std::exp(-r * r / 0.5);
-    if (kind == FilterKind::BlackmanHarris) {
-      const double p = pi_double * (x / r + 1);
-      w = 0.35875 - 0.48829 * std::cos(p) + 0.14128 * std::cos(2 * p) - 0.01168 * std::cos(3 * p);
-    }
+    const double w = weight(kind, x, r);
     sum += w;
     moment += w * x * x;
   }
@@ -40,6 +48,44 @@ TEST(Unit_Filter, SamplesFollowTheFilter) {
     EXPECT_NEAR(mean, 0, 1e-5);
     // The table's 1024 straight pieces are the filter that is used; they miss the ideal by < 1 %.
     EXPECT_NEAR(moment / variance_of(kind, filter.radius()), 1, 0.01);
+  }
+}
+
+// Places that cut the filter into `count` parts of equal weight.
+std::vector<double> quantiles(FilterKind kind, double r, int count) {
+  constexpr int steps = 200000;
+  std::vector<double> sums{0};
+  for (int i = 0; i < steps; ++i)
+    sums.push_back(sums.back() + weight(kind, r * ((2.0 * i + 1) / steps - 1), r));
+  std::vector<double> cuts;
+  for (int k = 1; k < count; ++k) {
+    const auto at = std::ranges::lower_bound(sums, sums.back() * k / count);
+    cuts.push_back(r * (2 * static_cast<double>(at - sums.begin()) / steps - 1));
+  }
+  return cuts;
+}
+
+TEST(Statistical_Filter, PlacesFollowTheFilter) {
+  constexpr std::size_t parts = 32;
+  constexpr int count = 1'000'000;
+  for (const FilterKind kind :
+       {FilterKind::Box, FilterKind::Gaussian, FilterKind::BlackmanHarris}) {
+    const Filter filter(kind, default_radius(kind));
+    const std::vector<double> cuts = quantiles(kind, filter.radius(), parts);
+    const auto part = [&](float x) {
+      return static_cast<std::size_t>(std::ranges::upper_bound(cuts, double{x}) - cuts.begin());
+    };
+    std::vector<double> observed(parts * parts, 0);
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const std::uint64_t bits = mix_bits(i + 5);
+      const Vec2f place = filter.sample({unit_float(static_cast<std::uint32_t>(bits)),
+                                         unit_float(static_cast<std::uint32_t>(bits >> 32))});
+      observed[part(place.y) * parts + part(place.x)] += 1;
+    }
+    const std::vector<double> expected(parts * parts, double{count} / (parts * parts));
+    EXPECT_GT(statistics::chi_square_test(observed, expected).p_value,
+              statistics::sidak_level(0.01, 3))
+        << static_cast<int>(kind);
   }
 }
 

@@ -6,6 +6,8 @@
 #include "renderer/sampling/sobol.h"
 #include "tests/bsdf/bsdf_cases.h"
 #include "tests/scenes/description.h"
+#include "tests/statistics/direction_sampling.h"
+#include "tests/statistics/distributions.h"
 
 namespace candela {
 namespace {
@@ -82,6 +84,29 @@ TEST(Statistical_PlainDirection, HasTheAlbedoOfTheBsdfsOwnSampling) {
       EXPECT_NEAR(plain / count, own / count, 0.004) << static_cast<int>(strategy);
     }
   }
+}
+
+// Over a hemisphere, or both where light goes through.
+TEST(Statistical_PlainDirection, DirectionsFollowTheirDensity) {
+  const Vec3f wo = normalize(Vec3f{0.5f, 0.2f, 0.7f});
+  const Bsdf opaque{.model = BsdfModel::Diffuse, .diffuse = Rgb{0.5f}};
+  for (const Bsdf& bsdf : {opaque, tests::dielectric(0.6f, 1.5f)})
+    for (const SamplingStrategy strategy : {SamplingStrategy::Cosine, SamplingStrategy::Uniform}) {
+      const bool is_opaque = bsdf.model == BsdfModel::Diffuse;
+      const auto density = [&](const Vec3f& wi) {
+        const double cosine = is_opaque ? wi.z : std::abs(wi.z);
+        if (!(cosine > 0)) return 0.0;
+        const double hemisphere = strategy == SamplingStrategy::Cosine ? 2 * cosine : 1;
+        return hemisphere / (is_opaque ? 2 : 4) / pi_double;
+      };
+      const auto result = statistics::test_directions(
+          [&](float side, Vec2f u) -> std::optional<Vec3f> {
+            return sample_plain_direction(strategy, bsdf, wo, side, u).wi;
+          },
+          density, {}, 17, 300'000);
+      EXPECT_GT(result.chi_square.p_value, statistics::sidak_level(0.01, 4))
+          << is_opaque << ' ' << name_of(strategy) << ' ' << result.chi_square.message;
+    }
 }
 
 }  // namespace

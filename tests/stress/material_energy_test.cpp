@@ -46,7 +46,8 @@ void expect_energy(const std::string& name, const std::vector<MaterialCase>& cas
   for (const MaterialCase& c : cases)
     for (const float cos_o : cosines()) {
       const Vec3f wo = tests::direction_of(cos_o, 0.3f);
-      const double expected = tests::reference_albedo(c.bsdf, normalize(Vec3d(wo)));
+      const double expected =
+          tests::reference_albedo(c.bsdf, normalize(Vec3d(wo)), test::is_heavy() ? 256 : 128);
       const statistics::Moments found = sampled_energy(c.bsdf, wo);
       EXPECT_NEAR(found.mean(), expected, allowed(found)) << c.name << " at cosine " << cos_o;
       worst = std::max(worst, std::abs(found.mean() - expected));
