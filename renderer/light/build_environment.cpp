@@ -1,9 +1,11 @@
 #include "renderer/light/build_environment.h"
 
+#include <atomic>
+
 #include <fmt/format.h>
 
 #include "renderer/base/parallel.h"
-#include "renderer/light/luminance_map.h"
+#include "renderer/light/luminance_rows.h"
 #include "renderer/math/colour.h"
 
 namespace candela {
@@ -14,45 +16,85 @@ struct GridSize {
   std::uint32_t rows = 1;
 };
 
-// As many cells as texels, or fewer of the same shape.
-GridSize grid_size(std::uint32_t width, std::uint32_t height, std::size_t max_cells) {
-  const double texels = static_cast<double>(width) * height;
-  const double shrink = std::min(1.0, std::sqrt(static_cast<double>(max_cells) / texels));
+// One image of a map.
+struct Face {
+  TextureHandle texture;
+  std::uint32_t width = 1;
+  std::uint32_t height = 1;
+  bool columns_wrap = false;
+
+  [[nodiscard]] Vec2f half_texel() const {
+    return {0.5f / static_cast<float>(width), 0.5f / static_cast<float>(height)};
+  }
+};
+
+Face add_face(description::Image image, description::Wrap wrap, TextureStore& textures,
+              Diagnostics& diagnostics) {
+  image.wrap = wrap;
+  const TextureHandle texture = textures.add(image, diagnostics);
+  const TextureInfo& info = textures.info(texture);
+  return {texture, static_cast<std::uint32_t>(info.width), static_cast<std::uint32_t>(info.height),
+          wrap == description::Wrap::Repeat};
+}
+
+// As many cells as texels, or fewer of the same shape: the table takes no more memory than the map.
+GridSize grid_size(const Face& face, const TextureStore& textures, std::size_t max_cells) {
+  constexpr std::size_t cell_bytes = 6;  // of a GridDistribution, at most
+  const std::size_t affordable = textures.info(face.texture).bytes / cell_bytes;
+  const double cells = static_cast<double>(std::min(max_cells, affordable));
+  const double texels = static_cast<double>(face.width) * face.height;
+  const double shrink = std::min(1.0, std::sqrt(cells / texels));
   const auto shrunk = [&](std::uint32_t n) {
     return std::max(1u, static_cast<std::uint32_t>(n * shrink));
   };
-  return {shrunk(width), shrunk(height)};
+  return {shrunk(face.width), shrunk(face.height)};
 }
 
-struct LoadedFace {
-  TextureHandle texture;
-  LuminanceMap luminance;  // filtered
-};
-
-LoadedFace load_face(description::Image image, description::Wrap wrap, TextureStore& textures,
-                     Diagnostics& diagnostics) {
-  image.wrap = wrap;
-  const TextureHandle texture = textures.add(image, diagnostics);
-  const LuminanceMap texels = decode_luminance(textures, texture);
-  if (texels.invalid_count > 0)
-    diagnostics.warning(
-        image.span,
-        fmt::format("'{}' has {} texels that are negative, infinite or not a number; they "
-                    "count as 0 in the environment",
-                    image.path, texels.invalid_count));
-  return {texture, bilinear_means(texels, wrap == description::Wrap::Repeat)};
+void warn_of_invalid(const TextureStore& textures, const Face& face, const SourceSpan& span,
+                     std::uint64_t count, Diagnostics& diagnostics) {
+  if (count == 0) return;
+  diagnostics.warning(
+      span, fmt::format("'{}' has {} texels that are negative, infinite or not a number; they "
+                        "count as 0 in the environment",
+                        textures.path(face.texture), count));
 }
 
-Vec2f half_texel(const LuminanceMap& map) {
-  return {0.5f / static_cast<float>(map.width), 0.5f / static_cast<float>(map.height)};
+// Sets the face's rows of the grid, from `first_row` on, to luminance times
+// `solid_angle(column, row)`; they sum to the mean luminance times 4 pi. Decodes the texture.
+// Returns the number of invalid texels.
+template <class SolidAngle>
+std::uint64_t set_rows(const TextureStore& textures, const Face& face, GridSize size,
+                       std::uint32_t first_row, SolidAngle&& solid_angle,
+                       GridDistributionBuilder& grid) {
+  constexpr std::uint32_t block_rows = 32;
+  std::atomic<std::uint64_t> invalid_count = 0;
+  parallel_for((size.rows + block_rows - 1) / block_rows, [&](std::size_t block) {
+    const auto begin = static_cast<std::uint32_t>(block) * block_rows;
+    const RowRange cells{begin, std::min(begin + block_rows, size.rows)};
+    const LuminanceRows map = filtered_luminance(
+        textures, face.texture, touched_rows(cells, size.rows, face.height), face.columns_wrap);
+    std::vector<double> weights(size.columns);
+    for (std::uint32_t row = cells.begin; row < cells.end; ++row) {
+      const RowRange texels = touched_rows({row, row + 1}, size.rows, face.height);
+      for (std::uint32_t column = 0; column < size.columns; ++column)
+        weights[column] = cell_mean(map, texels, column, size.columns) * solid_angle(column, row);
+      grid.set_row(first_row + row, weights);
+    }
+    // A row that two blocks touch is counted by the second.
+    const std::uint32_t owned_end =
+        cells.end == size.rows
+            ? face.height
+            : touched_rows({cells.end, cells.end + 1}, size.rows, face.height).begin;
+    for (std::uint32_t y = map.rows.begin; y < owned_end; ++y)
+      invalid_count += map.invalid_counts[y - map.rows.begin];
+  });
+  return invalid_count;
 }
 
-// Weights are radiance times solid angle: they sum to the mean times 4 pi.
-void set_distribution(Environment& environment, GridSize size, const std::vector<double>& weights) {
-  double sum = 0;
-  for (const double w : weights) sum += w;
-  environment.distribution = GridDistribution(size.columns, size.rows, weights);
-  environment.mean_luminance = sum / (4 * pi_double) * luminance(Vec3d(environment.scale));
+void set_distribution(Environment& environment, GridDistributionBuilder&& grid) {
+  environment.mean_luminance =
+      grid.total_weight() / (4 * pi_double) * luminance(Vec3d(environment.scale));
+  environment.distribution = std::move(grid).build();
 }
 
 // Of the cell's centre, near enough to the mean over the cell: (s, t) in [-1, 1]^2 on the face at
@@ -88,26 +130,26 @@ Environment build_environment(const description::CubeEnvironment& cube,
   Environment environment;
   environment.mapping = EnvironmentMapping::Cube;
   environment.scale = Rgb(1);
-  std::array<LuminanceMap, 6> faces;
+  std::array<Face, 6> faces;
   GridSize size;
   for (std::size_t i = 0; i < 6; ++i) {
-    LoadedFace face =
-        load_face(images[cube.faces[i].index], description::Wrap::Clamp, textures, diagnostics);
-    environment.faces[i] = face.texture;
-    environment.half_texel[i] = half_texel(face.luminance);
-    faces[i] = std::move(face.luminance);
-    const GridSize wanted = grid_size(faces[i].width, faces[i].height, max_cells / 6);
+    faces[i] =
+        add_face(images[cube.faces[i].index], description::Wrap::Clamp, textures, diagnostics);
+    environment.faces[i] = faces[i].texture;
+    environment.half_texel[i] = faces[i].half_texel();
+    const GridSize wanted = grid_size(faces[i], textures, max_cells / 6);
     size = {std::max(size.columns, wanted.columns), std::max(size.rows, wanted.rows)};
   }
-  std::vector<double> weights(std::size_t{size.columns} * size.rows * 6);
-  parallel_for(std::size_t{size.rows} * 6, [&](std::size_t grid_row) {
-    const auto row = static_cast<std::uint32_t>(grid_row % size.rows);
-    for (std::uint32_t column = 0; column < size.columns; ++column)
-      weights[grid_row * size.columns + column] =
-          cell_mean(faces[grid_row / size.rows], column, row, size.columns, size.rows) *
-          cube_cell_solid_angle(column, row, size);
-  });
-  set_distribution(environment, {size.columns, size.rows * 6}, weights);
+  const auto solid_angle = [&](std::uint32_t column, std::uint32_t row) {
+    return cube_cell_solid_angle(column, row, size);
+  };
+  GridDistributionBuilder grid(size.columns, size.rows * 6);
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    const std::uint64_t invalid =
+        set_rows(textures, faces[i], size, i * size.rows, solid_angle, grid);
+    warn_of_invalid(textures, faces[i], images[cube.faces[i].index].span, invalid, diagnostics);
+  }
+  set_distribution(environment, std::move(grid));
   return environment;
 }
 
@@ -119,22 +161,19 @@ Environment build_environment(const description::LatLongEnvironment& map,
   environment.is_seen_by_camera = map.is_seen_by_camera;
   environment.scale = Rgb(map.scale);
   environment.map_from_world = orthonormal_rows(map.world_from_map);
-  const LoadedFace face =
-      load_face(images[map.image.index], description::Wrap::Repeat, textures, diagnostics);
+  const description::Image& image = images[map.image.index];
+  const Face face = add_face(image, description::Wrap::Repeat, textures, diagnostics);
   environment.faces[0] = face.texture;
-  environment.half_texel[0] = half_texel(face.luminance);
-  const GridSize size = grid_size(face.luminance.width, face.luminance.height, max_cells);
-  std::vector<double> weights(std::size_t{size.columns} * size.rows);
-  parallel_for(size.rows, [&](std::size_t grid_row) {
-    const auto row = static_cast<std::uint32_t>(grid_row);
-    const double solid_angle = 4 * pi_double / size.columns *
-                               std::sin(pi_double * (row + 0.5) / size.rows) *
-                               std::sin(0.5 * pi_double / size.rows);
-    for (std::uint32_t column = 0; column < size.columns; ++column)
-      weights[grid_row * size.columns + column] =
-          cell_mean(face.luminance, column, row, size.columns, size.rows) * solid_angle;
-  });
-  set_distribution(environment, size, weights);
+  environment.half_texel[0] = face.half_texel();
+  const GridSize size = grid_size(face, textures, max_cells);
+  const auto solid_angle = [&](std::uint32_t /*column*/, std::uint32_t row) {
+    return 4 * pi_double / size.columns * std::sin(pi_double * (row + 0.5) / size.rows) *
+           std::sin(0.5 * pi_double / size.rows);
+  };
+  GridDistributionBuilder grid(size.columns, size.rows);
+  const std::uint64_t invalid = set_rows(textures, face, size, 0, solid_angle, grid);
+  warn_of_invalid(textures, face, image.span, invalid, diagnostics);
+  set_distribution(environment, std::move(grid));
   return environment;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <numeric>
 
 namespace candela {
 namespace {
@@ -120,32 +121,48 @@ void write_guide(const float* sums, std::uint32_t count, std::uint32_t steps,
 }  // namespace
 
 GridDistribution::GridDistribution(std::uint32_t columns, std::uint32_t rows,
-                                   std::span<const double> weights)
-    : columns_(columns), rows_(rows) {
-  std::vector<double> row_weights(rows, 0.0);
-  bool has_any = false;
-  for (std::uint32_t row = 0; row < rows; ++row) {
-    for (const double w : weights.subspan(std::size_t{row} * columns, columns))
-      if (w > 0) row_weights[row] += w;
-    has_any = has_any || row_weights[row] > 0;
-  }
-  if (!has_any) return;
-  const std::uint32_t row_steps = guide_steps(rows);
-  const std::uint32_t column_steps = guide_steps(columns);
-  row_guide_steps_ = static_cast<float>(row_steps);
-  column_guide_steps_ = static_cast<float>(column_steps);
-  marginal_.resize(std::size_t{rows} + 1);
-  marginal_guide_.resize(std::size_t{row_steps} + 1);
-  write_cumulative(row_weights, marginal_.data());
-  write_guide(marginal_.data(), rows, row_steps, marginal_guide_.data());
-  conditional_.resize(std::size_t{rows} * (columns + 1));
-  conditional_guide_.resize(std::size_t{rows} * (column_steps + 1));
-  for (std::uint32_t row = 0; row < rows; ++row) {
-    float* sums = conditional_.data() + std::size_t{row} * (columns + 1);
-    write_cumulative(weights.subspan(std::size_t{row} * columns, columns), sums);
-    write_guide(sums, columns, column_steps,
-                conditional_guide_.data() + std::size_t{row} * (column_steps + 1));
-  }
+                                   std::span<const double> weights) {
+  GridDistributionBuilder builder(columns, rows);
+  for (std::uint32_t row = 0; row < rows; ++row)
+    builder.set_row(row, weights.subspan(std::size_t{row} * columns, columns));
+  *this = std::move(builder).build();
+}
+
+GridDistributionBuilder::GridDistributionBuilder(std::uint32_t columns, std::uint32_t rows)
+    : row_weights_(rows, 0.0) {
+  const std::uint32_t steps = guide_steps(columns);
+  grid_.columns_ = columns;
+  grid_.rows_ = rows;
+  grid_.column_guide_steps_ = static_cast<float>(steps);
+  grid_.conditional_.resize(std::size_t{rows} * (columns + 1));
+  grid_.conditional_guide_.resize(std::size_t{rows} * (steps + 1));
+}
+
+void GridDistributionBuilder::set_row(std::uint32_t row, std::span<const double> weights) {
+  for (const double w : weights)
+    if (w > 0) row_weights_[row] += w;
+  const std::uint32_t columns = grid_.columns_;
+  const std::uint32_t steps = guide_steps(columns);
+  float* sums = grid_.conditional_.data() + std::size_t{row} * (columns + 1);
+  write_cumulative(weights, sums);
+  write_guide(sums, columns, steps,
+              grid_.conditional_guide_.data() + std::size_t{row} * (steps + 1));
+}
+
+double GridDistributionBuilder::total_weight() const {
+  return std::accumulate(row_weights_.begin(), row_weights_.end(), 0.0);
+}
+
+GridDistribution GridDistributionBuilder::build() && {
+  if (!(total_weight() > 0)) return {};
+  const std::uint32_t rows = grid_.rows_;
+  const std::uint32_t steps = guide_steps(rows);
+  grid_.row_guide_steps_ = static_cast<float>(steps);
+  grid_.marginal_.resize(std::size_t{rows} + 1);
+  grid_.marginal_guide_.resize(std::size_t{steps} + 1);
+  write_cumulative(row_weights_, grid_.marginal_.data());
+  write_guide(grid_.marginal_.data(), rows, steps, grid_.marginal_guide_.data());
+  return std::move(grid_);
 }
 
 }  // namespace candela

@@ -65,7 +65,8 @@ class GridDistribution {
   };
 
   GridDistribution() = default;
-  // weights[row * columns + column]; at most 2^20 rows and columns each.
+  // weights[row * columns + column]; at most 2^20 rows and columns each. For weights that need not
+  // be there all at once: GridDistributionBuilder.
   GridDistribution(std::uint32_t columns, std::uint32_t rows, std::span<const double> weights);
 
   [[nodiscard]] bool is_empty() const { return marginal_.empty(); }  // no positive weight
@@ -90,6 +91,8 @@ class GridDistribution {
   }
 
  private:
+  friend class GridDistributionBuilder;
+
   struct Interval {
     std::uint32_t index;
     float offset;
@@ -134,6 +137,24 @@ class GridDistribution {
   float column_guide_steps_ = 1;
   std::uint32_t columns_ = 0;
   std::uint32_t rows_ = 0;
+};
+
+// Makes a GridDistribution row by row.
+class GridDistributionBuilder {
+ public:
+  GridDistributionBuilder(std::uint32_t columns, std::uint32_t rows);
+
+  // Each row once, `columns` weights; threads may set different rows at once.
+  void set_row(std::uint32_t row, std::span<const double> weights);
+
+  // Of the rows that are set.
+  [[nodiscard]] double total_weight() const;
+  // After all rows.
+  [[nodiscard]] GridDistribution build() &&;
+
+ private:
+  GridDistribution grid_;
+  std::vector<double> row_weights_;
 };
 
 }  // namespace candela

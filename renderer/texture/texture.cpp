@@ -1,5 +1,6 @@
 #include "renderer/texture/texture.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
@@ -44,7 +45,11 @@ class Texture {
 
   [[nodiscard]] Vec4f texel(int x, int y) {
     if (!is_ready_.load(std::memory_order_acquire)) prepare();
-    return filters_.all(view_, {{x, x, 0}, {y, y, 0}});
+    if (is_constant_) return constant_;
+    // A file may have fewer pixels than its header said when it was added.
+    const int column = std::min(x, view_.width - 1);
+    const int row = std::min(y, view_.height - 1);
+    return filters_.all(view_, {{column, column, 0}, {row, row, 0}});
   }
 
   [[nodiscard]] Vec4f lookup(Vec2f uv) {

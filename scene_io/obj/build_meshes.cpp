@@ -34,6 +34,7 @@ class MeshBuilder {
     fill_positions();
     fill_uvs();
     fill_normals();
+    vertices_ = UniqueVertices(0);  // smoothing needs memory of its own
     if (built_.mesh.normals.empty() && smooth_missing_normals) {
       mesh::compute_smooth_normals(built_.mesh);
     }
@@ -46,13 +47,16 @@ class MeshBuilder {
     std::size_t corner = run.corner_begin;
     for (std::uint32_t f = run.face_begin; f < run.face_end; ++f) {
       const Face& face = run.chunk->faces[f];
-      const std::span<const Corner> corners(run.chunk->corners.data() + corner, face.corner_count);
+      const CornerTable& corners = run.chunk->corners;
       if (face.corner_count == 3) {
-        built_.mesh.triangles.push_back({vertices_.index_of(corners[0]),
-                                         vertices_.index_of(corners[1]),
-                                         vertices_.index_of(corners[2])});
+        built_.mesh.triangles.push_back({vertices_.index_of(corners[corner]),
+                                         vertices_.index_of(corners[corner + 1]),
+                                         vertices_.index_of(corners[corner + 2])});
       } else {
-        add_polygon(corners);
+        polygon_corners_.clear();
+        for (std::uint32_t k = 0; k < face.corner_count; ++k)
+          polygon_corners_.push_back(corners[corner + k]);
+        add_polygon(polygon_corners_);
         if (triangulator_.was_bow()) note_bow(run.chunk->begin + face.offset);
       }
       corner += face.corner_count;
@@ -134,6 +138,7 @@ class MeshBuilder {
   std::size_t corner_count_;
   UniqueVertices vertices_;
   mesh::Triangulator triangulator_;
+  std::vector<Corner> polygon_corners_;
   std::vector<Vec3d> polygon_;
   std::vector<std::uint32_t> polygon_vertices_;
   std::uint32_t shape_ = 0;

@@ -138,7 +138,7 @@ class ChunkParser {
             fmt::format("a face of {} corner{}; expected 3 or more", count, count == 1 ? "" : "s"));
       is_sound = false;
     }
-    if (!is_sound) return chunk_.corners.resize(first);
+    if (!is_sound) return chunk_.corners.shorten_to(first);
     chunk_.faces.push_back({static_cast<std::uint32_t>(count),
                             static_cast<std::uint32_t>(keyword.data() - text_.data())});
   }

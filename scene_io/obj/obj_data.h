@@ -1,6 +1,7 @@
 // What the lines of an OBJ file say, before meshes are made of it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,42 @@ struct Corner {
   std::int32_t uv = -1;
   std::int32_t normal = -1;
   friend bool operator==(const Corner&, const Corner&) = default;
+};
+
+// Corners one after another. What no corner of the table has takes no memory.
+class CornerTable {
+ public:
+  [[nodiscard]] std::size_t size() const { return positions_.size(); }
+  [[nodiscard]] Corner operator[](std::size_t i) const {
+    return {positions_[i], uvs_.empty() ? -1 : uvs_[i], normals_.empty() ? -1 : normals_[i]};
+  }
+  void reserve(std::size_t count) { positions_.reserve(count); }
+  void push_back(const Corner& corner) {
+    append(uvs_, corner.uv);
+    append(normals_, corner.normal);
+    positions_.push_back(corner.position);
+  }
+  // Takes the last ones away again.
+  void shorten_to(std::size_t count) {
+    positions_.resize(count);
+    uvs_.resize(std::min(uvs_.size(), count));
+    normals_.resize(std::min(normals_.size(), count));
+  }
+
+ private:
+  // Before positions_ grows.
+  void append(std::vector<std::int32_t>& indices, std::int32_t index) const {
+    if (indices.empty()) {
+      if (index < 0) return;
+      indices.reserve(positions_.capacity());
+      indices.resize(positions_.size(), -1);
+    }
+    indices.push_back(index);
+  }
+
+  std::vector<std::int32_t> positions_;
+  std::vector<std::int32_t> uvs_;      // empty, or as many
+  std::vector<std::int32_t> normals_;  // likewise
 };
 
 struct Face {
@@ -55,7 +92,7 @@ struct MtlReference {
 struct Chunk {
   std::size_t begin = 0;  // offset in the text
   std::vector<Face> faces;
-  std::vector<Corner> corners;  // of all faces, one after another
+  CornerTable corners;  // of all faces
   std::vector<Switch> switches;
   std::vector<MtlReference> libraries;
   std::vector<LeftOut> left_out;  // one a keyword

@@ -132,14 +132,13 @@ std::vector<SourceSpan> spans_of(const Source& source, const std::vector<MeshPla
 }
 
 void build_meshes(const std::string& path, const Source& source, const ObjData& data,
-                  const std::vector<MeshPlan>& plans, bool smooth_missing_normals, ObjModel& model,
-                  Diagnostics& diagnostics) {
+                  const std::vector<MeshPlan>& plans, const std::vector<SourceSpan>& spans,
+                  bool smooth_missing_normals, ObjModel& model, Diagnostics& diagnostics) {
   std::vector<BuiltMesh> built(plans.size());
   parallel_for(plans.size(), [&](std::size_t i) {
     built[i] = build_mesh(data, plans[i], smooth_missing_normals);
   });
   warn_of_bows(source, built, diagnostics);
-  const std::vector<SourceSpan> spans = spans_of(source, plans);
   for (std::size_t i = 0; i < plans.size(); ++i) {
     Mesh& mesh = built[i].mesh;
     mesh.name = name_of(path, model, plans[i]);
@@ -189,9 +188,16 @@ bool has_faces(const ObjData& data) {
                      [](const Chunk& chunk) { return !chunk.faces.empty(); });
 }
 
-ObjModel parse_sound_text(const std::string& path, std::string_view text, const ObjOptions& options,
+bool has_quads(const ObjData& data) {
+  const auto is_quad = [](const Face& face) { return face.corner_count == 4; };
+  return std::any_of(data.chunks.begin(), data.chunks.end(), [&](const Chunk& chunk) {
+    return std::any_of(chunk.faces.begin(), chunk.faces.end(), is_quad);
+  });
+}
+
+ObjModel parse_sound_text(const std::string& path, std::string text, const ObjOptions& options,
                           Diagnostics& diagnostics) {
-  const Source source = text::make_source(path, text);
+  Source source = text::make_source(path, text);
   ObjModel model;
   model.files.push_back(path);
   const std::size_t errors_before = diagnostics.error_count();
@@ -205,36 +211,39 @@ ObjModel parse_sound_text(const std::string& path, std::string_view text, const 
   }
   std::vector<MeshPlan> plans = plan_meshes(source, data, options, model, diagnostics);
   std::erase_if(plans, [](const MeshPlan& plan) { return plan.face_count == 0; });
-  build_meshes(path, source, data, plans, options.smooth_missing_normals, model, diagnostics);
+  const std::vector<SourceSpan> spans = spans_of(source, plans);
+  if (!has_quads(data)) {  // of which alone there may be something left to say
+    source.text = {};
+    std::string().swap(text);  // most of what reading a large file takes
+  }
+  build_meshes(path, source, data, plans, spans, options.smooth_missing_normals, model,
+               diagnostics);
   return model;
 }
 
 }  // namespace
 
-ObjModel parse_obj(const std::string& path, std::string_view text, const ObjOptions& options,
+ObjModel parse_obj(const std::string& path, std::string text, const ObjOptions& options,
                    Diagnostics& diagnostics) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
     diagnostics.error({std::make_shared<const std::string>(path), 1, 1},
                       "is in UTF-16; expected ASCII or UTF-8");
     return {};
   }
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  if (text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos) {
-    std::string lines(text);  // as old Macs ended them
-    std::replace(lines.begin(), lines.end(), '\r', '\n');
-    return parse_sound_text(path, lines, options, diagnostics);
-  }
-  return parse_sound_text(path, text, options, diagnostics);
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  const bool is_of_old_macs = text.find('\n') == std::string::npos;
+  if (is_of_old_macs) std::replace(text.begin(), text.end(), '\r', '\n');
+  return parse_sound_text(path, std::move(text), options, diagnostics);
 }
 
 ObjModel read_obj(const std::string& path, const ObjOptions& options, Diagnostics& diagnostics) {
   text::FileLimits limits;
   limits.bytes = std::min(limits.bytes, max_bytes);
   limits.inflated_bytes = std::min(limits.inflated_bytes, max_bytes);
-  const Result<std::string> text = text::read_file(path, limits);
+  Result<std::string> text = text::read_file(path, limits);
   diagnostics.append(text.diagnostics);
   if (!text) return {};
-  return parse_obj(path, *text, options, diagnostics);
+  return parse_obj(path, std::move(*text), options, diagnostics);
 }
 
 }  // namespace candela::obj

@@ -14,7 +14,6 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "renderer/base/diagnostic.h"
@@ -50,7 +49,7 @@ struct ObjModel {
                                 Diagnostics& diagnostics);
 
 // The same with `text` in place of the bytes of the file; MTLs are still looked for beside `path`.
-[[nodiscard]] ObjModel parse_obj(const std::string& path, std::string_view text,
+[[nodiscard]] ObjModel parse_obj(const std::string& path, std::string text,
                                  const ObjOptions& options, Diagnostics& diagnostics);
 
 // Moves a model into the scene and returns the handles of its meshes, in order. Images that the

@@ -55,7 +55,8 @@ Diagnostics not_regular(const std::string& path, mode_t mode) {
 // Reads to the end, which may have moved since the size was asked for, but never past `max_bytes`.
 Result<std::string> read_descriptor(int descriptor, const std::string& path, std::size_t size,
                                     std::uint64_t max_bytes) {
-  std::string bytes(size, '\0');
+  // One byte more, so that the end is met without growing.
+  std::string bytes(std::min<std::uint64_t>(size + 1, max_bytes), '\0');
   std::size_t filled = 0;
   while (true) {
     if (filled == bytes.size()) {

@@ -6,6 +6,9 @@
 #include "renderer/light/light_power.h"
 #include "renderer/light/make_light.h"
 #include "renderer/light/sample_light.h"
+#include "renderer/math/colour.h"
+#include "tests/image/crafted_files.h"
+#include "tests/image/temporary_folder.h"
 #include "tests/light/directions.h"
 #include "tests/light/map_images.h"
 
@@ -172,6 +175,35 @@ TEST(Unit_Environment, LargeMapsGetCoarserGrids) {
   const MapEnvironment map = lat_long(image, Mat3d(1.0), 128);
   EXPECT_EQ(map.environment.distribution.columns(), 16u);
   EXPECT_EQ(map.environment.distribution.rows(), 8u);
+}
+
+void expect_small_grid(const MapEnvironment& map) {
+  const std::size_t texels = map.textures.info(map.environment.faces[0]).bytes;
+  EXPECT_LE(map.environment.distribution.bytes(), texels);
+  EXPECT_GE(map.environment.distribution.bytes(), texels / 3);  // no coarser than need be
+}
+
+TEST(Unit_Environment, GridsTakeNoMoreMemoryThanTheirMaps) {
+  expect_small_grid(lat_long(write_byte_map("bytes", 256, 128, sparse_texel)));
+  expect_small_grid(lat_long(write_float_map("floats", 256, 128, sparse_texel)));
+}
+
+// A sound header, and behind it data that cannot be decoded: found only when texels are wanted.
+TEST(Unit_Environment, BrokenPixelsAreMagenta) {
+  using crafted::operator+;
+  const crafted::Bytes sound = crafted::png_rgba(64, 32, [](int, int, int) { return 7u; });
+  const crafted::Bytes header(sound.begin(), sound.begin() + 33);  // signature and IHDR
+  const TemporaryFolder folder;
+  description::Image image;
+  image.path =
+      folder.put("broken.png", header + crafted::png_chunk("IDAT", crafted::Bytes(600, 1)) +
+                                   crafted::png_chunk("IEND", {}));
+  const MapEnvironment map = lat_long(image);
+  EXPECT_FALSE(map.diagnostics.has_errors());
+  EXPECT_EQ(map.textures.decoding_diagnostics().warning_count(), 1u);
+  const double magenta = luminance(Vec3d(1, 0, 1));
+  EXPECT_NEAR(map.environment.mean_luminance, magenta, 1e-3 * magenta);
+  EXPECT_EQ(map.radiance({0, 0, 1}), Rgb(1, 0, 1));
 }
 
 TEST(Unit_Environment, CountsTexelsThatAreNotRadiance) {

@@ -14,7 +14,7 @@ ObjModel parse(std::string_view text, MtlUse use = MtlUse::Ignore, Diagnostics* 
   Diagnostics diagnostics;
   ObjOptions options;
   options.materials = use;
-  ObjModel model = parse_obj("nowhere/test.obj", text, options, diagnostics);
+  ObjModel model = parse_obj("nowhere/test.obj", std::string(text), options, diagnostics);
   EXPECT_EQ(fault_of(model), "");
   if (said != nullptr) {
     *said = diagnostics;

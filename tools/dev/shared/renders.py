@@ -69,6 +69,11 @@ class Candela:
         asked.write_text(key)
         return render
 
+    def info(self, scene, **options):
+        """What `candela info --json` says; `options` as for render()."""
+        words = [word for name, value in options.items() for word in ("--" + name, value)]
+        return json.loads(self._output_of("info", scene, "--json", *words))
+
     def compare(self, render, reference):
         """relmse, mean_ratio and more of `candela compare --json`."""
         return json.loads(self._output_of("compare", render.exr, reference.exr, "--json"))
