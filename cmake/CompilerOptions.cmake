@@ -36,3 +36,11 @@ if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=thread")
   set_source_files_properties(renderer/accel/embree_accel.cpp PROPERTIES
     COMPILE_DEFINITIONS CANDELA_THREAD_SANITIZER)
 endif()
+
+# Invalid operations and divisions by zero in our own code end the program
+# (renderer/base/floating_point_traps.h). Not with clang, which moves divisions before the tests that
+# keep them from being done by zero.
+if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*address" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU"
+   AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  add_compile_definitions(CANDELA_FLOATING_POINT_TRAPS)
+endif()

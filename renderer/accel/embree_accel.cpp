@@ -217,6 +217,7 @@ void EmbreeAccel::State::build() {
 
 EmbreeAccel::EmbreeAccel(const Scene& scene, EmbreeOptions options)
     : state_(std::make_unique<State>(scene, options)) {
+  const FloatingPointTraps traps(Traps::Off);
   state_->open_device();
   state_->build();
 }

@@ -8,6 +8,7 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include "renderer/base/floating_point_traps.h"
 #include "renderer/math/ray.h"
 
 namespace candela::embree {
@@ -35,6 +36,7 @@ inline void initialise(Query& query, const Ray& world_ray) {
 }
 
 inline void intersect_one(RTCScene scene, RTCRayHit& ray_hit, Query& query) {
+  const FloatingPointTraps traps(Traps::Off);
 #if CANDELA_EMBREE_MAJOR >= 4
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
@@ -46,6 +48,7 @@ inline void intersect_one(RTCScene scene, RTCRayHit& ray_hit, Query& query) {
 }
 
 inline void occluded_one(RTCScene scene, RTCRay& ray, Query& query) {
+  const FloatingPointTraps traps(Traps::Off);
 #if CANDELA_EMBREE_MAJOR >= 4
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);

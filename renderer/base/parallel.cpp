@@ -13,6 +13,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "renderer/base/floating_point_traps.h"
 #include "renderer/base/handover.h"
 
 namespace candela {
@@ -74,6 +75,7 @@ void with_threads(int threads, const std::function<void()>& work) {
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(std::max(count, 1)));
   const FlushDenormals flush;
+  const FloatingPointTraps traps(Traps::On);  // in the arena's workers likewise
   tbb::task_arena arena(count);
   arena.execute(work);
 }

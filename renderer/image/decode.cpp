@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/floating_point_traps.h"
 #include "renderer/image/guard.h"
 #include "renderer/image/image_format.h"
 #include "renderer/image/openimageio_setup.h"
@@ -237,6 +238,7 @@ Result<T> dispatch(const std::string& name, Bytes bytes, const DecodeLimits& lim
     if (*format == ImageFormat::Tga) return named(name, decode_tga_file(bytes));
     Result<Bytes> guarded = guard_image(*format, std::move(bytes));
     if (!guarded) return named(name, guarded.diagnostics);
+    const FloatingPointTraps traps(Traps::Off);
     Result<OpenImage> image = open_image(*format, std::move(*guarded), limits);
     if (!image) return named(name, image.diagnostics);
     return named(name, Result<T>(decode_other(*image)));

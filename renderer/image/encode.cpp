@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/floating_point_traps.h"
 #include "renderer/image/display_transform.h"
 #include "renderer/image/openimageio_setup.h"
 
@@ -169,6 +170,7 @@ Diagnostics encoder_failure(ImageFormat format, const std::string& reason) {
 }
 
 Result<std::string> encode(ImageFormat format, const Encodable& image) {
+  const FloatingPointTraps traps(Traps::Off);
   const std::string name(name_of(format));
   const auto output = OIIO::ImageOutput::create(name);
   if (!output) return encoder_failure(format, OIIO::geterror());

@@ -165,6 +165,21 @@ Bytes tiff_claiming(std::uint32_t width, std::uint32_t height) {
          entries + Bytes(68, 0);
 }
 
+Bytes with_right_checksums(const Bytes& png) {
+  Bytes repaired(png.begin(), png.begin() + std::min<std::ptrdiff_t>(8, std::ssize(png)));
+  for (std::size_t at = 8; at + 12 <= png.size();) {
+    const std::size_t length = (std::size_t{png[at]} << 24) | (std::size_t{png[at + 1]} << 16) |
+                               (std::size_t{png[at + 2]} << 8) | png[at + 3];
+    if (length > png.size() - at - 12) break;
+    const auto data = png.begin() + static_cast<std::ptrdiff_t>(at);
+    repaired =
+        std::move(repaired) + png_chunk(std::string(data + 4, data + 8),
+                                        Bytes(data + 8, data + 8 + static_cast<long>(length)));
+    at += length + 12;
+  }
+  return repaired;
+}
+
 Bytes jpeg_claiming(unsigned width, unsigned height) {
   Bytes bytes = cmyk_jpeg();
   for (std::size_t i = 0; i + 8 < bytes.size(); ++i) {

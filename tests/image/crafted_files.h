@@ -25,6 +25,9 @@ struct Png {
 [[nodiscard]] Bytes png(const Png& image, const Bytes& extra = {});
 [[nodiscard]] Bytes png_chunk(const std::string& type, const Bytes& data);
 
+// A PNG, however damaged, with the checksums that its chunks should have.
+[[nodiscard]] Bytes with_right_checksums(const Bytes& png);
+
 // 8-bit RGBA, `value(x, y, channel)`.
 using Samples = std::function<unsigned(int x, int y, int channel)>;
 [[nodiscard]] Bytes png_rgba(int width, int height, const Samples& value);
