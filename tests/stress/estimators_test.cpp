@@ -129,7 +129,7 @@ constexpr Estimator estimators[] = {
 TEST(Stress_Estimators, EachFindsTheIntegralOverTheLamp) {
   for (const Surface& surface : surfaces()) {
     const SceneDescription scene = lit(surface);
-    RenderSettings settings = settings_of(4, is_heavy() ? 16384 : 128);
+    RenderSettings settings = settings_of(4, is_heavy() ? 2048 : 128);
     settings.options.max_depth = 1;
     const Scene as_compiled = compiled(scene, settings.options);
     const Bsdf bsdf = bsdf_at(as_compiled.materials[0], {}, {}, true);
@@ -239,7 +239,7 @@ std::vector<double> brute_force_image(const BruteForceBox& box, int samples, std
 
 TEST(Stress_Estimators, ABruteForceTracerOfABoxAgrees) {
   const BruteForceBox box{{0.8, 0.1, 0.9, 0.5, 0.3, 0.7}, {0, 0, 0, 2, 0, 0.1}};
-  const int samples = is_heavy() ? 2048 : 32;
+  const int samples = is_heavy() ? 512 : 32;
   statistics::Replicates brute{"brute force", brute_size, brute_size, {}};
   for (std::uint64_t seed = 1; seed <= 16; ++seed)
     brute.images.push_back(brute_force_image(box, 4 * samples, seed));

@@ -25,7 +25,7 @@ void add_rooms(SceneDescription& scene, description::MaterialHandle left,
 }
 
 RenderSettings small_picture(int samples) {
-  return settings_of(16, is_heavy() ? 16 * samples : samples);
+  return settings_of(16, is_heavy() ? 8 * samples : samples);
 }
 
 // Walls that emit e and reflect half make 2 e everywhere: a ray that slipped through the wall, or
@@ -100,7 +100,7 @@ SceneDescription floor_scene(double fovy_degrees = 20) {
 
 RenderSettings direct_light(int size, int samples,
                             SamplingStrategy sampling = SamplingStrategy::Mis) {
-  RenderSettings settings = settings_of(size, is_heavy() ? 16 * samples : samples);
+  RenderSettings settings = settings_of(size, is_heavy() ? 8 * samples : samples);
   settings.options.max_depth = 1;
   settings.options.filter = FilterKind::Box;
   settings.options.sampling = sampling;

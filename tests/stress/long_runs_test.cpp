@@ -147,7 +147,7 @@ TEST(Stress_LongRuns, TheErrorFallsTowardsTheClosedForm) {
 // share samples, so the means are closer than Welch's test expects.)
 TEST(Stress_LongRuns, TheSpreadFallsAndTheMeanStays) {
   RenderSettings settings = settings_of(8, 0);
-  const int most = is_heavy() ? 17 : 9;
+  const int most = is_heavy() ? 15 : 9;
   statistics::Moments first;
   double previous = 1e9;
   for (int log_samples = 5; log_samples <= most; log_samples += 2) {
@@ -175,7 +175,7 @@ std::size_t duplicates(std::vector<T> values) {
 }
 
 TEST(Stress_LongRuns, AStreamDoesNotRepeat) {
-  const std::uint32_t count = is_heavy() ? 1u << 27 : 1u << 20;
+  const std::uint32_t count = is_heavy() ? 1u << 25 : 1u << 20;
   for (const Dimension dimension : {Dimension::LightChoice, Dimension::Roulette}) {
     std::vector<std::uint32_t> bits(count);
     for (std::uint32_t i = 0; i < count; ++i)

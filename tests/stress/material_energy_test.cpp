@@ -17,16 +17,16 @@ using test::MaterialCase;
 
 constexpr double tolerance = 1e-3;
 
-// Weights without radiance's 1 / eta^2, until their mean is known to a fifth of the tolerance.
+// Weights without radiance's 1 / eta^2, until their mean is known to a quarter of the tolerance.
 statistics::Moments sampled_energy(const Bsdf& bsdf, const Vec3f& wo) {
-  const std::uint32_t most = test::is_heavy() ? 1 << 23 : 1 << 16;
+  const std::uint32_t most = test::is_heavy() ? 1 << 22 : 1 << 16;
   constexpr std::uint32_t least = 1 << 13;  // what is rare must have been met
   statistics::Moments energy;
   for (std::uint32_t i = 0; i < most; ++i) {
     const BsdfSample sample = sample_bsdf(bsdf, wo, owen_sobol_1d(i, 31), owen_sobol_2d(i, 32));
     energy.add(double{sample.weight.y} * square(double{sample.eta}));
     const bool is_net = (energy.count() & i) == 0;  // a power of two of them
-    if (is_net && energy.count() >= least && energy.standard_error() < tolerance / 5) break;
+    if (is_net && energy.count() >= least && energy.standard_error() < tolerance / 4) break;
   }
   return energy;
 }

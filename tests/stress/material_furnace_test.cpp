@@ -64,7 +64,7 @@ SceneDescription under_a_white_sky() {
 }
 
 void expect_nothing_seen(const std::string& name, const SceneDescription& scene) {
-  const RenderSettings settings = settings_of(12, is_heavy() ? 1024 : 32);
+  const RenderSettings settings = settings_of(12, is_heavy() ? 128 : 32);
   // Two hundred scenes: each at its own share of one false alarm in ten thousand runs.
   expect_mean(renders_of(name, scene, settings, 8), 1,
               {.allowed_relative = 2e-6, .resolution = 5e-3, .level = 2.5e-7});
@@ -139,7 +139,7 @@ TEST(Stress_MaterialFurnace, PlanesGiveBackWhatTheirFormulaSays) {
         add_mesh(scene, quad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}), handle);
         const double sine = std::sqrt(1 - square(double{cosine}));
         set_camera(scene, {0, 8 * double{cosine}, 8 * sine}, {0, 0, 0}, 0.01, {0, sine, -1});
-        const RenderSettings settings = settings_of(8, is_heavy() ? 1024 : 32);
+        const RenderSettings settings = settings_of(8, is_heavy() ? 256 : 32);
         const Scene as_compiled = compiled(scene, settings.options);
         const Bsdf bsdf = bsdf_at(as_compiled.materials[0], {}, {}, true);
         const double expected = tests::reference_albedo(bsdf, {sine, 0, double{cosine}});
