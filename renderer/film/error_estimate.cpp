@@ -1,67 +1,17 @@
 #include "renderer/film/error_estimate.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
 
 #include "renderer/base/parallel.h"
 #include "renderer/film/heavy_tails.h"
+#include "renderer/film/neighbour_level.h"
 #include "renderer/film/student_t.h"
 #include "renderer/film/tiles.h"
 #include "renderer/film/variance.h"
 
 namespace candela {
 namespace {
-
-constexpr int widest = 8;  // radius of a window, pixels
-
-// Sums over any rectangle of a block of pixels in constant time [Crow84].
-class SummedArea {
- public:
-  SummedArea(const Film& film, const PixelRect& rect)
-      : rect_(rect), stride_(static_cast<std::size_t>(rect.width()) + 1),
-        sums_(stride_ * (static_cast<std::size_t>(rect.height()) + 1)) {
-    for (int y = rect.y0; y < rect.y1; ++y) {
-      Moments row;
-      for (int x = rect.x0; x < rect.x1; ++x) {
-        const std::size_t i = film.index(x, y);
-        row.mean += film.mean(i);
-        row.variance += variance_of_mean(film, i);
-        Moments& sum = at(x + 1, y + 1);
-        sum.mean = at(x + 1, y).mean + row.mean;
-        sum.variance = at(x + 1, y).variance + row.variance;
-      }
-    }
-  }
-
-  struct Moments {
-    Vec3d mean{0.0};
-    Vec3d variance{0.0};
-  };
-  [[nodiscard]] Moments sum(const PixelRect& r) const {
-    const auto of = [&](auto member) {
-      return at(r.x1, r.y1).*member - at(r.x0, r.y1).*member - at(r.x1, r.y0).*member +
-             at(r.x0, r.y0).*member;
-    };
-    return {of(&Moments::mean), of(&Moments::variance)};
-  }
-  [[nodiscard]] PixelRect window(int x, int y, int radius) const {
-    return {std::max(x - radius, rect_.x0), std::max(y - radius, rect_.y0),
-            std::min(x + radius + 1, rect_.x1), std::min(y + radius + 1, rect_.y1)};
-  }
-
- private:
-  [[nodiscard]] std::size_t offset(int x, int y) const {
-    return static_cast<std::size_t>(y - rect_.y0) * stride_ + static_cast<std::size_t>(x - rect_.x0);
-  }
-  [[nodiscard]] const Moments& at(int x, int y) const { return sums_[offset(x, y)]; }
-  [[nodiscard]] Moments& at(int x, int y) { return sums_[offset(x, y)]; }
-
-  PixelRect rect_;
-  std::size_t stride_;
-  std::vector<Moments> sums_;
-};
 
 // 1 / (r^2 + epsilon) of one channel from an estimate of r with a known variance. Plugging it in
 // overstates where it is noisy; the second-order term of Taylor's series takes that away.
@@ -73,63 +23,66 @@ double inverse_square(double estimate, double variance, double epsilon) {
   return (1 - std::clamp(0.5 * curvature * variance, -most, most)) / sum;
 }
 
-// The error of a pixel over what is there: the reference is estimated from the smallest window
-// around it in which noise is small, so that it is not of the pixel's own noise where that is large.
-class RelativeError {
- public:
-  RelativeError(const Film& film, const PixelRect& rect, double epsilon)
-      : film_(film), sums_(film, rect), epsilon_(epsilon) {}
+double sum_of(const Vec3d& v) {
+  return v.x + v.y + v.z;
+}
 
-  [[nodiscard]] double operator()(int x, int y) const {
-    constexpr std::array radii{0, 1, 2, 3, 4, 6, widest};
-    constexpr double small = 0.05;  // noise over level
-    Level level;
-    for (const int radius : radii) {
-      level = level_in_window(x, y, radius);
-      if (level.noise(epsilon_) <= small) break;
-    }
-    const Vec3d variance = variance_of_mean(film_, film_.index(x, y));
-    double error = 0;
-    for (int c = 0; c < 3; ++c)
-      error += variance[c] * inverse_square(level.mean[c], level.variance[c], epsilon_);
-    return error / 3;
-  }
-
- private:
-  struct Level {
-    Vec3d mean{0.0};
-    Vec3d variance{0.0};  // of `mean`
-    [[nodiscard]] double noise(double epsilon) const {
-      const Vec3d relative = variance / (mean * mean + epsilon);
-      return (relative.x + relative.y + relative.z) / 3;
-    }
-  };
-
-  [[nodiscard]] Level level_in_window(int x, int y, int radius) const {
-    constexpr int steady = 2;  // a few pixels' variances together, since one's is a guess
-    const PixelRect window = sums_.window(x, y, radius);
-    const PixelRect wider = sums_.window(x, y, std::max(radius, steady));
-    const auto count = [](const PixelRect& r) { return double(r.width()) * r.height(); };
-    return {sums_.sum(window).mean / count(window),
-            sums_.sum(wider).variance / (count(wider) * count(window))};
-  }
-
-  const Film& film_;
-  SummedArea sums_;
-  double epsilon_;
+// What stands for the reference in a pixel, and its variance.
+struct Level {
+  Vec3d mean{0.0};
+  Vec3d variance{0.0};
 };
 
-PixelRect widened(const PixelRect& rect, int by, const PixelRect& within) {
-  return {std::max(rect.x0 - by, within.x0), std::max(rect.y0 - by, within.y0),
-          std::min(rect.x1 + by, within.x1), std::min(rect.y1 + by, within.y1)};
+// Neighbours that look alike, and `own`, which counts by its share of the pixel's samples; where
+// that leaves much noise, all that is near by.
+Level level_of(const NeighbourLevel& near, const Vec3d& own, double own_share, double epsilon) {
+  const double weight = near.weight + own_share;
+  const double all_weight = near.all_weight + own_share;
+  if (!(all_weight > 0)) return {};  // one pixel, whose samples are all in use
+  const Vec3d all = (near.all_sum + own_share * own) / all_weight;
+  if (!(weight > 0)) return {all, Vec3d(0.0)};
+  const Vec3d alike = (near.sum + own_share * own) / weight;
+  const Vec3d variance = (near.variance + own_share * near.own_variance) / (weight * weight);
+  constexpr double much = 0.3;  // variance over level: at twice that nothing else counts
+  const double noise = sum_of(variance / (alike * alike + epsilon)) / 3;
+  const double blend = std::clamp(noise / much - 1, 0.0, 1.0);
+  return {mix(alike, all, blend), variance * (1 - blend) * (1 - blend)};
+}
+
+// The squared error of a pixel over what is there. Each pair of replicates tells a variance, and the
+// level that it is held against is made without the pair: were it of the same noise, pixels that
+// are too bright by chance would hide their own error.
+double relative_error(const Film& film, std::size_t i, const NeighbourLevel& near, double epsilon) {
+  const std::uint32_t replicates = used_replicates(film, i);
+  const Vec3d mean = film.mean(i);
+  const double samples = film.samples(i);
+  double sum = 0;
+  int pairs = 0;
+  // Each with the next two: all pairs of up to five, and not too many of more.
+  for (std::uint32_t a = 0; a < replicates; ++a)
+    for (const std::uint32_t b : {(a + 1) % replicates, (a + 2) % replicates}) {
+      if (a == b) continue;
+      const double samples_a = film.samples_of_replicate(i, a);
+      const double samples_b = film.samples_of_replicate(i, b);
+      const Vec3d& sum_a = film.replicate_sum(i, a);
+      const Vec3d& sum_b = film.replicate_sum(i, b);
+      const Vec3d difference = sum_a / samples_a - sum_b / samples_b;
+      // The variance of one sample is that of the difference over 1 / samples_a + 1 / samples_b.
+      const Vec3d variance = difference * difference /
+                             ((1 / samples_a + 1 / samples_b) * samples);
+      const double left = samples - samples_a - samples_b;
+      const Vec3d own = left > 0 ? (samples * mean - sum_a - sum_b) / left : Vec3d(0.0);
+      const Level level = level_of(near, own, left / samples, epsilon);
+      for (int c = 0; c < 3; ++c)
+        sum += variance[c] * inverse_square(level.mean[c], level.variance[c], epsilon);
+      ++pairs;
+    }
+  return sum / (3 * pairs);
 }
 
 double mean_radiance(const Film& film) {
   double sum = 0;
-  for (std::size_t i = 0; i < film.pixel_count(); ++i) {
-    const Vec3d mean = film.mean(i);
-    sum += mean.x + mean.y + mean.z;
-  }
+  for (std::size_t i = 0; i < film.pixel_count(); ++i) sum += sum_of(film.mean(i));
   return sum / (3.0 * static_cast<double>(film.pixel_count()));
 }
 
@@ -147,12 +100,13 @@ ErrorSums sum_errors(const Film& film) {
   const std::vector<PixelRect> blocks = tiles_of(film.crop(), block_size);
   std::vector<ErrorSums> parts(blocks.size());
   parallel_for(blocks.size(), [&](std::size_t b) {
-    const RelativeError error(film, widened(blocks[b], widest, film.crop()), epsilon);
+    const std::vector<NeighbourLevel> levels = neighbour_levels(film, blocks[b]);
+    std::size_t next = 0;
     for (int y = blocks[b].y0; y < blocks[b].y1; ++y)
       for (int x = blocks[b].x0; x < blocks[b].x1; ++x) {
-        const double value = error(x, y);
-        parts[b].sum += value;
-        parts[b].squares += value * value;
+        const double error = relative_error(film, film.index(x, y), levels[next++], epsilon);
+        parts[b].sum += error;
+        parts[b].squares += error * error;
       }
   });
   ErrorSums all;

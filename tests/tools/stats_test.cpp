@@ -35,6 +35,8 @@ void expect_valid(const Json& stats) {
 TEST(Unit_Stats, KeepToTheirSchema) {
   expect_valid(stats_of({}));
   expect_valid(stats_of({"--ray-limit"}));
+  expect_valid(stats_of({"--replicates", "1", "--clamp", "3"}));
+  expect_valid(stats_of({"--error", "50%", "--time", "10s"}));
   expect_valid(stats_of({"--integrator", "whitted", "--spp", "4", "--specular", "phong"}));
   expect_valid(stats_of({"--integrator", "raster", "--spp", "1", "--lab-normals"}));
   expect_valid(stats_of({"--crop", "1,2,5,6", "--max-depth", "3", "--transparent", "--accel", "bvh",

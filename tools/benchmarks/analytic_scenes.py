@@ -1,6 +1,7 @@
 """Scenes of which the radiance of every pixel is known: closed boxes whose walls all shine. Within
 is emission / (1 - albedo) everywhere [white furnace], and paths of every length bring it."""
 
+# With normals, since an OBJ file without any gets smooth ones.
 BOX = """v -1 -1 -1
 v 1 -1 -1
 v 1 1 -1
@@ -9,12 +10,18 @@ v -1 -1 1
 v 1 -1 1
 v 1 1 1
 v -1 1 1
-f 1 2 3 4
-f 8 7 6 5
-f 5 6 2 1
-f 4 3 7 8
-f 5 1 4 8
-f 2 6 7 3
+vn 0 0 1
+vn 0 0 -1
+vn 0 1 0
+vn 0 -1 0
+vn 1 0 0
+vn -1 0 0
+f 1//1 2//1 3//1 4//1
+f 8//2 7//2 6//2 5//2
+f 5//3 6//3 2//3 1//3
+f 4//4 3//4 7//4 8//4
+f 5//5 1//5 4//5 8//5
+f 2//6 6//6 7//6 3//6
 """
 
 SCENE = """Cameras:

@@ -1,0 +1,173 @@
+#include "renderer/film/neighbour_level.h"
+
+#include <algorithm>
+
+#include "renderer/film/variance.h"
+
+namespace candela {
+namespace {
+
+constexpr int search_radius = 3;  // where neighbours that look alike are looked for
+constexpr int patch_radius = 1;   // what is compared of them
+constexpr int wide_radius = 4;    // those near by
+constexpr int margin = std::max(search_radius + 2 * patch_radius, wide_radius);
+
+double grey(const Vec3d& v) {
+  return (v.x + v.y + v.z) / 3;
+}
+
+// The block and a margin around it; beyond the picture's edge its last pixels are repeated, and do
+// not count.
+class Surroundings {
+ public:
+  Surroundings(const Film& film, const PixelRect& block)
+      : width_(block.width() + 2 * margin), height_(block.height() + 2 * margin) {
+    const PixelRect& crop = film.crop();
+    resize();
+    for (int y = 0; y < height_; ++y)
+      for (int x = 0; x < width_; ++x) {
+        const int film_x = block.x0 + x - margin;
+        const int film_y = block.y0 + y - margin;
+        const int inside_x = std::clamp(film_x, crop.x0, crop.x1 - 1);
+        const int inside_y = std::clamp(film_y, crop.y0, crop.y1 - 1);
+        fill(at(x, y), film, film.index(inside_x, inside_y));
+        counts[at(x, y)] = film_x == inside_x && film_y == inside_y ? 1 : 0;
+      }
+    even_out();
+  }
+
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] std::size_t at(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x);
+  }
+
+  std::vector<Vec3d> means;
+  std::vector<Vec3d> variances;  // of the means; of 3x3 pixels together, since one's is a guess
+  std::vector<double> greys;
+  std::vector<double> grey_variances;  // likewise
+  std::vector<double> counts;          // 1 within the picture, 0 beyond
+
+ private:
+  void resize() {
+    const auto count = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    means.resize(count);
+    variances.resize(count);
+    greys.resize(count);
+    grey_variances.resize(count);
+    counts.resize(count);
+  }
+
+  void fill(std::size_t to, const Film& film, std::size_t i) {
+    means[to] = film.mean(i);
+    variances[to] = variance_of_mean(film, i);
+    greys[to] = grey(means[to]);
+    // Noise is mostly in phase over the channels: a pessimist's guess of the grey's.
+    const Vec3d deviations(std::sqrt(variances[to].x), std::sqrt(variances[to].y),
+                           std::sqrt(variances[to].z));
+    grey_variances[to] = grey(deviations) * grey(deviations);
+  }
+
+  void even_out() {
+    const std::vector<Vec3d> raw = variances;
+    const std::vector<double> raw_greys = grey_variances;
+    for (int y = 1; y + 1 < height_; ++y)
+      for (int x = 1; x + 1 < width_; ++x) {
+        Vec3d sum(0.0);
+        double grey_sum = 0;
+        for (int dy = -1; dy <= 1; ++dy)
+          for (int dx = -1; dx <= 1; ++dx) {
+            sum += raw[at(x + dx, y + dy)];
+            grey_sum += raw_greys[at(x + dx, y + dy)];
+          }
+        variances[at(x, y)] = sum / 9.0;
+        grey_variances[at(x, y)] = grey_sum / 9;
+      }
+  }
+
+  int width_;
+  int height_;
+};
+
+// How much two pixels differ beyond what their noise explains, over it [Rousselle12, eq. 4]:
+// about 0 where they have the same expectation.
+double distance(const Surroundings& s, std::size_t a, std::size_t b) {
+  const double difference = s.greys[a] - s.greys[b];
+  const double variance = s.grey_variances[a] + s.grey_variances[b];
+  const double chance =
+      s.grey_variances[a] + std::min(s.grey_variances[a], s.grey_variances[b]);
+  const double excess = difference * difference - chance;
+  return variance > 0 ? excess / variance : (difference == 0 ? 0 : 1e10);
+}
+
+// The weights of the neighbours at (dx, dy), for all pixels of the block.
+class ShiftedWeights {
+ public:
+  explicit ShiftedWeights(const Surroundings& s) : s_(s), distances_(s.means.size()) {}
+
+  void shift(int dx, int dy) {
+    constexpr int edge = margin - patch_radius;
+    for (int y = edge; y < s_.height() - edge; ++y)
+      for (int x = edge; x < s_.width() - edge; ++x)
+        distances_[s_.at(x, y)] = distance(s_, s_.at(x, y), s_.at(x + dx, y + dy));
+  }
+  [[nodiscard]] double weight(int x, int y) const {
+    double sum = 0;
+    for (int dy = -patch_radius; dy <= patch_radius; ++dy)
+      for (int dx = -patch_radius; dx <= patch_radius; ++dx)
+        sum += distances_[s_.at(x + dx, y + dy)];
+    const double mean = std::max(sum / 9, 0.0);
+    return 1 / ((1 + mean) * (1 + mean));
+  }
+
+ private:
+  const Surroundings& s_;
+  std::vector<double> distances_;
+};
+
+void add_alike(const Surroundings& s, const PixelRect& block, std::vector<NeighbourLevel>& levels) {
+  ShiftedWeights weights(s);
+  for (int dy = -search_radius; dy <= search_radius; ++dy)
+    for (int dx = -search_radius; dx <= search_radius; ++dx) {
+      if (dx == 0 && dy == 0) continue;
+      weights.shift(dx, dy);
+      std::size_t i = 0;
+      for (int y = margin; y < margin + block.height(); ++y)
+        for (int x = margin; x < margin + block.width(); ++x, ++i) {
+          const std::size_t neighbour = s.at(x + dx, y + dy);
+          const double weight = weights.weight(x, y) * s.counts[neighbour];
+          levels[i].weight += weight;
+          levels[i].sum += weight * s.means[neighbour];
+          levels[i].variance += weight * weight * s.variances[neighbour];
+        }
+    }
+}
+
+void add_all(const Surroundings& s, const PixelRect& block, std::vector<NeighbourLevel>& levels) {
+  std::size_t i = 0;
+  for (int y = margin; y < margin + block.height(); ++y)
+    for (int x = margin; x < margin + block.width(); ++x, ++i) {
+      for (int dy = -wide_radius; dy <= wide_radius; ++dy)
+        for (int dx = -wide_radius; dx <= wide_radius; ++dx) {
+          const std::size_t neighbour = s.at(x + dx, y + dy);
+          if (dx == 0 && dy == 0) continue;
+          levels[i].all_weight += s.counts[neighbour];
+          levels[i].all_sum += s.counts[neighbour] * s.means[neighbour];
+        }
+      levels[i].own_variance = s.variances[s.at(x, y)];
+    }
+}
+
+}  // namespace
+
+std::vector<NeighbourLevel> neighbour_levels(const Film& film, const PixelRect& block) {
+  const Surroundings surroundings(film, block);
+  std::vector<NeighbourLevel> levels(static_cast<std::size_t>(block.width()) *
+                                     static_cast<std::size_t>(block.height()));
+  add_alike(surroundings, block, levels);
+  add_all(surroundings, block, levels);
+  return levels;
+}
+
+}  // namespace candela

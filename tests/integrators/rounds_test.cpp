@@ -1,0 +1,59 @@
+#include "integrators/rounds.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace candela {
+namespace {
+
+// Where rounds end when the error falls as 1 / samples from 1 at one sample.
+std::vector<std::uint32_t> ends(double wanted, std::uint32_t replicates, std::uint32_t most) {
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t done = 0; done < most;) {
+    const std::optional<ErrorGoal> goal =
+        done > 0 ? std::optional(ErrorGoal{1.0 / done, wanted}) : std::nullopt;
+    if (goal && goal->relmse <= wanted) break;
+    done = round_end(done, replicates, most, goal);
+    all.push_back(done);
+  }
+  return all;
+}
+
+TEST(Unit_Rounds, GrowByLessThanAThirdTowardsAGoal) {
+  const auto all = ends(1.0 / 1000, 4, 1u << 30);
+  EXPECT_EQ(all.front(), 16u);
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    EXPECT_LE(all[i], std::max(all[i - 1] * largest_growth, all[i - 1] + 4.0));
+    EXPECT_GT(all[i], all[i - 1]);
+    EXPECT_EQ(all[i] % 4, 0u);
+  }
+  EXPECT_EQ(all.back(), 1000u);  // and not beyond what is needed
+}
+
+TEST(Unit_Rounds, DoubleWithoutAGoalUpToTheLimit) {
+  EXPECT_EQ(round_end(0, 4, 100, {}), 16u);
+  EXPECT_EQ(round_end(16, 4, 100, {}), 32u);
+  EXPECT_EQ(round_end(64, 4, 100, {}), 100u);
+  EXPECT_EQ(round_end(0, 4, 3, {}), 3u);
+  EXPECT_EQ(round_end(0, 1, 1, {}), 1u);
+}
+
+TEST(Unit_Rounds, GoOnWhereTheErrorIsNotKnown) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(round_end(16, 4, 1u << 30, ErrorGoal{infinite, 1e-3}), 20u);
+  EXPECT_EQ(round_end(1u << 29, 4, 1u << 30, ErrorGoal{infinite, 1e-30}), 697932184u);
+}
+
+TEST(Unit_Rounds, PassesBeginWithOneSampleAndEndAtMultiplesOfSixteen) {
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t done = 0; done < 50; done = all.back()) {
+    const SampleRange pass = next_pass(done, 50);
+    EXPECT_EQ(pass.first, done);
+    all.push_back(pass.end);
+  }
+  EXPECT_EQ(all, (std::vector<std::uint32_t>{1, 16, 32, 48, 50}));
+}
+
+}  // namespace
+}  // namespace candela

@@ -1,0 +1,120 @@
+// render() ends where its rules say, and states what it should.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/scenes/description.h"
+#include "tests/scenes/meshes.h"
+#include "tests/scenes/render_scene.h"
+
+namespace candela {
+namespace {
+
+description::SceneDescription furnace_of(double emission) {
+  return test::furnace(test::inside_out(test::box({-1, -1, -1}, {1, 1, 1})), 0.5, emission);
+}
+
+Scene noisy_scene(const RenderOptions& options) {
+  return test::compiled(furnace_of(1), options);
+}
+
+RenderResult noisy(const test::RenderSettings& settings) {
+  return test::rendered(noisy_scene(settings.options), settings);
+}
+
+test::RenderSettings without_limit(int size) {
+  return test::settings_of(size, 1 << 30);
+}
+
+TEST(Unit_StopRules, SamplesWhereNothingElseIsSaid) {
+  const RenderResult result = noisy(test::settings_of(8, 24));
+  EXPECT_EQ(result.statistics.stop, StopReason::Samples);
+  EXPECT_EQ(result.film.min_samples(), 24u);
+  EXPECT_EQ(result.film.max_samples(), 24u);
+  EXPECT_EQ(result.film.replicates(), 4u);
+  ASSERT_TRUE(result.error);
+  EXPECT_GT(result.error->relmse, 0);
+}
+
+TEST(Unit_StopRules, TheErrorIsMetAndNotByFar) {
+  test::RenderSettings settings = without_limit(32);
+  settings.options.target_relmse = 1e-3;
+  const RenderResult result = noisy(settings);
+  EXPECT_EQ(result.statistics.stop, StopReason::Error);
+  ASSERT_TRUE(result.error);
+  EXPECT_LE(result.error->relmse, 1e-3);
+  EXPECT_GT(result.error->relmse, 0.64e-3);  // an rMSE of at least 0.8 of what was asked for
+  EXPECT_GT(result.film.min_samples(), 16u);  // it took more than one round
+}
+
+TEST(Unit_StopRules, TheFirstRuleThatIsMetCounts) {
+  test::RenderSettings settings = test::settings_of(16, 20);
+  settings.options.target_relmse = 1e-30;
+  settings.options.time_limit_seconds = 1e6;
+  EXPECT_EQ(noisy(settings).statistics.stop, StopReason::Samples);
+  settings.options.target_relmse = 1e30;
+  const RenderResult result = noisy(settings);
+  EXPECT_EQ(result.statistics.stop, StopReason::Error);
+  EXPECT_EQ(result.film.max_samples(), 16u);
+}
+
+TEST(Unit_StopRules, TimeEndsWhatHasNoOtherEnd) {
+  test::RenderSettings settings = without_limit(8);
+  settings.options.time_limit_seconds = 0.05;
+  const RenderResult result = noisy(settings);
+  EXPECT_EQ(result.statistics.stop, StopReason::Time);
+  EXPECT_GT(result.film.min_samples(), 0u);
+}
+
+TEST(Unit_StopRules, APictureWithoutNoiseMeetsAnyError) {
+  test::RenderSettings settings = without_limit(8);
+  settings.options.target_relmse = 1e-30;
+  const Scene black = test::compiled(
+      furnace_of(0), settings.options);
+  const RenderResult result = test::rendered(black, settings);
+  EXPECT_EQ(result.statistics.stop, StopReason::Error);
+  EXPECT_EQ(result.error->relmse, 0);
+}
+
+TEST(Unit_StopRules, OneReplicateStatesNothing) {
+  test::RenderSettings settings = test::settings_of(8, 16);
+  settings.options.replicates = 1;
+  const RenderResult result = noisy(settings);
+  EXPECT_FALSE(result.error);
+  EXPECT_EQ(result.film.replicates(), 1u);
+}
+
+TEST(Unit_StopRules, ReplicatesAreNoMoreThanSamples) {
+  EXPECT_EQ(noisy(test::settings_of(8, 2)).film.replicates(), 2u);
+  EXPECT_EQ(noisy(test::settings_of(8, 1)).film.replicates(), 1u);
+}
+
+// The replicates see other numbers: were they the same, the error would be 0 or too small by far.
+TEST(Statistical_Replicates, AreIndependentOfEachOther) {
+  test::RenderSettings settings = test::settings_of(32, 64);
+  const RenderResult result = noisy(settings);
+  const Film& film = result.film;
+  double covariance = 0;
+  double variance = 0;
+  for (std::size_t i = 0; i < film.pixel_count(); ++i) {
+    const auto deviation = [&](std::uint32_t r) {
+      return film.replicate_sum(i, r).x / film.samples_of_replicate(i, r) - 2;  // 1 / (1 - albedo)
+    };
+    covariance += deviation(0) * deviation(1);
+    variance += deviation(0) * deviation(0);
+  }
+  const double correlation = covariance / variance;
+  EXPECT_LT(std::abs(correlation), 4 / std::sqrt(static_cast<double>(film.pixel_count())));
+}
+
+TEST(Unit_Clamp, DimsWithoutChangingTheHue) {
+  test::RenderSettings settings = test::settings_of(8, 16);
+  settings.options.clamp = 0.25f;
+  const Image image = noisy(settings).film.to_image(false);
+  EXPECT_LE(*std::max_element(image.values.begin(), image.values.end()), 0.25f);
+  EXPECT_GT(test::mean_of(image), 0.2);
+}
+
+}  // namespace
+}  // namespace candela

@@ -1,0 +1,79 @@
+// --error, --relmse, --time, --replicates and --clamp on the command line.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/refusals.h"
+
+namespace candela::cli_test {
+namespace {
+
+TEST(Errors_StopOptions, AreRefusedInSentences) {
+  expect_refused({cornell_box, "--error", "0%"}, 2, "expected an error above 0 such as 1% or 0.01");
+  expect_refused({cornell_box, "--error", "%"}, 2, "found '%'");
+  expect_refused({cornell_box, "--time", "5x"}, 2, "expected a time above 0 such as 60s");
+  expect_refused({cornell_box, "--replicates", "0"}, 2, "expected a whole number from 1");
+  expect_refused({cornell_box, "--clamp", "-1"}, 2, "expected a number above 0");
+  expect_refused({cornell_box, "--error", "1%", "--replicates", "1"}, 2,
+                 "--error needs an error to go by, and --replicates 1 states none");
+  expect_refused({cornell_box, "--relmse", "1e-3", "--integrator", "whitted"}, 2,
+                 "--relmse is for path and report, this is whitted");
+  expect_refused({cornell_box, "--time", "1s", "--ray-limit"}, 2, "--ray-limit needs --spp");
+}
+
+struct Run {
+  nlohmann::json stats;
+  std::string exr;
+  std::string messages;
+};
+
+Run run_of(std::vector<std::string> words) {
+  const std::string folder = fresh_folder("stop_options");
+  words.insert(words.begin(), {"render", cornell_box, "--size", "16x16"});
+  words.insert(words.end(), {"-o", folder + "/a.exr", "--stats", folder + "/a.json"});
+  const ProgramResult result = run_candela(words);
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  return {nlohmann::json::parse(file_text(folder + "/a.json")), file_text(folder + "/a.exr"),
+          result.error};
+}
+
+TEST(Unit_StopOptions, AnErrorIsReachedAndToldEverywhere) {
+  const Run run = run_of({"--error", "30%"});
+  EXPECT_EQ(run.stats["stop"]["by"], "error");
+  EXPECT_NEAR(run.stats["stop"]["target_relmse"].get<double>(), 0.09, 1e-12);
+  EXPECT_TRUE(run.stats["spp"].is_null());
+  const auto& error = run.stats["error"];
+  EXPECT_LE(error["relmse"], 0.09);
+  EXPECT_NEAR(error["rmse"].get<double>(), std::sqrt(error["relmse"].get<double>()), 1e-12);
+  EXPECT_LT(error["interval95"][0], error["relmse"]);
+  EXPECT_GT(error["interval95"][1], error["relmse"]);
+  EXPECT_NE(run.messages.find("stopped by --error at "), std::string::npos) << run.messages;
+  for (const char* name : {"candela:stop", "candela:relmse", "candela:rmse", "candela:relmse_low",
+                           "candela:relmse_high", "candela:heavy_tails"})
+    EXPECT_NE(run.exr.find(name), std::string::npos) << name;
+}
+
+TEST(Unit_StopOptions, TheScenesOwnSamplesCountOnlyWithoutARule) {
+  EXPECT_EQ(run_of({"--relmse", "1e9"}).stats["max_samples"], 16);
+  const Run both = run_of({"--relmse", "1e-9", "--spp", "17"});
+  EXPECT_EQ(both.stats["max_samples"], 17);
+  EXPECT_EQ(both.stats["stop"]["by"], "spp");
+  EXPECT_EQ(both.stats["spp"], 17);
+  EXPECT_EQ(run_of({"--time", "0.2s"}).stats["stop"]["by"], "time");
+}
+
+TEST(Unit_StopOptions, ReplicatesAndClampAreTold) {
+  const Run plain = run_of({"--spp", "8"});
+  EXPECT_EQ(plain.stats["replicates"], 4);
+  EXPECT_EQ(plain.stats["biased"], nlohmann::json::array());
+  EXPECT_EQ(plain.exr.find("candela:biased"), std::string::npos);
+  const Run one = run_of({"--spp", "8", "--replicates", "1"});
+  EXPECT_EQ(one.stats["replicates"], 1);
+  EXPECT_TRUE(one.stats["error"].is_null());
+  const Run clamped = run_of({"--spp", "8", "--clamp", "10", "--max-depth", "3"});
+  EXPECT_EQ(clamped.stats["biased"], (nlohmann::json{"clamp 10", "max depth 3"}));
+  EXPECT_NE(clamped.exr.find("candela:biased"), std::string::npos);
+  EXPECT_NE(clamped.messages.find("biased"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace candela::cli_test
