@@ -3,8 +3,8 @@
 #include <chrono>
 
 #include "integrators/rounds.h"
-#include "renderer/film/tiles.h"
 #include "renderer/base/parallel.h"
+#include "renderer/film/tiles.h"
 
 namespace candela {
 namespace {
@@ -109,7 +109,8 @@ class Loop {
     double samples = std::min<double>(most, budget_.samples_in_time(done_));
     if (error) progress_->state_error(error->rmse);
     if (const auto to = goal(error)) samples = std::min(samples, samples_for(*to, done_));
-    progress_->expect(static_cast<std::uint64_t>(samples * static_cast<double>(film_.pixel_count())));
+    progress_->expect(
+        static_cast<std::uint64_t>(samples * static_cast<double>(film_.pixel_count())));
   }
 
   const RenderOptions& options_;

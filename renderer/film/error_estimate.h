@@ -15,8 +15,8 @@ struct Interval {
 
 struct ErrorEstimate {
   double relmse = 0;
-  double rmse = 0;  // sqrt(relmse): 0.01 is an error of 1 %
-  Interval interval95;  // of relmse, by Student's t
+  double rmse = 0;         // sqrt(relmse): 0.01 is an error of 1 %
+  Interval interval95;     // of relmse, by Student's t
   double heavy_tails = 0;  // share of the pixels where it cannot be trusted (heavy_tails.h)
 };
 

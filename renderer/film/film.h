@@ -20,8 +20,9 @@ struct PixelRect {
 };
 
 // Layers beside the picture, all from the first hit of camera rays, averaged over the samples that
-// hit (material_id: of sample 0), in file units; how many samples there are; and what is known of the
-// error: the variance of the pixel's mean, and a mask of where it cannot be trusted (heavy_tails.h).
+// hit (material_id: of sample 0), in file units; how many samples there are; and what is known of
+// the error: the variance of the pixel's mean, and a mask of where it cannot be trusted
+// (heavy_tails.h).
 enum class Aov : std::uint8_t {
   Albedo,
   Normal,

@@ -95,8 +95,7 @@ class Surroundings {
 double distance(const Surroundings& s, std::size_t a, std::size_t b) {
   const double difference = s.greys[a] - s.greys[b];
   const double variance = s.grey_variances[a] + s.grey_variances[b];
-  const double chance =
-      s.grey_variances[a] + std::min(s.grey_variances[a], s.grey_variances[b]);
+  const double chance = s.grey_variances[a] + std::min(s.grey_variances[a], s.grey_variances[b]);
   const double excess = difference * difference - chance;
   return variance > 0 ? excess / variance : (difference == 0 ? 0 : 1e10);
 }
@@ -126,7 +125,26 @@ class ShiftedWeights {
   std::vector<double> distances_;
 };
 
-void add_alike(const Surroundings& s, const PixelRect& block, std::vector<NeighbourLevel>& levels) {
+// Weighted sums over the neighbours of a pixel.
+struct Sums {
+  double weight = 0;
+  Vec3d mean{0.0};
+  Vec3d square{0.0};
+  Vec3d variance{0.0};
+  Vec3d squared_weight_variance{0.0};
+
+  void add(double w, const Vec3d& m, const Vec3d& v) {
+    weight += w;
+    mean += w * m;
+    square += w * m * m;
+    variance += w * v;
+    squared_weight_variance += w * w * v;
+  }
+};
+
+std::vector<Sums> sums_of_alike(const Surroundings& s, const PixelRect& block) {
+  std::vector<Sums> sums(static_cast<std::size_t>(block.width()) *
+                         static_cast<std::size_t>(block.height()));
   ShiftedWeights weights(s);
   for (int dy = -search_radius; dy <= search_radius; ++dy)
     for (int dx = -search_radius; dx <= search_radius; ++dx) {
@@ -136,37 +154,54 @@ void add_alike(const Surroundings& s, const PixelRect& block, std::vector<Neighb
       for (int y = margin; y < margin + block.height(); ++y)
         for (int x = margin; x < margin + block.width(); ++x, ++i) {
           const std::size_t neighbour = s.at(x + dx, y + dy);
-          const double weight = weights.weight(x, y) * s.counts[neighbour];
-          levels[i].weight += weight;
-          levels[i].sum += weight * s.means[neighbour];
-          levels[i].variance += weight * weight * s.variances[neighbour];
+          sums[i].add(weights.weight(x, y) * s.counts[neighbour], s.means[neighbour],
+                      s.variances[neighbour]);
         }
     }
+  return sums;
 }
 
-void add_all(const Surroundings& s, const PixelRect& block, std::vector<NeighbourLevel>& levels) {
-  std::size_t i = 0;
-  for (int y = margin; y < margin + block.height(); ++y)
-    for (int x = margin; x < margin + block.width(); ++x, ++i) {
-      for (int dy = -wide_radius; dy <= wide_radius; ++dy)
-        for (int dx = -wide_radius; dx <= wide_radius; ++dx) {
-          const std::size_t neighbour = s.at(x + dx, y + dy);
-          if (dx == 0 && dy == 0) continue;
-          levels[i].all_weight += s.counts[neighbour];
-          levels[i].all_sum += s.counts[neighbour] * s.means[neighbour];
-        }
-      levels[i].own_variance = s.variances[s.at(x, y)];
+Vec3d wide_mean(const Surroundings& s, int x, int y) {
+  double count = 0;
+  Vec3d sum(0.0);
+  for (int dy = -wide_radius; dy <= wide_radius; ++dy)
+    for (int dx = -wide_radius; dx <= wide_radius; ++dx) {
+      if (dx == 0 && dy == 0) continue;
+      const std::size_t neighbour = s.at(x + dx, y + dy);
+      count += s.counts[neighbour];
+      sum += s.counts[neighbour] * s.means[neighbour];
     }
+  return count > 0 ? sum / count : s.means[s.at(x, y)];  // a picture of one pixel
+}
+
+NeighbourLevel level_of(const Sums& sums, const Vec3d& wide_mean) {
+  NeighbourLevel level;
+  level.wide_mean = wide_mean;
+  constexpr double nobody = 1e-6;
+  if (!(sums.weight > nobody)) {
+    level.mean = wide_mean;
+    return level;
+  }
+  level.mean = sums.mean / sums.weight;
+  level.noise = sums.squared_weight_variance / (sums.weight * sums.weight);
+  level.structure =
+      max((sums.square - sums.variance) / sums.weight - level.mean * level.mean, Vec3d(0.0));
+  return level;
 }
 
 }  // namespace
 
 std::vector<NeighbourLevel> neighbour_levels(const Film& film, const PixelRect& block) {
   const Surroundings surroundings(film, block);
-  std::vector<NeighbourLevel> levels(static_cast<std::size_t>(block.width()) *
-                                     static_cast<std::size_t>(block.height()));
-  add_alike(surroundings, block, levels);
-  add_all(surroundings, block, levels);
+  std::vector<NeighbourLevel> levels;
+  for (const Sums& sums : sums_of_alike(surroundings, block)) {
+    const int x = margin + static_cast<int>(levels.size()) % block.width();
+    const int y = margin + static_cast<int>(levels.size()) / block.width();
+    levels.push_back(level_of(sums, wide_mean(surroundings, x, y)));
+    const std::size_t i = film.index(block.x0 + x - margin, block.y0 + y - margin);
+    levels.back().own_variance =
+        max(surroundings.variances[surroundings.at(x, y)], variance_of_mean(film, i));
+  }
   return levels;
 }
 

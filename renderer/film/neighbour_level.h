@@ -1,5 +1,5 @@
-// What the radiance of a pixel is likely to be, as its neighbours have it: from those that look alike
-// by more than chance, after non-local means with known variances [Rousselle12, section 4].
+// What the radiance of a pixel is likely to be, as its neighbours have it: from those that look
+// alike by more than chance, after non-local means with known variances [Rousselle12, section 4].
 #pragma once
 
 #include <vector>
@@ -8,14 +8,13 @@
 
 namespace candela {
 
-// A sum over neighbours, the pixel itself left out: what is known of it can be added apart.
+// The pixel itself is left out everywhere: what is known of it can be added apart.
 struct NeighbourLevel {
-  double weight = 0;
-  Vec3d sum{0.0};       // of weight times mean
-  Vec3d variance{0.0};  // of `sum`
-  double all_weight = 0;  // over all neighbours near by, whether they look alike or not
-  Vec3d all_sum{0.0};
-  Vec3d own_variance{0.0};  // of the pixel's own mean, evened out with those next to it
+  Vec3d mean{0.0};          // over those that look alike
+  Vec3d noise{0.0};         // variance of that mean
+  Vec3d structure{0.0};     // variance of what they would be without noise
+  Vec3d wide_mean{0.0};     // over all near by, whether they look alike or not
+  Vec3d own_variance{0.0};  // of the pixel's own mean: at least that of those next to it
 };
 
 // Of the pixels of `block`, in rows from the top.

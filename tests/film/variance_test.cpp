@@ -40,8 +40,7 @@ TEST(Statistical_Variance, IsUnbiasedForIndependentSamples) {
   for (const int samples : {2, 3, 4, 6, 7, 16, 17}) {
     const Film film = test::synthetic_film(128, samples, 4, 5, exponential);
     statistics::Moments variances;
-    for (std::size_t i = 0; i < film.pixel_count(); ++i)
-      variances.add(variance_of_mean(film, i).x);
+    for (std::size_t i = 0; i < film.pixel_count(); ++i) variances.add(variance_of_mean(film, i).x);
     EXPECT_GT(variances.p_value(1.0 / samples), 1e-3) << samples << " " << variances.mean();
   }
 }

@@ -44,7 +44,7 @@ TEST(Unit_StopRules, TheErrorIsMetAndNotByFar) {
   EXPECT_EQ(result.statistics.stop, StopReason::Error);
   ASSERT_TRUE(result.error);
   EXPECT_LE(result.error->relmse, 1e-3);
-  EXPECT_GT(result.error->relmse, 0.64e-3);  // an rMSE of at least 0.8 of what was asked for
+  EXPECT_GT(result.error->relmse, 0.64e-3);   // an rMSE of at least 0.8 of what was asked for
   EXPECT_GT(result.film.min_samples(), 16u);  // it took more than one round
 }
 
@@ -70,8 +70,7 @@ TEST(Unit_StopRules, TimeEndsWhatHasNoOtherEnd) {
 TEST(Unit_StopRules, APictureWithoutNoiseMeetsAnyError) {
   test::RenderSettings settings = without_limit(8);
   settings.options.target_relmse = 1e-30;
-  const Scene black = test::compiled(
-      furnace_of(0), settings.options);
+  const Scene black = test::compiled(furnace_of(0), settings.options);
   const RenderResult result = test::rendered(black, settings);
   EXPECT_EQ(result.statistics.stop, StopReason::Error);
   EXPECT_EQ(result.error->relmse, 0);

@@ -20,13 +20,13 @@ TEST(Errors_StopOptions, AreRefusedInSentences) {
   expect_refused({cornell_box, "--time", "1s", "--ray-limit"}, 2, "--ray-limit needs --spp");
 }
 
-struct Run {
+struct StopRun {
   nlohmann::json stats;
   std::string exr;
   std::string messages;
 };
 
-Run run_of(std::vector<std::string> words) {
+StopRun run_of(std::vector<std::string> words) {
   const std::string folder = fresh_folder("stop_options");
   words.insert(words.begin(), {"render", cornell_box, "--size", "16x16"});
   words.insert(words.end(), {"-o", folder + "/a.exr", "--stats", folder + "/a.json"});
@@ -37,7 +37,7 @@ Run run_of(std::vector<std::string> words) {
 }
 
 TEST(Unit_StopOptions, AnErrorIsReachedAndToldEverywhere) {
-  const Run run = run_of({"--error", "30%"});
+  const StopRun run = run_of({"--error", "30%"});
   EXPECT_EQ(run.stats["stop"]["by"], "error");
   EXPECT_NEAR(run.stats["stop"]["target_relmse"].get<double>(), 0.09, 1e-12);
   EXPECT_TRUE(run.stats["spp"].is_null());
@@ -54,7 +54,7 @@ TEST(Unit_StopOptions, AnErrorIsReachedAndToldEverywhere) {
 
 TEST(Unit_StopOptions, TheScenesOwnSamplesCountOnlyWithoutARule) {
   EXPECT_EQ(run_of({"--relmse", "1e9"}).stats["max_samples"], 16);
-  const Run both = run_of({"--relmse", "1e-9", "--spp", "17"});
+  const StopRun both = run_of({"--relmse", "1e-9", "--spp", "17"});
   EXPECT_EQ(both.stats["max_samples"], 17);
   EXPECT_EQ(both.stats["stop"]["by"], "spp");
   EXPECT_EQ(both.stats["spp"], 17);
@@ -62,14 +62,14 @@ TEST(Unit_StopOptions, TheScenesOwnSamplesCountOnlyWithoutARule) {
 }
 
 TEST(Unit_StopOptions, ReplicatesAndClampAreTold) {
-  const Run plain = run_of({"--spp", "8"});
+  const StopRun plain = run_of({"--spp", "8"});
   EXPECT_EQ(plain.stats["replicates"], 4);
   EXPECT_EQ(plain.stats["biased"], nlohmann::json::array());
   EXPECT_EQ(plain.exr.find("candela:biased"), std::string::npos);
-  const Run one = run_of({"--spp", "8", "--replicates", "1"});
+  const StopRun one = run_of({"--spp", "8", "--replicates", "1"});
   EXPECT_EQ(one.stats["replicates"], 1);
   EXPECT_TRUE(one.stats["error"].is_null());
-  const Run clamped = run_of({"--spp", "8", "--clamp", "10", "--max-depth", "3"});
+  const StopRun clamped = run_of({"--spp", "8", "--clamp", "10", "--max-depth", "3"});
   EXPECT_EQ(clamped.stats["biased"], (nlohmann::json{"clamp 10", "max depth 3"}));
   EXPECT_NE(clamped.exr.find("candela:biased"), std::string::npos);
   EXPECT_NE(clamped.messages.find("biased"), std::string::npos);

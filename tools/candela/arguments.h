@@ -41,7 +41,7 @@ struct RenderArguments {
   std::optional<std::string> stats_path;
   std::optional<IntegratorKind> integrator;
   std::optional<int> samples_per_pixel;
-  std::optional<double> error_goal;   // rMSE
+  std::optional<double> error_goal;  // rMSE
   std::optional<double> relmse_goal;
   std::optional<double> time_limit_seconds;
   std::optional<int> replicates;

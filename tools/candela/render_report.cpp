@@ -44,8 +44,8 @@ std::string options_text(const RenderReport& report) {
       options.width, options.height, crop.x0, crop.y0, crop.x1, crop.y1, options.camera,
       depth_text(options.max_depth), name_of(options.filter, filter_choices()),
       options.transparent ? "yes" : "no", name_of(report.accelerator, accelerator_choices()),
-      report.is_robust ? "on" : "off", report.replicates,
-      lab_text(options), strategy_text(options));
+      report.is_robust ? "on" : "off", report.replicates, lab_text(options),
+      strategy_text(options));
 }
 
 }  // namespace

@@ -249,11 +249,10 @@ void RenderRun::report_samples() {
   if (report_.max_samples == 0)
     console_.error("interrupted before the first sample; nothing was written");
   else
-    console_.error(fmt::format("interrupted; the picture holds {}{}",
-                               samples_text(report_.min_samples, report_.max_samples),
-                               report_.has_sample_limit()
-                                   ? fmt::format(" of {}", options().samples_per_pixel)
-                                   : ""));
+    console_.error(fmt::format(
+        "interrupted; the picture holds {}{}",
+        samples_text(report_.min_samples, report_.max_samples),
+        report_.has_sample_limit() ? fmt::format(" of {}", options().samples_per_pixel) : ""));
 }
 
 void RenderRun::write_stats() {

@@ -97,9 +97,9 @@ void settle_grid(bool is_said, RenderOptions& options, std::vector<std::string>&
 void refuse_stop_rules(const RenderArguments& arguments, const RenderOptions& options) {
   const auto refuse = [&](bool is_said, std::string_view option) {
     if (is_said)
-      throw Refusal{fmt::format("{} is for path and report, this is {}", option,
-                                integrator_name(options)),
-                    ExitCode::Usage};
+      throw Refusal{
+          fmt::format("{} is for path and report, this is {}", option, integrator_name(options)),
+          ExitCode::Usage};
   };
   if (is_lab_shading(options.integrator)) {
     refuse(arguments.error_goal.has_value(), "--error");
