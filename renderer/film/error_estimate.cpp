@@ -54,34 +54,41 @@ Level level_of(const NeighbourLevel& near, const Vec3d& own, double own_share, d
   return {mix(level.mean, near.wide_mean, blend), level.variance * (1 - blend) * (1 - blend)};
 }
 
-// The squared error of a pixel over what is there. Each pair of replicates tells a variance, and
-// the level that it is held against is made without the pair: were it of the same noise, pixels
-// that are too bright by chance would hide their own error.
+// The squared error of a pixel over what is there, from a pair of replicates. The level that it is
+// held against is made without the pair: were it of the same noise, pixels that are too bright by
+// chance would hide their own error.
+double error_of_pair(const Film& film, std::size_t i, std::uint32_t a, std::uint32_t b,
+                     const NeighbourLevel& near, double epsilon) {
+  const double samples = film.samples(i);
+  const double samples_a = film.samples_of_replicate(i, a);
+  const double samples_b = film.samples_of_replicate(i, b);
+  const Vec3d& sum_a = film.replicate_sum(i, a);
+  const Vec3d& sum_b = film.replicate_sum(i, b);
+  const Vec3d difference = sum_a / samples_a - sum_b / samples_b;
+  // One sample's variance is that of the difference over 1 / samples_a + 1 / samples_b.
+  const Vec3d variance = difference * difference / ((1 / samples_a + 1 / samples_b) * samples);
+  const double left = samples - samples_a - samples_b;
+  const Vec3d own = left > 0 ? (samples * film.mean(i) - sum_a - sum_b) / left : Vec3d(0.0);
+  const Level level = level_of(near, own, left / samples, epsilon);
+  double sum = 0;
+  for (int c = 0; c < 3; ++c)
+    sum += variance[c] * inverse_square(level.mean[c], level.variance[c], epsilon);
+  return sum / 3;
+}
+
+// Over pairs of neighbours in the ring of the replicates, one or two steps apart: all pairs of up to
+// five replicates, and not too many of more.
 double relative_error(const Film& film, std::size_t i, const NeighbourLevel& near, double epsilon) {
   const std::uint32_t replicates = used_replicates(film, i);
-  const Vec3d mean = film.mean(i);
-  const double samples = film.samples(i);
   double sum = 0;
-  int pairs = 0;
-  // Each with the next two: all pairs of up to five, and not too many of more.
-  for (std::uint32_t a = 0; a < replicates; ++a)
-    for (const std::uint32_t b : {(a + 1) % replicates, (a + 2) % replicates}) {
-      if (a == b) continue;
-      const double samples_a = film.samples_of_replicate(i, a);
-      const double samples_b = film.samples_of_replicate(i, b);
-      const Vec3d& sum_a = film.replicate_sum(i, a);
-      const Vec3d& sum_b = film.replicate_sum(i, b);
-      const Vec3d difference = sum_a / samples_a - sum_b / samples_b;
-      // The variance of one sample is that of the difference over 1 / samples_a + 1 / samples_b.
-      const Vec3d variance = difference * difference / ((1 / samples_a + 1 / samples_b) * samples);
-      const double left = samples - samples_a - samples_b;
-      const Vec3d own = left > 0 ? (samples * mean - sum_a - sum_b) / left : Vec3d(0.0);
-      const Level level = level_of(near, own, left / samples, epsilon);
-      for (int c = 0; c < 3; ++c)
-        sum += variance[c] * inverse_square(level.mean[c], level.variance[c], epsilon);
-      ++pairs;
-    }
-  return sum / (3 * pairs);
+  std::uint32_t pairs = 0;
+  for (std::uint32_t step = 1; step <= 2 && 2 * step <= replicates; ++step) {
+    const std::uint32_t count = 2 * step == replicates ? step : replicates;  // no pair twice
+    for (std::uint32_t a = 0; a < count; ++a)
+      sum += error_of_pair(film, i, a, (a + step) % replicates, near, epsilon);
+    pairs += count;
+  }
+  return sum / pairs;
 }
 
 double mean_radiance(const Film& film) {

@@ -9,7 +9,8 @@ double sum_of(const Vec3d& v) {
   return v.x + v.y + v.z;
 }
 
-// Whether one replicate holds most of a region's light though each had its fair share of samples.
+// Whether one replicate holds far more of a region's light than its share of the samples: of four,
+// half of all.
 bool is_heavy(const Film& film, const PixelRect& region) {
   std::vector<double> sums(film.replicates(), 0.0);
   double total = 0;
@@ -22,7 +23,9 @@ bool is_heavy(const Film& film, const PixelRect& region) {
     most = std::max(most, sum);
     total += sum;
   }
-  return film.replicates() > 1 && most > 0.5 * total && total > 0;
+  const double fair = 1.0 / film.replicates();
+  const double suspicious = fair + (1 - fair) / 3;
+  return film.replicates() > 1 && most > suspicious * total;
 }
 
 }  // namespace

@@ -3,9 +3,11 @@
 The true relMSE is measured against a long reference of other seeds, whose own variance is taken
 off; the stated one is what the program says of itself. docs/accuracy.md tells what came out."""
 
+import concurrent.futures
 import csv
 import dataclasses
 import math
+import os
 import pathlib
 import sys
 
@@ -25,7 +27,6 @@ def add_arguments(parser):
     parser.add_argument("--scenes", metavar="NAMES", help="only these, by comma")
     parser.add_argument("--spp", metavar="LIST", help="only these, by comma")
     parser.add_argument("--seeds", type=int, default=20, help="pictures a case (20)")
-    parser.add_argument("--size", type=int, default=48, help="pixels a side (48)")
     parser.add_argument("--stops", type=int, default=200, metavar="N",
                         help="pictures that end by --error, a case (200); 0: none")
     parser.add_argument("--no-cases", action="store_true", help="only those that end by --error")
@@ -63,6 +64,21 @@ def all_scenes(options):
     return scenes
 
 
+def size_of(spp):
+    """Pixels a side: fewer where samples are many, so that a case takes seconds."""
+    return 48 if spp <= 64 else 24
+
+
+def square(size):
+    return f"{size}x{size}"
+
+
+def side_by_side(work, items):
+    """One thread each: small pictures gain nothing from more."""
+    with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
+        return list(pool.map(work, items))
+
+
 def safe(name):
     return name.replace("/", "_")
 
@@ -80,15 +96,17 @@ def with_weight(image, variance):
     return Reference(image, variance, 1 / (image ** 2 + epsilon))
 
 
-def reference(candela, scene, options, spp):
+def reference(candela, scene, size, spp):
     import numpy
     if scene.radiance is not None:
-        image = numpy.full((options.size, options.size, 3), scene.radiance)
+        image = numpy.full((size, size, 3), scene.radiance)
         return with_weight(image, numpy.zeros_like(image))
-    parts = [layers(candela.cached(f"reference_{safe(scene.name)}_{seed}", scene.path,
-                                   integrator="path", size=f"{options.size}x{options.size}",
-                                   spp=spp, seed=seed, replicates=16, aov="variance,heavy_tail"))
-             for seed in REFERENCE_SEEDS]
+    parts = side_by_side(
+        lambda seed: layers(candela.cached(f"reference_{safe(scene.name)}_{size}_{seed}",
+                                           scene.path, integrator="path", size=square(size),
+                                           spp=spp, seed=seed, replicates=16, threads=1,
+                                           aov="variance,heavy_tail")),
+        REFERENCE_SEEDS)
     count = len(parts)
     return with_weight(sum(p[0] for p in parts) / count, sum(p[1] for p in parts) / count ** 2)
 
@@ -103,10 +121,10 @@ class Picture:
     masked: float
 
 
-def picture(candela, scene, options, truth, spp, seed):
-    render = candela.render(f"picture_{safe(scene.name)}", scene.path, png=False,
-                            integrator="path", size=f"{options.size}x{options.size}", spp=spp,
-                            seed=seed, aov="variance,heavy_tail")
+def picture(candela, scene, truth, spp, seed):
+    render = candela.render(f"picture_{seed}", scene.path, png=False, integrator="path",
+                            size=square(size_of(spp)), spp=spp, seed=seed, threads=1,
+                            aov="variance,heavy_tail")
     image, variance, mask = layers(render)
     # The image is stored as 32-bit floats: a pixel without variance is right up to their rounding.
     reach = T95_THREE_DEGREES * (variance + truth.variance) ** .5 + 1e-6 * abs(truth.image)
@@ -149,12 +167,13 @@ def case_row(scene, spp, pictures, truth):
 
 
 def cases(candela, options, counts):
-    reference_spp = 16 * max(counts)
     for scene in all_scenes(options):
-        truth = reference(candela, scene, options, reference_spp)
         for spp in counts:
-            pictures = [picture(candela, scene, options, truth, spp, seed)
-                        for seed in range(1, options.seeds + 1)]
+            size = size_of(spp)
+            truth = reference(candela, scene, size,
+                              16 * max(n for n in counts if size_of(n) == size))
+            pictures = side_by_side(lambda seed: picture(candela, scene, truth, spp, seed),
+                                    range(1, options.seeds + 1))
             if all(p.true == 0 and p.stated == 0 for p in pictures):
                 continue  # nothing random in it
             row = case_row(scene, spp, pictures, truth)
@@ -168,21 +187,23 @@ STOP_SCENES = ("cornell_box_diffuse", "cornell_box", "cutouts", "furnace")
 
 def stops(candela, options):
     """Does --error X end with a true error near X?"""
-    reference_spp = 1 << 14
+    size = 32
     for scene in all_scenes(options):
         if scene.name not in STOP_SCENES:
             continue
-        truth = reference(candela, scene, options, reference_spp)
+        truth = reference(candela, scene, size, 1 << 13)
         once = candela.render("stop", scene.path, png=False, integrator="path", spp=64,
-                              size=f"{options.size}x{options.size}", seed=1)
+                              size=square(size), seed=1)
         goal = float(f"{once.stats['error']['rmse']:.2g}")  # reached near 64 samples
-        ratios, samples = [], []
-        for seed in range(1, options.stops + 1):
-            render = candela.render("stop", scene.path, png=False, integrator="path", error=goal,
-                                    size=f"{options.size}x{options.size}", seed=seed,
+
+        def stop(seed):
+            render = candela.render(f"stop_{seed}", scene.path, png=False, integrator="path",
+                                    error=goal, size=square(size), seed=seed, threads=1,
                                     aov="variance,heavy_tail")
-            ratios.append(math.sqrt(max(truth.relmse(layers(render)[0]), 0)) / goal)
-            samples.append(render.stats["max_samples"])
+            relmse = truth.relmse(layers(render)[0])
+            return math.sqrt(max(relmse, 0)) / goal, render.stats["max_samples"]
+
+        ratios, samples = zip(*side_by_side(stop, range(1, options.stops + 1)))
         row = {"scene": scene.name, "goal": goal, "runs": len(ratios),
                "samples": sorted(samples)[len(samples) // 2],
                "at_most_1.1": mean(float(r <= 1.1) for r in ratios),
@@ -203,6 +224,17 @@ def write_csv(path, rows):
             writer.writerow({k: f"{v:.6g}" if isinstance(v, float) else v for k, v in row.items()})
 
 
+def plot(out, rows):
+    import plots
+    names = list(dict.fromkeys(r["scene"] for r in rows))
+    for key, label, name in (("stated_over_true", "stated / true relMSE", "calibration"),
+                             ("pixels_covered", "pixels within their 95 % interval", "coverage")):
+        curves = [(scene, [r["spp"] for r in rows if r["scene"] == scene],
+                   [r[key] for r in rows if r["scene"] == scene], {"lw": 1})
+                  for scene in names]
+        plots.line_plot(out / f"{name}.png", curves, "samples a pixel", label, log_x=True)
+
+
 def run(options):
     options.out = options.out.resolve()
     options.out.mkdir(parents=True, exist_ok=True)
@@ -216,5 +248,6 @@ def run(options):
         ratios = sorted(r["stated_over_true"] for r in rows)
         print(f"stated / true: median {ratios[len(ratios) // 2]:.3f}, "
               f"from {ratios[0]:.3f} to {ratios[-1]:.3f}")
+        plot(options.out, rows)
     if options.stops:
         write_csv(options.out / "stops.csv", list(stops(candela, options)))

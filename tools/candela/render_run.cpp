@@ -180,7 +180,7 @@ ProgressSink* RenderRun::start_rendering(const Scene& scene) {
                             name_of(options().integrator, integrator_choices()), report_.threads,
                             report_.threads == 1 ? "" : "s"));
   progress_ = std::make_unique<ProgressReport>(console_);
-  return progress_.get();
+  return arguments_.is_quiet ? nullptr : progress_.get();  // its numbers cost a little
 }
 
 void RenderRun::rendered(const Scene& scene, const RenderResult& result) {
