@@ -257,7 +257,13 @@ TEST(Stress_Estimators, ABruteForceTracerOfABoxAgrees) {
       for (std::size_t i = 0; i < image.pixel_count(); ++i)
         path.images.back().push_back(double{image.values[i * image.channel_count()]});
     }
-    const auto agreement = compare_replicates(path, brute, {.level = 1e-3});
+    // Where the lamp touches walls, 1 / distance^2 of its samples alone has no variance: the means
+    // of such pixels are skewed, which t-tests of single pixels take for a difference.
+    const bool has_heavy_tails = estimator.sampling == SamplingStrategy::Light;
+    const auto agreement = compare_replicates(
+        path, brute,
+        {.level = 1e-3,
+         .pixel_levels = has_heavy_tails ? std::vector<double>{} : std::vector{0.05, 0.01, 0.001}});
     EXPECT_TRUE(agreement.passed) << agreement.message;
     add_row(estimator.name, {{"p pixels", agreement.pixels_p_value},
                              {"p blocks", agreement.blocks_p_value},
