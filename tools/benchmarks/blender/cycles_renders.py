@@ -1,0 +1,96 @@
+"""Runs Blender's Cycles on scene descriptions; one Blender process renders a whole list."""
+
+import collections
+import dataclasses
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+
+from exr import read_channels, stacked
+
+SCRIPT = pathlib.Path(__file__).with_name("render_in_cycles.py")
+
+
+class CyclesFailed(OSError):
+    """Blender is not there or gave up; the text says which."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Job:
+    scene: str
+    width: int
+    height: int
+    spp: int  # at most, where there is a noise threshold
+    seed: int
+    noise_threshold: float | None = None
+
+    @property
+    def name(self):
+        threshold = "" if self.noise_threshold is None else f"_threshold_{self.noise_threshold:g}"
+        return f"{self.scene}_{self.width}x{self.height}_{self.spp}spp{threshold}_seed_{self.seed}"
+
+
+@dataclasses.dataclass
+class Picture:
+    colour: object  # array [row from the top, column, channel]
+    spp: float  # samples a pixel, the mean
+
+
+class Cycles:
+    def __init__(self, folder, threads, program="blender"):
+        self.program, self.folder, self.threads = program, folder, threads
+        self.folder.mkdir(parents=True, exist_ok=True)
+
+    def version(self):
+        if not shutil.which(self.program):
+            raise CyclesFailed(f"'{self.program}' is not installed; expected Debian's package "
+                               "blender, which `tools/setup --dev` installs.")
+        return subprocess.run([self.program, "--version"], capture_output=True, text=True,
+                              check=True).stdout.splitlines()[0]
+
+    def render(self, scenes, jobs):
+        """`scenes`: what blender_scene.read() gives, by name. -> Picture by Job."""
+        file = self.folder / "jobs.json"
+        file.write_text(json.dumps({
+            "threads": self.threads, "scenes": scenes,
+            "renders": [dataclasses.asdict(job) | {"exr": str(self._exr(job))} for job in jobs]}))
+        for job in jobs:
+            self._exr(job).unlink(missing_ok=True)
+        done = subprocess.run([self.program, "-b", "--factory-startup", "--python-exit-code", "1",
+                               "-P", str(SCRIPT), "--", str(file)], capture_output=True, text=True)
+        (self.folder / "blender.log").write_text(done.stdout + done.stderr)
+        if done.returncode != 0 or not all(self._exr(job).exists() for job in jobs):
+            raise CyclesFailed(f"Blender ended with {done.returncode}; see "
+                               f"{self.folder / 'blender.log'}")
+        rounds = samples_taken(done.stdout)
+        return {job: self._picture(job, rounds[str(self._exr(job))]) for job in jobs}
+
+    def _exr(self, job):
+        return self.folder / f"{job.name}.exr"
+
+    def _picture(self, job, rounds):
+        channels = read_channels(self._exr(job))
+        spp = job.spp
+        if job.noise_threshold is not None:
+            share = channels["ViewLayer.Debug Sample Count.X"]
+            counts = share * rounds
+            if abs(counts - counts.round()).max() > .01:
+                raise CyclesFailed(f"{self._exr(job)}: sample counts that are no whole numbers")
+            spp = float(counts.mean())
+        return Picture(stacked(channels, [f"ViewLayer.Combined.{c}" for c in "RGB"]), spp)
+
+
+def samples_taken(log):
+    """How many samples the pixels that took most took, by the file that was written then: the
+    sample counts in the files are shares of it, and it is told in the log alone."""
+    taken, latest = collections.defaultdict(int), 0
+    for line in log.splitlines():
+        sample = re.search(r"\| Sample (\d+)/\d+", line)
+        if sample:
+            latest = max(latest, int(sample[1]))
+        saved = re.match(r"Saved: '(.+)'", line)
+        if saved:
+            taken[saved[1]], latest = latest, 0
+    return taken

@@ -1,0 +1,58 @@
+"""The comparison with Cycles to look at: pictures, their differences, and the threshold's plot."""
+
+import matplotlib
+import numpy
+import plots  # chooses the backend
+
+HEIGHT = 2.1  # inches a scene
+
+
+def encoded(linear):
+    x = numpy.clip(linear, 0, 1)
+    return numpy.where(x <= .0031308, 12.92 * x, 1.055 * x ** (1 / 2.4) - .055)
+
+
+def agreement(path, rows):
+    """`rows`: (scene, ours, theirs, Agreement), pictures being means over the seeds."""
+    figure, axes = matplotlib.pyplot.subplots(
+        len(rows), 4, figsize=(11, HEIGHT * len(rows)), layout="constrained", squeeze=False)
+    for (scene, ours, theirs, result), line in zip(rows, axes):
+        line[0].imshow(encoded(ours))
+        line[1].imshow(encoded(theirs))
+        # A hundredth of the mean keeps black pixels from dividing by nothing.
+        relative = (ours - theirs).mean(axis=2) / (theirs.mean(axis=2) + .01 * theirs.mean())
+        difference = line[2].imshow(100 * relative, cmap="RdBu", vmin=-5, vmax=5)
+        worst = numpy.take_along_axis(
+            result.t, numpy.abs(result.t).argmax(axis=2)[..., None], axis=2)[..., 0]
+        t = line[3].imshow(worst, cmap="RdBu", vmin=-6, vmax=6)
+        for image, panel in ((difference, line[2]), (t, line[3])):
+            figure.colorbar(image, ax=panel, shrink=.8)
+        line[0].set_ylabel(scene, fontsize=8)
+        for panel in line:
+            panel.set(xticks=[], yticks=[])
+    for panel, title in zip(axes[0], ("candela", "Cycles", "difference, %", "t by block")):
+        panel.set_title(title, fontsize=9)
+    plots.save(figure, path)
+
+
+def threshold(path, rows):
+    """True error against the threshold, a line a scene."""
+    scenes = list(dict.fromkeys(row.scene for row in rows))
+    figure, axes = matplotlib.pyplot.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
+    for scene in scenes:
+        mine = [row for row in rows if row.scene == scene]
+        x, y = [row.threshold for row in mine], [100 * row.rmse for row in mine]
+        bars = [[y_ - 100 * row.rmse_low for y_, row in zip(y, mine)],
+                [100 * row.rmse_high - y_ for y_, row in zip(y, mine)]]
+        axes[0].errorbar(x, y, yerr=bars, marker="o", markersize=4, capsize=2, label=scene)
+        axes[1].plot(x, [100 * row.beyond for row in mine], "o-", markersize=4, label=scene)
+    axes[0].set(xscale="log", yscale="log", ylabel="true rMSE, %")
+    axes[1].set(xscale="log", ylabel="pixels whose true error is above it, %", ylim=(0, None))
+    ticks = sorted({row.threshold for row in rows})
+    for panel in axes:
+        panel.set_xticks(ticks, [f"{x:g}" for x in ticks])
+        panel.minorticks_off()
+        panel.set_xlabel("Cycles' noise threshold")
+        panel.grid(alpha=.3)
+    axes[0].legend(fontsize=7)
+    plots.save(figure, path)

@@ -1,0 +1,189 @@
+"""The same scenes by candela and by Blender's Cycles, and what Cycles' noise threshold says.
+
+Both render the four scenes that every renderer should agree on, with several seeds, so that each
+picture's noise is measured and not assumed. Then Cycles' noise threshold against the true error, as
+a contrast to the error that candela states.
+"""
+
+import copy
+import csv
+import dataclasses
+import os
+import pathlib
+import time
+
+import numpy
+
+ABOUT = "the same scenes by Blender's Cycles: equal pictures?"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCENES = {"cornell_box_diffuse": ROOT / "assets/cornell_box_diffuse/cornell_box_diffuse.yaml"} | {
+    name: ROOT / f"tools/benchmarks/blender/scenes/{name}.yaml"
+    for name in ("point_lit", "sun_lit", "environment_lit")}
+SIZE = (128, 96)  # multiples of the blocks' side, and of 32
+FAILED = 6  # the exit status of comparisons
+DIM = 16  # the threshold's error is no relative one: the same box in a sixteenth of the light
+
+
+@dataclasses.dataclass(frozen=True)
+class Scale:
+    seeds: int
+    spp: int
+    thresholds: tuple
+    threshold_seeds: int
+    reference_seeds: int
+    reference_spp: int
+
+
+FULL = Scale(16, 128, (.1, .05, .02, .01), 5, 8, 1024)
+QUICK = Scale(8, 32, (.1, .05), 3, 8, 64)
+
+
+def add_arguments(parser):
+    parser.add_argument("--quick", action="store_true", help="fewer samples: under 2 minutes")
+    parser.add_argument("--spp", type=int, metavar="N", help="samples a pixel and seed (128)")
+    parser.add_argument("--seeds", type=int, metavar="N", help="seeds of each renderer (16)")
+    parser.add_argument("--scene", action="append", choices=SCENES, metavar="NAME",
+                        help="only this one; may be given several times: " + ", ".join(SCENES))
+    parser.add_argument("--no-threshold", action="store_true",
+                        help="leave out Cycles' noise threshold")
+    parser.add_argument("--docs", action="store_true",
+                        help="also put the plots that docs/ shows into docs/images")
+    parser.add_argument("--blender", default="blender", metavar="PROGRAM", help="Blender (blender)")
+
+
+def run(options):
+    from blender import blender_scene, pictures
+    from blender.cycles_renders import Cycles
+    from renders import Candela
+
+    scale = scale_of(options)
+    out = options.out.resolve()
+    threads = len(os.sched_getaffinity(0))
+    cycles = Cycles(out / "cycles", threads, options.blender)
+    candela = Candela(options.program, out / "candela")
+    scenes = {name: blender_scene.read(SCENES[name]) for name in options.scene or SCENES}
+    print(f"{candela.version()}; {cycles.version()}; {threads} threads")
+
+    compared = agreement(candela, cycles, scenes, scale)
+    pictures.agreement(out / "agreement.png", compared)
+    write_csv(out / "agreement.csv", agreement_rows(compared))
+    failures = told_agreement(compared, scale)
+    if not options.no_threshold:
+        rows = noise_thresholds(cycles, scenes, scale)
+        pictures.threshold(out / "threshold.png", rows)
+        write_csv(out / "threshold.csv", [dataclasses.asdict(row) for row in rows])
+        tell_thresholds(rows, scale)
+    if options.docs:
+        copy_to_docs(out)
+    print(f"{out}: agreement.csv, agreement.png"
+          + ("" if options.no_threshold else ", threshold.csv, threshold.png"))
+    return FAILED if failures else None
+
+
+def scale_of(options):
+    scale = QUICK if options.quick else FULL
+    return dataclasses.replace(scale, spp=options.spp or scale.spp,
+                               seeds=options.seeds or scale.seeds)
+
+
+def agreement(candela, cycles, scenes, scale):
+    """(scene, ours, theirs, Agreement) of each; the pictures are means over the seeds."""
+    from blender import agreement as statistics
+    from blender.cycles_renders import Job
+    from exr import read_exr
+
+    seeds = range(1, scale.seeds + 1)
+    compared = []
+    for name, scene in scenes.items():
+        start = time.monotonic()
+        ours = numpy.array([read_exr(candela.render(
+            f"{name}_{seed}", SCENES[name], size="{}x{}".format(*SIZE), spp=scale.spp, seed=seed,
+            filter="box").exr) for seed in seeds])
+        between = time.monotonic()
+        jobs = [Job(name, *SIZE, scale.spp, seed) for seed in seeds]
+        theirs = numpy.array([p.colour for p in cycles.render({name: scene}, jobs).values()])
+        compared.append((name, ours.mean(axis=0), theirs.mean(axis=0),
+                         statistics.compare(ours, theirs)))
+        print(f"{name}: rendered by candela in {between - start:.0f} s, "
+              f"by Cycles in {time.monotonic() - between:.0f} s", flush=True)
+    return compared
+
+
+def agreement_rows(compared):
+    return [{"scene": scene, "channel": channel, "ratio": result.ratio[c],
+             "ratio_error": result.ratio_error[c], "blocks": result.p[..., c].size,
+             "largest_t": numpy.abs(result.t[..., c]).max(), "smallest_p": result.p[..., c].min(),
+             "spread": result.spread[c], "spread_p": result.spread_p[c]}
+            for scene, _, _, result in compared for c, channel in enumerate("RGB")]
+
+
+def told_agreement(compared, scale):
+    print(f"\nmeans, candela / Cycles, {scale.seeds} seeds of {scale.spp} spp each "
+          "(standard error), and blocks of 8 x 8:")
+    tests = sum(result.tests for *_, result in compared)
+    failures = []
+    for scene, _, _, result in compared:
+        ratios = "  ".join(f"{r:.5f} ({e:.5f})" for r, e in zip(result.ratio, result.ratio_error))
+        print(f"  {scene:20} {ratios}  largest |t| {numpy.abs(result.t).max():.2f}, "
+              f"smallest p {result.p.min():.2g} of {result.p.size}, mean t^2 "
+              + " ".join(f"{s:.2f}" for s in result.spread) + " of the expected")
+        failures += [f"{scene}: {text}" for text in result.failures(tests)]
+    print("\n".join(failures) if failures else "they agree within their noise")
+    return failures
+
+
+def noise_thresholds(cycles, scenes, scale):
+    from blender import noise_threshold
+    from blender.cycles_renders import Job
+
+    size = [side // 2 for side in SIZE]
+    rows = []
+    for name, scene in scenes.items():
+        references = [Job(name, *size, scale.reference_spp, seed)
+                      for seed in range(1, scale.reference_seeds + 1)]
+        stopped = {threshold: [Job(name, *size, 4096, 1000 + seed, threshold)
+                               for seed in range(scale.threshold_seeds)]
+                   for threshold in scale.thresholds}
+        jobs = sum(stopped.values(), [])
+        rendered = cycles.render({name: scene}, references + jobs)
+        reference = numpy.array([rendered[job].colour for job in references])
+        rows += [noise_threshold.measure(name, threshold, [rendered[job] for job in of], reference)
+                 for threshold, of in stopped.items()]
+        if name == "cornell_box_diffuse":
+            rendered = cycles.render({name: dimmed(scene)}, jobs)
+            rows += [noise_threshold.measure(f"{name}, light / {DIM}", threshold,
+                                             [rendered[job] for job in of], reference / DIM)
+                     for threshold, of in stopped.items()]
+    return rows
+
+
+def dimmed(scene):
+    scene = copy.deepcopy(scene)
+    for mesh in scene["meshes"]:
+        mesh["emission"] = [x / DIM for x in mesh["emission"]]
+    return scene
+
+
+def tell_thresholds(rows, scale):
+    print(f"\nCycles' noise threshold, {scale.threshold_seeds} seeds; reference of "
+          f"{scale.reference_seeds} seeds of {scale.reference_spp} spp:")
+    print("  scene                            threshold    spp  rMSE % (range)       beyond  "
+          "99 % / threshold  mean ratio")
+    for row in rows:
+        print(f"  {row.scene:32} {row.threshold:9g} {row.spp:6.0f}  {100 * row.rmse:5.2f} "
+              f"({100 * row.rmse_low:.2f}-{100 * row.rmse_high:.2f})  {100 * row.beyond:6.1f} %  "
+              f"{row.worst:16.2f}  {row.ratio:.5f} ({row.ratio_error:.5f})"
+              + ("  reference too noisy" if row.reference_share > 1 / 20 else ""))
+
+
+def write_csv(path, rows):
+    with path.open("w", newline="") as file:
+        writer = csv.DictWriter(file, rows[0])
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def copy_to_docs(out):
+    for name in ("agreement", "threshold"):
+        if (out / f"{name}.png").exists():
+            (ROOT / f"docs/images/cycles_{name}.png").write_bytes((out / f"{name}.png").read_bytes())
