@@ -42,9 +42,9 @@ class Agreement:
 def compare(ours, theirs):
     """Pictures as [seed, row, column, channel] each; sides are multiples of BLOCK."""
     a, b = block_means(ours), block_means(theirs)
-    t, freedom = welch(a, b)
+    t, freedom, is_noisy = welch(a, b)
     p = student_tail(numpy.abs(t), freedom)
-    spread, spread_p = spread_of(t, freedom)
+    spread, spread_p = spread_of(t, freedom, is_noisy)
     ratio, error = ratio_of_means(ours.mean(axis=(1, 2)), theirs.mean(axis=(1, 2)))
     return Agreement(ratio, error, t, p, spread, spread_p)
 
@@ -63,17 +63,17 @@ def ratio_of_means(a, b):
 
 
 def welch(a, b):
-    """Welch's t and degrees of freedom [Welch47] of the difference of the means over axis 0."""
+    """Welch's t and degrees of freedom [Welch47] of the difference of the means over axis 0, and
+    where that is noise rather than rounding."""
     va, vb = (x.var(axis=0, ddof=1) / len(x) for x in (a, b))
     difference = a.mean(axis=0) - b.mean(axis=0)
     floor = (ROUNDING * b.mean(axis=0)) ** 2
     variance = va + vb + floor
-    seen = variance > 0  # elsewhere both are black, or only one is: then t is infinite
     with numpy.errstate(divide="ignore", invalid="ignore"):
         t = numpy.where(difference == 0, 0, difference / numpy.sqrt(variance))
         freedom = (va + vb) ** 2 / (va ** 2 / (len(a) - 1) + vb ** 2 / (len(b) - 1))
-    least = min(len(a), len(b)) - 1
-    return t, numpy.where(seen & numpy.isfinite(freedom), freedom, least)
+    is_noisy = va + vb > 10 * floor
+    return t, numpy.where(is_noisy, freedom, min(len(a), len(b)) - 1), is_noisy
 
 
 def student_tail(t, freedom):
@@ -88,12 +88,12 @@ def student_tail(t, freedom):
     return 2 * tail / whole
 
 
-def spread_of(t, freedom):
+def spread_of(t, freedom, is_noisy):
     """One-sided: many small differences show here before one block alone shows them. Channels are
-    apart, since they share their paths; a block that is black in both says nothing."""
+    apart, since they share their paths."""
     ratios, ps = [], []
     for channel in range(t.shape[2]):
-        seen = t[..., channel] != 0
+        seen = is_noisy[..., channel]
         n, square = freedom[..., channel][seen], t[..., channel][seen] ** 2
         mean = n / (n - 2)
         variance = 2 * n ** 2 * (n - 1) / ((n - 2) ** 2 * (n - 4))

@@ -19,16 +19,17 @@ class Unsupported(Exception):
     """The scene holds what this reader does not know."""
 
 
-def read(path):
+def read(path, scale=1):
+    """Lengths are multiplied by `scale`, and what points shine by its square: the same picture."""
     path = pathlib.Path(path)
     file = yaml.safe_load(path.read_text())
     only(file, path, "Render", "Cameras", "Environment", "Lights", "Materials", "Models")
     materials = {material["Name"]: material for material in file["Materials"]}
     return {
-        "camera": camera(file["Cameras"][0]),
-        "meshes": [mesh(model, materials[model["Material"]], path.parent)
+        "camera": camera(file["Cameras"][0], scale),
+        "meshes": [mesh(model, materials[model["Material"]], path.parent, scale)
                    for model in file["Models"]],
-        "lights": [light(entry) for entry in file.get("Lights", ())],
+        "lights": [light(entry, scale) for entry in file.get("Lights", ())],
         "environment": environment(file["Environment"], path.parent)
         if "Environment" in file else None,
     }
@@ -59,7 +60,7 @@ def rgb(value):
     return (vector(value) * numpy.ones(3)).tolist()
 
 
-def camera(entry):
+def camera(entry, scale):
     """`to_world`: columns right, up, back and the eye, as Blender's cameras look along their -z."""
     only(entry, "a camera", "Eye", "Target", "Up", "Fovy")
     eye = vector(entry["Eye"])
@@ -67,17 +68,17 @@ def camera(entry):
     right = unit(numpy.cross(vector(entry.get("Up", [0, 1, 0])), back))
     up = numpy.cross(back, right)
     to_world = numpy.identity(4)
-    to_world[:3] = axes([right, up, back, eye]).T
+    to_world[:3] = axes([right, up, back, scale * eye]).T
     return {"to_world": to_world.tolist(), "fovy": math.radians(float(entry.get("Fovy", 60)))}
 
 
-def light(entry):
+def light(entry, scale):
     """lab 3's intensities are 1 / pi of the physical ones [docs/scene_format.md]."""
     only(entry, "a light", "Type", "Position", "Direction", "Intensity")
     strength = [math.pi * x for x in rgb(entry["Intensity"])]
     if entry["Type"] == "Point":
-        return {"type": "POINT", "position": axes(vector(entry["Position"])).tolist(),
-                "radiant_intensity": strength}
+        return {"type": "POINT", "position": axes(scale * vector(entry["Position"])).tolist(),
+                "radiant_intensity": [scale ** 2 * x for x in strength]}
     if entry["Type"] == "Directional":
         return {"type": "SUN", "towards": axes(unit(vector(entry["Direction"]))).tolist(),
                 "irradiance": strength}
@@ -91,19 +92,19 @@ def environment(entry, folder):
             "turn": math.radians(float(entry.get("Rotation", 0)))}
 
 
-def mesh(model, material, folder):
+def mesh(model, material, folder, scale):
     """Triangles of corners: no vertex is shared, since each corner has the file's normal."""
     only(model, "a model", "Mesh", "Material", "Translation", "Scale", "Rotation")
     only(material, f"material '{material['Name']}'", "Name", "Type", "kd", "Emission", "TwoSided")
     if material.get("Type") != "diffuse":
         raise Unsupported(f"material '{material['Name']}' is not diffuse")
     corners, normals = read_obj(folder / model["Mesh"])
-    scale = vector(model.get("Scale", [1, 1, 1]))
+    stretch = vector(model.get("Scale", [1, 1, 1]))
     rotation = vector(model.get("Rotation", numpy.identity(3)))
-    corners = (corners * scale) @ rotation.T + vector(model.get("Translation", [0, 0, 0]))
-    normals = (normals / scale) @ rotation.T
+    corners = (corners * stretch) @ rotation.T + vector(model.get("Translation", [0, 0, 0]))
+    normals = (normals / stretch) @ rotation.T
     normals /= numpy.linalg.norm(normals, axis=2, keepdims=True)
-    return {"name": pathlib.Path(model["Mesh"]).stem, "corners": axes(corners).tolist(),
+    return {"name": pathlib.Path(model["Mesh"]).stem, "corners": axes(scale * corners).tolist(),
             "normals": None if are_flat(corners, normals) else axes(normals).tolist(),
             "albedo": rgb(material.get("kd", .5)), "emission": rgb(material.get("Emission", 0)),
             "two_sided": bool(material.get("TwoSided", False))}

@@ -25,11 +25,13 @@ class Job:
     spp: int  # at most, where there is a noise threshold
     seed: int
     noise_threshold: float | None = None
+    bounces: int = 100  # after the first surface; 0: direct light
+    pattern: str = "SOBOL"
+    first_sample: int = 0
 
     @property
     def name(self):
-        threshold = "" if self.noise_threshold is None else f"_threshold_{self.noise_threshold:g}"
-        return f"{self.scene}_{self.width}x{self.height}_{self.spp}spp{threshold}_seed_{self.seed}"
+        return "_".join(str(part) for part in dataclasses.astuple(self))
 
 
 @dataclasses.dataclass

@@ -1,0 +1,124 @@
+// tools/bench cycles, without Blender: what it hands to Blender is the scene that candela renders,
+// and its statistics see what differs and nothing else.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "tests/tools/run_program.h"
+
+namespace candela::cli_test {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* python = "/usr/bin/python3";  // Debian's, as in tools/bench
+const std::string blocks = CANDELA_SOURCE_DIR "/tools/benchmarks/blender/scenes/";
+
+class Unit_CyclesComparison : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(python) ||
+        Program({python, "-c", "import numpy, yaml"}, ErrorStream::File).finish().exit_code != 0)
+      GTEST_SKIP() << "Debian's python3-numpy and python3-yaml are not installed";
+  }
+
+  static Json ask(std::vector<std::string> question) {
+    std::vector<std::string> words{
+        python, "-B", CANDELA_SOURCE_DIR "/tests/tools/cycles_comparison.py", CANDELA_SOURCE_DIR};
+    words.insert(words.end(), question.begin(), question.end());
+    const ProgramResult result = Program(words, ErrorStream::File).finish();
+    EXPECT_EQ(result.exit_code, 0) << result.error;
+    return result.exit_code == 0 ? Json::parse(result.output) : Json();
+  }
+};
+
+// The camera's matrix and angle, the axes, the meshes' transforms: where candela sees a point, the
+// camera that Blender gets sees it too.
+TEST_F(Unit_CyclesComparison, TheCameraSeesWhatCandelasSees) {
+  const std::string folder = fresh_folder("positions");
+  for (const std::string scene :
+       {blocks + "point_lit.yaml",
+        std::string(CANDELA_SOURCE_DIR "/assets/cornell_box_diffuse/cornell_box_diffuse.yaml")}) {
+    const std::string exr = folder + "/positions.exr";
+    ASSERT_EQ(run_candela({"render", scene, "-o", exr, "--size", "24x16", "--spp", "1", "--filter",
+                           "box", "--aov", "position,depth", "--quiet"})
+                  .exit_code,
+              0);
+    const Json found = ask({"positions", scene, exr});
+    EXPECT_GT(found["count"], 150) << scene;
+    EXPECT_LE(found["farthest"], 0.501) << scene;
+    EXPECT_GT(found["farthest"], 0.4) << scene;  // box-filtered samples fill their pixels
+  }
+}
+
+TEST_F(Unit_CyclesComparison, LightsAreInPhysicalUnitsAndBlendersAxes) {
+  constexpr double pi = std::numbers::pi;
+  const Json point = ask({"scene", blocks + "point_lit.yaml", "2"})["lights"][0];
+  EXPECT_EQ(point["type"], "POINT");
+  const std::vector<double> position{1.8, -2.2, 5.4};                  // twice (1.1, 2.7, -.9)
+  const std::vector<double> intensity{24 * pi, 21.6 * pi, 16.8 * pi};  // four times pi I
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(point["position"][i], position[i], 1e-12);
+    EXPECT_NEAR(point["radiant_intensity"][i], intensity[i], 1e-12);
+  }
+  const Json sun = ask({"scene", blocks + "sun_lit.yaml", "2"})["lights"][0];
+  const double length = std::sqrt(1.4 * 1.4 + 1.1 * 1.1 + 0.5 * 0.5);
+  const std::vector<double> towards{-0.5 / length, 1.4 / length, 1.1 / length};
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(sun["towards"][i], towards[i], 1e-12);
+  EXPECT_NEAR(sun["irradiance"][0], 1.2 * pi, 1e-12);
+}
+
+TEST_F(Unit_CyclesComparison, OnlyTheWallThatIsNotPlaneHasNormalsOfItsOwn) {
+  const Json scene =
+      ask({"scene", CANDELA_SOURCE_DIR "/assets/cornell_box_diffuse/cornell_box_diffuse.yaml"});
+  for (const Json& mesh : scene["meshes"])
+    EXPECT_EQ(mesh["normals"].is_null(), mesh["name"] != "green_wall") << mesh["name"];
+}
+
+TEST_F(Unit_CyclesComparison, WhatIsNotComparedIsRefused) {
+  EXPECT_EQ(
+      ask({"refused", CANDELA_SOURCE_DIR "/assets/cornell_box/cornell_box.yaml"}),
+      "material 'brushed_steel': 'F0' is not compared; expected only Name, Type, kd, Emission, "
+      "TwoSided");
+  EXPECT_TRUE(ask({"refused", blocks + "sun_lit.yaml"}).is_null());
+}
+
+TEST_F(Unit_CyclesComparison, DifferencesAreSeenAndNoiseIsNot) {
+  const Json equal = ask({"pictures", "1", "0"});
+  EXPECT_EQ(equal["failures"].size(), 0u) << equal;
+  EXPECT_EQ(equal["black_p"], 1.0);
+  for (const double spread : equal["spread"]) EXPECT_NEAR(spread, 1, 0.35);
+  // The block's mean has a standard error of .1 sqrt(2 / (8 * 64)) = .00625.
+  const Json shifted = ask({"pictures", "1", "0.08"});
+  ASSERT_GE(shifted["failures"].size(), 3u) << shifted;
+  for (std::size_t c = 0; c < 3; ++c)
+    EXPECT_EQ(shifted["failures"][c].get<std::string>().find("block 2, 1 of "), 0u) << shifted;
+}
+
+TEST_F(Unit_CyclesComparison, FormulasHaveTheirKnownValues) {
+  // Tables of Student's t, two-sided.
+  EXPECT_NEAR(ask({"tail", "2.228139", "10"}), 0.05, 1e-6);
+  EXPECT_NEAR(ask({"tail", "4.587", "10"}), 0.001, 1e-6);
+  EXPECT_NEAR(ask({"tail", "1", "1"}), 0.5, 1e-9);
+  EXPECT_NEAR(ask({"tail", "0", "7.5"}), 1, 1e-9);
+  // The form factor of a rectangle a by b over a point below its corner at the distance 1, times
+  // pi.
+  const double a = 2, b = 0.5, p = std::sqrt(1 + a * a), q = std::sqrt(1 + b * b);
+  EXPECT_NEAR(ask({"corner_irradiance", "2", "0.5", "1"}),
+              (a / p * std::atan(b / p) + b / q * std::atan(a / q)) / 2, 1e-12);
+}
+
+TEST_F(Unit_CyclesComparison, SamplesTakenAreReadFromBlendersLog) {
+  const std::string log = fresh_folder("log") + "/blender.log";
+  write_text(log,
+             "Fra:1 | Scene, ViewLayer | Sample 0/4096\n"
+             "Fra:1 | Scene, ViewLayer | Sample 704/4096\n"
+             "Fra:1 | Scene, ViewLayer | Sample 0/4096\nSaved: '/a b.exr'\n"
+             "Fra:1 | Scene, ViewLayer | Sample 48/4096\nSaved: '/c.exr'\n");
+  EXPECT_EQ(ask({"samples", log}), (Json{{"/a b.exr", 704}, {"/c.exr", 48}}));
+}
+
+}  // namespace
+}  // namespace candela::cli_test
