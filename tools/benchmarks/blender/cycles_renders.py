@@ -26,7 +26,7 @@ class Job:
     seed: int
     noise_threshold: float | None = None
     bounces: int = 100  # after the first surface; 0: direct light
-    pattern: str = "SOBOL"
+    # Cycles sends sample 0 of every pixel through the pixel's centre, whatever the filter.
     first_sample: int = 0
 
     @property

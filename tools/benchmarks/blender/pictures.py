@@ -47,6 +47,7 @@ def threshold(path, rows):
         axes[0].errorbar(x, y, yerr=bars, marker="o", markersize=4, capsize=2, label=scene)
         axes[1].plot(x, [100 * row.beyond for row in mine], "o-", markersize=4, label=scene)
     axes[0].set(xscale="log", yscale="log", ylabel="true rMSE, %")
+    axes[0].set_yticks([1, 2, 5, 10], ["1", "2", "5", "10"])
     axes[1].set(xscale="log", ylabel="pixels whose true error is above it, %", ylim=(0, None))
     ticks = sorted({row.threshold for row in rows})
     for panel in axes:

@@ -44,7 +44,6 @@ def render_one(render):
     scene.cycles.samples, scene.cycles.seed = render["spp"], render["seed"]
     scene.cycles.sample_offset = render["first_sample"]
     scene.cycles.max_bounces = render["bounces"]
-    scene.cycles.sampling_pattern = render["pattern"]
     threshold = render["noise_threshold"]
     scene.cycles.use_adaptive_sampling = threshold is not None
     if threshold is not None:
