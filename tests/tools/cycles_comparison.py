@@ -29,16 +29,32 @@ def refused(path):
 
 
 def positions(path, exr):
-    """How far candela's surface points lie from the pixels that saw them, in pixels, at most."""
+    """Of candela's surface points, at most: how far they lie from the pixels that saw them, in
+    pixels, and from the nearest triangle that Blender gets, as a part of the camera's distance."""
     channels = read_channels(pathlib.Path(exr))
     points = stacked(channels, ["position.X", "position.Y", "position.Z"])
     height, width = points.shape[:2]
-    seen = channels["depth.Z"] > 0
-    pixels = closed_form.project(blender_scene.read(path)["camera"],
-                                 blender_scene.axes(points[seen]), width, height)
+    depth = channels["depth.Z"]
+    seen = depth > 0
+    described = blender_scene.read(path)
+    points = blender_scene.axes(points[seen])
+    pixels = closed_form.project(described["camera"], points, width, height)
     rows, columns = numpy.nonzero(seen)
     centres = numpy.stack([columns, rows], axis=1) + .5
-    return {"count": int(seen.sum()), "farthest": float(numpy.abs(pixels - centres).max())}
+    triangles = numpy.concatenate([mesh["corners"] for mesh in described["meshes"]])
+    off = numpy.min([distances(points, triangle) for triangle in triangles], axis=0) / depth[seen]
+    return {"count": int(seen.sum()), "pixels": float(numpy.abs(pixels - centres).max()),
+            "off_surface": float(off.max())}
+
+
+def distances(points, triangle):
+    """To the triangle's plane; where a point lies beside the triangle, infinite."""
+    a, b, c = triangle
+    normal = numpy.cross(b - a, c - a)
+    normal /= numpy.linalg.norm(normal)
+    uvw = numpy.linalg.solve(numpy.stack([b - a, c - a, normal], axis=1), (points - a).T)
+    inside = (uvw[0] > -1e-3) & (uvw[1] > -1e-3) & (uvw[0] + uvw[1] < 1.001)
+    return numpy.where(inside, numpy.abs(uvw[2]), numpy.inf)
 
 
 def pictures(seed, shift):
