@@ -27,14 +27,17 @@ double loss_of_sample(double cos_o, double a, double u1, double u2) {
   return (ratio_i - 1) / (slope_ratio(cos_o, a) + ratio_i);
 }
 
-// The mean over visible normals by the midpoint rule; one half of them mirrors the other.
+// The mean over visible normals; one half of them mirrors the other. Rings are shifted from turn to
+// turn by the golden ratio: the edge below which nothing is lost would else lie along them.
 double loss_by_quadrature(double cos_o, double a) {
   constexpr int turns = 24;
   constexpr int rings = 64;
   double sum = 0;
-  for (int i = 0; i < turns; ++i)
+  for (int i = 0; i < turns; ++i) {
+    const double shift = std::fmod(0.5 + i * 0.6180339887498949, 1.0);
     for (int j = 0; j < rings; ++j)
-      sum += loss_of_sample(cos_o, a, (i + 0.5) / (2 * turns), (j + 0.5) / rings);
+      sum += loss_of_sample(cos_o, a, (i + 0.5) / (2 * turns), (j + shift) / rings);
+  }
   return sum / (turns * rings);
 }
 
@@ -57,7 +60,7 @@ EnergyLossTable::EnergyLossTable() {
   for (std::size_t row = 0; row < nodes; ++row) {
     const double a = std::max(double{smallest_ggx_width}, static_cast<double>(row) / intervals);
     for (std::size_t column = 0; column < nodes; ++column) {
-      const double x = std::max(1e-5, static_cast<double>(column) / intervals);
+      const double x = std::max(1e-7, square(static_cast<double>(column) / intervals));
       losses_[row * nodes + column] =
           static_cast<float>(loss_by_quadrature(std::min(1.0, x * a / (1 + a - x)), a));
     }

@@ -84,5 +84,28 @@ TEST(Stress_MaterialEnergy, PanesAndMirrors) {
   expect_energy("panes, mirror, diffuse", cases);
 }
 
+// One bounce by its formula and the others by the table: white is white.
+TEST(Stress_MaterialEnergy, CompensatedWhite) {
+  const bool is_heavy = test::is_heavy();
+  const std::vector<float> widths =
+      is_heavy ? std::vector<float>{1e-4f,  3e-4f, 1e-3f, 3e-3f, 0.01f, 0.02f, 0.03f,
+                                    0.045f, 0.07f, 0.1f,  0.15f, 0.2f,  0.3f,  0.42f,
+                                    0.5f,   0.6f,  0.71f, 0.8f,  0.9f,  0.96f, 1}
+               : std::vector<float>{1e-3f, 0.01f, 0.15f, 0.42f, 1};
+  double lowest = 2, highest = 0;
+  for (const float a : widths)
+    for (const float cos_o : cosines()) {
+      const Vec3f wo = tests::direction_of(cos_o, 0.3f);
+      const Bsdf one_bounce = tests::cook_torrance(a, Rgb{0}, Rgb{1}, Rgb{1}, GeometryTerm::Smith);
+      const Bsdf all = tests::compensated(a, Rgb{0}, Rgb{1}, Rgb{1});
+      const double found = tests::reference_albedo(one_bounce, normalize(Vec3d(wo))) +
+                           double{multiple_albedo(all, cos_o).y};
+      EXPECT_NEAR(found, 1, tolerance) << "width " << a << " at cosine " << cos_o;
+      lowest = std::min(lowest, found);
+      highest = std::max(highest, found);
+    }
+  test::add_row("white", {{"least albedo", lowest}, {"largest albedo", highest}});
+}
+
 }  // namespace
 }  // namespace candela

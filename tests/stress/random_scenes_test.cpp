@@ -155,6 +155,15 @@ TEST(Stress_RandomScenes, NothingIsInvalid) {
     const Renders general = renders_of(name, scene, settings, 1);
     EXPECT_EQ(renders.images[0].values, general.images[0].values) << name;
     samples += 2 * 12 * 12 * 8;
+    settings.options.max_depth = std::nullopt;
+    settings.options.replicates = 1;
+    settings.options.samples_per_pixel = 1;
+    for (const IntegratorKind integrator :
+         {IntegratorKind::Whitted, IntegratorKind::Raster, IntegratorKind::Report}) {
+      settings.options.integrator = integrator;
+      (void)renders_of(name, scene, settings, 1);
+      samples += 12 * 12;
+    }
   }
   add_row("all",
           {{"scenes", static_cast<double>(count)}, {"samples", static_cast<double>(samples)}});
