@@ -78,12 +78,14 @@ TEST(Stress_MaterialFurnace, LosslessMaterialsVanish) {
   }
 }
 
-// The inner one touches nothing; rays go in and out of the outer one many times. The default suite
-// does one pair in five.
+// The inner one touches nothing; rays go in and out of the outer one many times. (What an index of
+// 1000 holds comes out after a million reflections, which no number of paths here would wait for.)
+// The default suite does one pair in five.
 TEST(Stress_MaterialFurnace, LosslessMaterialsVanishInsideOfEachOther) {
   std::size_t pair = 0;
   for (const Lossless& outer : lossless_materials()) {
-    if (!std::holds_alternative<description::DielectricMaterial>(outer.model)) continue;
+    const auto* clear = std::get_if<description::DielectricMaterial>(&outer.model);
+    if (clear == nullptr || (clear->ior > 100 && !clear->is_thin)) continue;
     for (const Lossless& inner : lossless_materials()) {
       if (pair++ % 5 != 0 && !is_heavy()) continue;
       SceneDescription scene = under_a_white_sky();
@@ -94,16 +96,18 @@ TEST(Stress_MaterialFurnace, LosslessMaterialsVanishInsideOfEachOther) {
   }
 }
 
-// On a white table, with a shared face.
+// Just over a white table and just beside each other. (Faces that coincide have no order, and a
+// path that meets one of two leaves glass without having entered it.)
 TEST(Stress_MaterialFurnace, LosslessMaterialsVanishBesideEachOther) {
   const std::vector<Lossless> all = lossless_materials();
   for (std::size_t i = 0; i < all.size(); ++i) {
     SceneDescription scene = under_a_white_sky();
     add_mesh(scene, quad({-2, -0.4, 2}, {4, 0, 0}, {0, 0, -4}),
              add_material(scene, diffuse(Vec3d(1.0))));
-    add_mesh(scene, box({-0.8, -0.4, -0.4}, {0, 0.4, 0.4}), add_material(scene, all[i].model));
+    add_mesh(scene, box({-0.8, -0.39, -0.4}, {-0.01, 0.4, 0.4}), add_material(scene, all[i].model));
     const std::size_t next = (i + 1) % all.size();
-    add_mesh(scene, box({0, -0.4, -0.4}, {0.8, 0.2, 0.4}), add_material(scene, all[next].model));
+    add_mesh(scene, box({0.01, -0.39, -0.4}, {0.8, 0.2, 0.4}),
+             add_material(scene, all[next].model));
     expect_nothing_seen(all[i].name + " beside " + all[next].name, scene);
   }
 }
