@@ -20,6 +20,7 @@ class Agreement:
     p: numpy.ndarray  # two-sided
     spread: numpy.ndarray  # mean of t^2 over what it is for equal pictures, by channel
     spread_p: numpy.ndarray
+    block_noise: float  # median standard error of a block's difference, over its radiance
 
     def failures(self, tests):
         """Sentences. `tests`: how many such p this run looks at in all."""
@@ -42,11 +43,12 @@ class Agreement:
 def compare(ours, theirs):
     """Pictures as [seed, row, column, channel] each; sides are multiples of BLOCK."""
     a, b = block_means(ours), block_means(theirs)
-    t, freedom, is_noisy = welch(a, b)
+    t, freedom, is_noisy, error = welch(a, b)
     p = student_tail(numpy.abs(t), freedom)
     spread, spread_p = spread_of(t, freedom, is_noisy)
-    ratio, error = ratio_of_means(ours.mean(axis=(1, 2)), theirs.mean(axis=(1, 2)))
-    return Agreement(ratio, error, t, p, spread, spread_p)
+    ratio, ratio_error = ratio_of_means(ours.mean(axis=(1, 2)), theirs.mean(axis=(1, 2)))
+    block_noise = float(numpy.median(error[is_noisy] / b.mean(axis=0)[is_noisy]))
+    return Agreement(ratio, ratio_error, t, p, spread, spread_p, block_noise)
 
 
 def block_means(pictures):
@@ -63,8 +65,8 @@ def ratio_of_means(a, b):
 
 
 def welch(a, b):
-    """Welch's t and degrees of freedom [Welch47] of the difference of the means over axis 0, and
-    where that is noise rather than rounding."""
+    """Welch's t and degrees of freedom [Welch47] of the difference of the means over axis 0, where
+    that is noise rather than rounding, and its standard error."""
     va, vb = (x.var(axis=0, ddof=1) / len(x) for x in (a, b))
     difference = a.mean(axis=0) - b.mean(axis=0)
     floor = (ROUNDING * b.mean(axis=0)) ** 2
@@ -73,7 +75,8 @@ def welch(a, b):
         t = numpy.where(difference == 0, 0, difference / numpy.sqrt(variance))
         freedom = (va + vb) ** 2 / (va ** 2 / (len(a) - 1) + vb ** 2 / (len(b) - 1))
     is_noisy = va + vb > 10 * floor
-    return t, numpy.where(is_noisy, freedom, min(len(a), len(b)) - 1), is_noisy
+    freedom = numpy.where(is_noisy, freedom, min(len(a), len(b)) - 1)
+    return t, freedom, is_noisy, numpy.sqrt(variance)
 
 
 def student_tail(t, freedom):

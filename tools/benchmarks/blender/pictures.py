@@ -4,7 +4,7 @@ import matplotlib
 import numpy
 import plots  # chooses the backend
 
-HEIGHT = 2.1  # inches a scene
+WIDTH, HEIGHT = 8.4, 1.6  # inches; height of each scene
 
 
 def encoded(linear):
@@ -15,7 +15,7 @@ def encoded(linear):
 def agreement(path, rows):
     """`rows`: (scene, ours, theirs, Agreement), pictures being means over the seeds."""
     figure, axes = matplotlib.pyplot.subplots(
-        len(rows), 4, figsize=(11, HEIGHT * len(rows)), layout="constrained", squeeze=False)
+        len(rows), 4, figsize=(WIDTH, HEIGHT * len(rows)), layout="constrained", squeeze=False)
     for (scene, ours, theirs, result), line in zip(rows, axes):
         line[0].imshow(encoded(ours))
         line[1].imshow(encoded(theirs))
