@@ -52,6 +52,9 @@ struct Instance {
   // Columns of the inverse's transpose, up to a positive factor: normals transform by these.
   Vec3f normal_x{1, 0, 0}, normal_y{0, 1, 0}, normal_z{0, 0, 1};
   bool is_mirrored = false;  // negative determinant: windings turn round
+  // Bounds of rounding: of placed points, per axis of the world; and of the origins of rays that
+  // leave the instance, once moved into the object's space, per axis of that.
+  Vec3f placing_error{0}, ray_error{0};
 
   [[nodiscard]] Vec3f point(const Vec3f& p) const {
     return x * p.x + y * p.y + z * p.z + translation;
@@ -59,6 +62,11 @@ struct Instance {
   [[nodiscard]] Vec3f vector(const Vec3f& v) const { return x * v.x + y * v.y + z * v.z; }
   [[nodiscard]] Vec3f normal(const Vec3f& n) const {
     return normal_x * n.x + normal_y * n.y + normal_z * n.z;
+  }
+  // How far along the unit normal n of a surface both may move it.
+  [[nodiscard]] float offset(const Vec3f& n) const {
+    return dot(glm::abs(n), placing_error) +
+           dot(glm::abs(Vec3f(dot(n, x), dot(n, y), dot(n, z))), ray_error);
   }
 };
 

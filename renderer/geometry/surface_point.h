@@ -61,17 +61,28 @@ struct Corners {
 // The shading normal, bent towards the geometric one just as far as the mirror direction about it
 // needs to stay above the surface: no black silhouettes, no light through. All vectors unit, the
 // geometric normal on the side of wo.
+//
+// In the plane of both normals a normal at the angle a from the geometric one mirrors wo to the
+// height x sin 2a + z cos 2a, where (x, z) is what of wo lies in that plane: of length r and at the
+// angle b from the geometric normal, r cos(2a - b). So the steepest a that still gives the height h
+// has 2a = b + acos(h / r).
 [[nodiscard]] inline Vec3f valid_shading_normal(const Vec3f& shading, const Vec3f& geometric,
                                                 const Vec3f& wo) {
-  const Vec3f mirrored = shading * (2 * dot(shading, wo)) - wo;
-  const float least = std::min(0.9f * dot(geometric, wo), 0.01f);
-  const float height = dot(mirrored, geometric);
+  const float z = dot(geometric, wo);
+  const float least = std::min(0.9f * z, 0.01f);
+  const float height = 2 * dot(shading, wo) * dot(shading, geometric) - z;
   if (height >= least) return shading;
-  const Vec3f tangential = mirrored - geometric * height;
-  const float length2 = dot(tangential, tangential);
+  const Vec3f aside = shading - geometric * dot(shading, geometric);
+  const float length2 = dot(aside, aside);
   if (!(length2 > 0)) return geometric;
-  const Vec3f lifted = tangential * std::sqrt((1 - least * least) / length2) + geometric * least;
-  return normalize(wo + lifted);
+  const Vec3f tangent = aside / std::sqrt(length2);
+  const float x = dot(tangent, wo);
+  const float r = std::sqrt(x * x + z * z);
+  const float cosine = least / r;
+  const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
+  const Vec3f doubled =
+      tangent * ((x * cosine + z * sine) / r) + geometric * ((z * cosine - x * sine) / r);
+  return normalize(geometric + doubled);
 }
 
 // All but the shading frame. `instance` may be null. With `with_uv` false, uv and its derivatives
@@ -97,6 +108,7 @@ struct Corners {
   point.position = to_vec3(position);
   point.offset = dot3(absolute(normal), error);
   Vec3f outside = to_vec3(normal);
+  if (instance != nullptr) point.offset += instance->offset(outside);
   if (instance != nullptr && instance->is_mirrored) outside = -outside;
   point.is_front = dot(outside, wo) > 0;
   point.geometric_normal = point.is_front ? outside : -outside;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "renderer/description/validate.h"
 #include "renderer/scene/compile_camera.h"
 #include "renderer/scene/compile_coverage.h"
@@ -9,6 +11,7 @@
 #include "renderer/scene/compile_lights.h"
 #include "renderer/scene/compile_materials.h"
 #include "renderer/scene/normalise.h"
+#include "renderer/scene/triangle_sort.h"
 
 namespace candela {
 namespace {
@@ -91,6 +94,8 @@ Result<Scene> compile(const SceneDescription& description, const CompileOptions&
   compile_lights(description, scene, dropped, diagnostics);
   scene.features = features_of(scene);
   for (const auto& [what, count] : dropped) scene.dropped.push_back({what, count});
+  if (const auto lost = dropped.find(out_of_reach); lost != dropped.end())
+    diagnostics.warning({}, fmt::format("{} {} are left out", lost->second, lost->first));
   return {std::move(scene), std::move(diagnostics)};
 }
 

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "renderer/base/parallel.h"
+#include "renderer/scene/instance_errors.h"
 #include "renderer/scene/normalise.h"
+#include "renderer/scene/split_triangles.h"
 #include "renderer/scene/triangle_sort.h"
 
 namespace candela {
@@ -141,7 +143,10 @@ Geometry picked(const description::Mesh& mesh, const MeshArrays& arrays,
 
 void compile_placement(const SceneDescription& description, const CompileOptions& options,
                        const Scene& scene, Placement& placement) {
-  const description::Mesh& mesh = description.meshes[placement.mesh.index];
+  const description::Mesh& written = description.meshes[placement.mesh.index];
+  const std::optional<description::Mesh> split =
+      split_large_triangles(written, placement.to_normalised);
+  const description::Mesh& mesh = split ? *split : written;
   MeshArrays arrays{normalised_positions(mesh, placement.to_normalised),
                     normalised_normals(mesh, placement.to_normalised),
                     {}};
@@ -249,6 +254,19 @@ Plan plan_placements(const SceneDescription& description, Scene& scene) {
   return plan;
 }
 
+Bounds3f bounds_of(const Scene& scene, const Object& object) {
+  Bounds3f bounds;
+  for (const GeometryHandle handle : object.geometries)
+    for (const Vec3f& p : scene.geometries[handle.index].positions) bounds.include(p);
+  return bounds;
+}
+
+std::vector<Bounds3f> bounds_of_objects(const Scene& scene) {
+  std::vector<Bounds3f> objects;
+  for (const Object& object : scene.objects) objects.push_back(bounds_of(scene, object));
+  return objects;
+}
+
 }  // namespace
 
 void compile_geometry(const SceneDescription& description, const CompileOptions& options,
@@ -266,18 +284,13 @@ void compile_geometry(const SceneDescription& description, const CompileOptions&
       scene.geometries.push_back(std::move(geometry));
     }
   }
+  const std::vector<Bounds3f> objects = bounds_of_objects(scene);
+  for (Instance& instance : scene.instances) set_errors(instance, objects[instance.object.index]);
 }
 
 Bounds3f bounds_of(const Scene& scene) {
-  const auto bounds_of_object = [&](const Object& object) {
-    Bounds3f bounds;
-    for (const GeometryHandle handle : object.geometries)
-      for (const Vec3f& p : scene.geometries[handle.index].positions) bounds.include(p);
-    return bounds;
-  };
-  Bounds3f bounds = bounds_of_object(scene.world);
-  std::vector<Bounds3f> objects;
-  for (const Object& object : scene.objects) objects.push_back(bounds_of_object(object));
+  Bounds3f bounds = bounds_of(scene, scene.world);
+  const std::vector<Bounds3f> objects = bounds_of_objects(scene);
   for (const Instance& instance : scene.instances) {
     const Bounds3f& box = objects[instance.object.index];
     if (box.is_empty()) continue;

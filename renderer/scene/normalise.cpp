@@ -47,10 +47,12 @@ Bounds3d full_bounds(const SceneDescription& description, const std::vector<Vec3
   return bounds;
 }
 
-// The box without the outermost hundredth of the points at either end of each axis.
+// The box without the outermost hundredth of the points at either end of each axis, and without
+// three points (a triangle) at least.
 Bounds3d inner_bounds(std::vector<Vec3d> points) {
   Bounds3d bounds;
-  const std::size_t cut = points.size() / 100;
+  const std::size_t cut =
+      std::min(std::max<std::size_t>(3, points.size() / 100), (points.size() - 1) / 2);
   for (int axis = 0; axis < 3; ++axis) {
     const auto less = [axis](const Vec3d& a, const Vec3d& b) { return a[axis] < b[axis]; };
     const auto low = points.begin() + static_cast<std::ptrdiff_t>(cut);

@@ -8,6 +8,12 @@ bool has_area(const Vec3f& p0, const Vec3f& p1, const Vec3f& p2) {
   return dot(n, n) > 0;
 }
 
+// False for NaN and Inf, too.
+bool is_in_reach(const Vec3f& p) {
+  constexpr auto limit = static_cast<float>(out_of_reach_at);
+  return std::abs(p.x) < limit && std::abs(p.y) < limit && std::abs(p.z) < limit;
+}
+
 }  // namespace
 
 Coverage coverage_of(const Scene& scene, const Material& material, const description::Mesh& mesh,
@@ -34,8 +40,8 @@ SortedTriangles sort_triangles(const Scene& scene, const Material& material,
     const Vec3f& p0 = positions[index[0]];
     const Vec3f& p1 = positions[index[1]];
     const Vec3f& p2 = positions[index[2]];
-    if (!is_finite(p0) || !is_finite(p1) || !is_finite(p2)) {
-      ++dropped["triangles with vertices that are not finite"];
+    if (!is_in_reach(p0) || !is_in_reach(p1) || !is_in_reach(p2)) {
+      ++dropped[out_of_reach];
       continue;
     }
     if (!has_area(p0, p1, p2)) {

@@ -11,6 +11,15 @@
 
 namespace candela {
 
+// Coordinates of normalised space from here on are out of reach: near what Embree leaves out
+// without a word.
+inline constexpr double out_of_reach_at = 1e18;
+
+// The reason under which triangles are counted that no ray can reach, though they may be meant to
+// be seen.
+inline constexpr char out_of_reach[] =
+    "triangles with vertices that are not finite or too far away";
+
 // How much of a triangle its material's opacity covers; looks at the texels within.
 [[nodiscard]] Coverage coverage_of(const Scene& scene, const Material& material,
                                    const description::Mesh& mesh, std::uint32_t triangle);
@@ -21,8 +30,8 @@ struct SortedTriangles {
   std::vector<std::uint32_t> partial;
 };
 
-// Drops, and counts, what cannot be met: triangles with non-finite vertices, of no area, or wholly
-// clear. Without `decides_cutouts` all others are opaque. `positions` are the mesh's vertices in
+// Drops, and counts, what cannot be met: triangles out of reach, of no area, or wholly clear.
+// Without `decides_cutouts` all others are opaque. `positions` are the mesh's vertices in
 // normalised space.
 [[nodiscard]] SortedTriangles sort_triangles(const Scene& scene, const Material& material,
                                              const description::Mesh& mesh,

@@ -62,6 +62,7 @@ TEST(Unit_SurfacePoint, BentNormalsMirrorAboveTheSurface) {
     ASSERT_GT(dot(bent, wo), 0);
     const Vec3f mirrored = bent * (2 * dot(bent, wo)) - wo;
     ASSERT_GT(dot(mirrored, geometric), -1e-6f);
+    ASSERT_GT(dot(bent, geometric), dot(shading, geometric) - 1e-6f);  // towards, never beyond
     const Vec3f before = shading * (2 * dot(shading, wo)) - wo;
     if (dot(before, geometric) > 0.011f) {
       ASSERT_EQ(bent, shading);
