@@ -9,9 +9,9 @@
 namespace candela {
 
 struct EmbreeOptions {
-  // RTC_SCENE_FLAG_ROBUST: no ray slips between triangles that share an edge, for 10 to 40 % of the
-  // speed. Without it, less than one random ray in a million does (docs/decisions.md).
-  bool robust = false;
+  // RTC_SCENE_FLAG_ROBUST: no ray slips between triangles that share an edge, and none meets the
+  // face that it left (docs/accuracy.md tells what happens without, and what it costs).
+  bool robust = true;
   // Building fails as if out of memory beyond this; 0: no limit.
   std::size_t memory_limit_bytes = 0;
 };

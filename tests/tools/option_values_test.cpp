@@ -109,7 +109,7 @@ TEST(Unit_OptionValues, OptionsReachTheirFields) {
                                        "--accel",
                                        "bvh",
                                        "--robust",
-                                       "on",
+                                       "off",
                                        "--filter",
                                        "box",
                                        "--exposure",
@@ -144,7 +144,7 @@ TEST(Unit_OptionValues, OptionsReachTheirFields) {
   EXPECT_EQ(a.seed, 11u);
   EXPECT_EQ(a.threads, 2);
   EXPECT_EQ(a.accelerator, AcceleratorKind::Bvh);
-  EXPECT_TRUE(a.embree.robust);
+  EXPECT_FALSE(a.embree.robust);
   EXPECT_EQ(a.filter, FilterKind::Box);
   EXPECT_EQ(a.exposure, -1.5);
   EXPECT_EQ(a.tone_map, ToneMap::Aces);

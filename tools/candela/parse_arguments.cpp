@@ -156,7 +156,7 @@ void add_render_machinery(CLI::App& command, RenderArguments& render) {
   add_choice(command, "--accel", "accelerator", render.accelerator, accelerator_choices(),
              "Who traces rays [embree]");
   add_value(command, "--robust", "on|off", render.embree.robust, parse_switch,
-            "Embree's robust mode: watertight, a little slower [off]");
+            "Embree's robust mode: watertight, a little slower [on]");
   command.add_flag("--ray-limit", render.measures_ray_limit,
                    "Also measure CPU time over that of the rays alone");
 }
