@@ -7,9 +7,8 @@
 
 #include "renderer/accel/any_accel.h"
 #include "renderer/base/parallel.h"
-#include "renderer/sampling/hash.h"
-#include "renderer/sampling/warp.h"
 #include "tests/stress/closed_meshes.h"
+#include "tests/stress/ray_random.h"
 #include "tests/stress/row.h"
 
 namespace candela {
@@ -17,32 +16,11 @@ namespace {
 
 using namespace test;
 
-// Random numbers of one ray, by its index.
-class RayRandom {
- public:
-  explicit RayRandom(std::uint64_t ray) : key_(mix_bits(ray ^ 0x2545f4914f6cdd1dull)) {}
-  std::uint32_t bits() { return static_cast<std::uint32_t>(hash_counter(key_, count_++) >> 32); }
-  float uniform() { return unit_float(bits()); }
-  float signed_uniform() { return 2 * uniform() - 1; }
-  Vec3f in_cube() {
-    const float x = signed_uniform(), y = signed_uniform(), z = signed_uniform();
-    return {x, y, z};
-  }
-
- private:
-  std::uint64_t key_;
-  std::uint64_t count_ = 0;
-};
-
 // From within, in any direction; or towards a point of an edge, as nearly as floats allow.
 Ray random_ray(const ClosedMesh& mesh, std::uint64_t index) {
   RayRandom random(index);
   const Vec3f origin = mesh.inside + random.in_cube() * mesh.radius;
-  for (;;) {
-    const Vec3f direction = random.in_cube();
-    const float length2 = dot(direction, direction);
-    if (length2 > 0.01f && length2 <= 1) return {origin, direction / std::sqrt(length2), infinity};
-  }
+  return {origin, Vec3f(random.direction()), infinity};
 }
 
 Ray edge_ray(const ClosedMesh& mesh, std::uint64_t index) {
