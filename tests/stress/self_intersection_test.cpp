@@ -180,7 +180,7 @@ void try_ray(const A& accelerator, const Convex& convex, const Scene& scene, std
 template <Accelerator A>
 void expect_clean(const A& accelerator, const std::string& name, const Convex& convex,
                   const Scene& scene, bool is_promised = true) {
-  const std::uint64_t chunks = is_heavy() ? 2000 : 20;
+  const std::uint64_t chunks = is_heavy() ? 400 : 20;
   constexpr std::uint64_t chunk = 5000;
   Outcome outcome;
   with_threads(0, [&] {
