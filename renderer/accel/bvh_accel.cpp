@@ -4,6 +4,7 @@
 #include "renderer/accel/bvh_tree.h"
 #include "renderer/accel/placement.h"
 #include "renderer/accel/triangle_block.h"
+#include "renderer/base/floating_point_traps.h"
 #include "renderer/base/parallel.h"
 
 namespace candela {
@@ -152,11 +153,13 @@ BvhAccel& BvhAccel::operator=(BvhAccel&&) noexcept = default;
 BvhAccel::~BvhAccel() = default;
 
 Hit BvhAccel::intersect(const Ray& ray) const {
+  const FloatingPointTraps traps(Traps::Off);  // slopes of 0, see BoxRay
   const Hit hit = state_->search_all<false>(ray);
   return hit.is_hit() ? hit : Hit{};
 }
 
 bool BvhAccel::occluded(const Ray& ray) const {
+  const FloatingPointTraps traps(Traps::Off);
   return state_->search_all<true>(ray).is_hit();
 }
 

@@ -217,9 +217,10 @@ void EmbreeAccel::State::build() {
 
 EmbreeAccel::EmbreeAccel(const Scene& scene, EmbreeOptions options)
     : state_(std::make_unique<State>(scene, options)) {
-  const FloatingPointTraps traps(Traps::Off);
-  state_->open_device();
-  state_->build();
+  without_traps([&] {
+    state_->open_device();
+    state_->build();
+  });
 }
 EmbreeAccel::EmbreeAccel(EmbreeAccel&&) noexcept = default;
 EmbreeAccel& EmbreeAccel::operator=(EmbreeAccel&&) noexcept = default;

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "renderer/base/floating_point_traps.h"
 #include "renderer/geometry/geometry.h"
 #include "renderer/math/ray.h"
 
@@ -29,6 +30,7 @@ struct WorldToObject {
 
 // None for an instance that is flat or not finite.
 [[nodiscard]] inline std::optional<WorldToObject> world_to_object(const Instance& instance) {
+  const FloatingPointTraps traps(Traps::Off);  // a flat one's inverse is infinite
   const Mat3d linear(Vec3d(instance.x), Vec3d(instance.y), Vec3d(instance.z));
   const Mat3d inverse = glm::inverse(linear);
   const WorldToObject map{Vec3f(inverse[0]), Vec3f(inverse[1]), Vec3f(inverse[2]),

@@ -11,9 +11,10 @@ namespace candela {
 
 enum class Traps : bool { Off, On };
 
-// For this thread, until the end of the scope. On: our own code (with_threads() in parallel.h sees
-// to it). Off: calls of libraries, which may raise the flags in good order, and what of ours means
-// to divide by zero or to look at a NaN.
+// For this thread, until the end of the scope (without_traps() in parallel.h: for what a library
+// does in threads, too). On: our own code (with_threads() in parallel.h sees to it). Off: calls of
+// libraries, which may raise the flags in good order, and what of ours means to divide by zero or
+// to look at a NaN.
 class FloatingPointTraps {
  public:
 #if defined(CANDELA_FLOATING_POINT_TRAPS)

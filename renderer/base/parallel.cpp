@@ -80,6 +80,16 @@ void with_threads(int threads, const std::function<void()>& work) {
   arena.execute(work);
 }
 
+void without_traps(const std::function<void()>& work) {
+#if defined(CANDELA_FLOATING_POINT_TRAPS)
+  const FloatingPointTraps traps(Traps::Off);
+  tbb::task_arena arena(tbb::this_task_arena::max_concurrency());
+  arena.execute(work);
+#else
+  work();
+#endif
+}
+
 int available_threads() {
   return tbb::info::default_concurrency();
 }

@@ -19,6 +19,10 @@ void parallel_for_chunks(std::size_t count, std::size_t grain,
 // as Embree asks for.
 void with_threads(int threads, const std::function<void()>& work);
 
+// Runs `work` of a library that uses oneTBB itself, with floating-point traps
+// (floating_point_traps.h) off in all threads. In builds without traps nothing but work().
+void without_traps(const std::function<void()>& work);
+
 // The number of processors this process may run on.
 [[nodiscard]] int available_threads();
 

@@ -1,6 +1,7 @@
 // Reading numbers and strings out of bytes, never beyond their end.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -11,14 +12,14 @@ namespace candela {
 class ByteCursor {
  public:
   explicit ByteCursor(std::span<const unsigned char> bytes, std::size_t position = 0)
-      : bytes_(bytes), position_(position) {}
+      : bytes_(bytes),
+        position_(std::min(position, bytes.size())),
+        is_good_(position <= bytes.size()) {}
 
   // False once anything was asked for that is not there; what is read then is 0.
   [[nodiscard]] bool is_good() const { return is_good_; }
   [[nodiscard]] std::size_t position() const { return position_; }
-  [[nodiscard]] std::size_t remaining() const {
-    return position_ < bytes_.size() ? bytes_.size() - position_ : 0;
-  }
+  [[nodiscard]] std::size_t remaining() const { return bytes_.size() - position_; }
 
   void skip(std::size_t count) { (void)take(count); }
   std::uint8_t u8() { return static_cast<std::uint8_t>(number(1, false)); }
@@ -59,7 +60,7 @@ class ByteCursor {
 
   std::span<const unsigned char> bytes_;
   std::size_t position_;
-  bool is_good_ = true;
+  bool is_good_;
 };
 
 }  // namespace candela
