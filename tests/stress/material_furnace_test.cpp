@@ -78,14 +78,15 @@ TEST(Stress_MaterialFurnace, LosslessMaterialsVanish) {
   }
 }
 
-// The inner one touches nothing; rays go in and out of the outer one many times. (What an index of
-// 1000 holds comes out after a million reflections, which no number of paths here would wait for.)
-// The default suite does one pair in five.
+// The inner one touches nothing; rays go in and out of the outer one many times. (Not of what
+// reflects all but some thousandths, as an index of 1000 does: light within comes out after
+// hundreds of reflections or a million, and Russian roulette, which lets at most 0.98 live, leaves
+// it without a variance.) The default suite does one pair in five.
 TEST(Stress_MaterialFurnace, LosslessMaterialsVanishInsideOfEachOther) {
   std::size_t pair = 0;
   for (const Lossless& outer : lossless_materials()) {
     const auto* clear = std::get_if<description::DielectricMaterial>(&outer.model);
-    if (clear == nullptr || (clear->ior > 100 && !clear->is_thin)) continue;
+    if (clear == nullptr || clear->ior > 100) continue;
     for (const Lossless& inner : lossless_materials()) {
       if (pair++ % 5 != 0 && !is_heavy()) continue;
       SceneDescription scene = under_a_white_sky();
