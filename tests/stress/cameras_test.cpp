@@ -59,8 +59,9 @@ TEST(Stress_Cameras, InsideOfSurfacesAndInCorners) {
       }
 }
 
-// n^2 L near the middle, where nothing is reflected totally for ever; at the surface paths along it
-// are, and what is left lies between 0 and that.
+// n^2 L near the middle, where nothing is reflected totally for ever. At the surface paths along it
+// are, and what of them gets out has no variance (docs/accuracy_materials_lights.md): no number is
+// promised there but that none is invalid.
 TEST(Stress_Cameras, WithinGlass) {
   SceneDescription scene = empty_scene();
   add_mesh(scene, sphere({0, 0, 0}, 1, 4, false),
@@ -70,11 +71,8 @@ TEST(Stress_Cameras, WithinGlass) {
   const RenderSettings settings = settings_of(8, is_heavy() ? 1024 : 64);
   expect_mean(renders_of("within", scene, settings), 2.25, {.resolution = 0.01});
   set_camera(scene, scene.meshes[0].positions[7], {5, 0.3, 0.2}, 90);
-  const Renders on_surface = renders_of("on its surface", scene, settings, 4);
-  for (const Image& image : on_surface.images) {
+  for (const Image& image : renders_of("on its surface", scene, settings, 4).images)
     EXPECT_GT(mean_of(image), 0.1);
-    EXPECT_LT(mean_of(image), 2.26);
-  }
 }
 
 // --- angles ---
