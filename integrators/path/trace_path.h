@@ -114,11 +114,12 @@ template <FeatureSet F>
 // Russian roulette: false ends the path, else survivors stand for the ended. The eta^2 of
 // refraction is taken out, since it comes back when the path leaves the glass [Pharr23,
 // section 14.5.4]. The survival probability stays below 1 so that paths end in closed white scenes
-// too.
+// too, by little: light that leaves a trap (total reflection) in shares smaller than what roulette
+// takes would have no variance.
 [[nodiscard]] inline bool survives_roulette(const Sampler& sampler, std::uint32_t bounce,
                                             PathState& path) {
   constexpr std::uint32_t first_bounce = 2;
-  constexpr float highest_survival = 0.98f;
+  constexpr float highest_survival = 0.998f;
   if (bounce < first_bounce) return true;
   const float survival =
       std::min(max_component(path.throughput) * path.eta_squared, highest_survival);
