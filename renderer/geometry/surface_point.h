@@ -78,11 +78,14 @@ struct Corners {
   const Vec3f tangent = aside / std::sqrt(length2);
   const float x = dot(tangent, wo);
   const float r = std::sqrt(x * x + z * z);
+  if (!(r > 0)) return geometric;
   const float cosine = least / r;
   const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
   const Vec3f doubled =
       tangent * ((x * cosine + z * sine) / r) + geometric * ((z * cosine - x * sine) / r);
-  return normalize(geometric + doubled);
+  const Vec3f halfway = geometric + doubled;
+  const float halfway2 = dot(halfway, halfway);
+  return halfway2 > 0 ? halfway / std::sqrt(halfway2) : geometric;
 }
 
 // All but the shading frame. `instance` may be null. With `with_uv` false, uv and its derivatives

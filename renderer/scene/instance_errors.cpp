@@ -1,5 +1,6 @@
 #include "renderer/scene/instance_errors.h"
 
+#include "renderer/base/floating_point_traps.h"
 #include "renderer/math/constants.h"
 
 namespace candela {
@@ -18,6 +19,7 @@ Vec3d absolute_product(const Mat3d& m, const Vec3d& v) {
 
 void set_errors(Instance& instance, const Bounds3f& object) {
   if (object.is_empty()) return;
+  const FloatingPointTraps traps(Traps::Off);  // a flat one's inverse is infinite
   const Mat3d linear(Vec3d(instance.x), Vec3d(instance.y), Vec3d(instance.z));
   const Vec3d translation = glm::abs(Vec3d(instance.translation));
   // Three products and three sums, each of which rounds what has been summed so far.
