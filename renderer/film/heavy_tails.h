@@ -1,5 +1,5 @@
 // Where the stated error cannot be trusted: regions whose light comes in few, rare, strong samples,
-// so that most of what there is may not have been met yet [DESIGN: invariant 10].
+// so that most of what there is may not have been met yet.
 #pragma once
 
 #include <vector>

@@ -224,6 +224,24 @@ def write_csv(path, rows):
             writer.writerow({k: f"{v:.6g}" if isinstance(v, float) else v for k, v in row.items()})
 
 
+def table(rows):
+    """For docs/accuracy.md: a line a scene, a column a number of samples."""
+    counts = sorted({r["spp"] for r in rows})
+    lines = []
+    for key, title, form in (("stated_over_true", "stated / true", "{:.2f}"),
+                             ("interval_holds", "pictures within their interval", "{:.0%}"),
+                             ("pixels_covered", "pixels within theirs", "{:.1%}"),
+                             ("masked", "masked", "{:.1%}")):
+        lines += [f"| {title}, by spp | " + " | ".join(map(str, counts)) + " |",
+                  "|---|" + "---:|" * len(counts)]
+        for scene in dict.fromkeys(r["scene"] for r in rows):
+            by_spp = {r["spp"]: r for r in rows if r["scene"] == scene}
+            cells = [form.format(by_spp[n][key]) if n in by_spp else "" for n in counts]
+            lines.append(f"| {scene} | " + " | ".join(cells) + " |")
+        lines.append("")
+    return "\n".join(lines)
+
+
 def plot(out, rows):
     import plots
     names = list(dict.fromkeys(r["scene"] for r in rows))
@@ -248,6 +266,7 @@ def run(options):
         ratios = sorted(r["stated_over_true"] for r in rows)
         print(f"stated / true: median {ratios[len(ratios) // 2]:.3f}, "
               f"from {ratios[0]:.3f} to {ratios[-1]:.3f}")
+        (options.out / "calibration.md").write_text(table(rows))
         plot(options.out, rows)
     if options.stops:
         write_csv(options.out / "stops.csv", list(stops(candela, options)))
