@@ -52,13 +52,16 @@ class Loop {
     RoundsDone result;
     const auto most = static_cast<std::uint32_t>(options_.samples_per_pixel);
     std::optional<StopReason> stop;
-    tell({}, most);
+    expect({});
     while (!stop) {
-      stop = render_round(round_end(done_, film_.replicates(), most, goal(result.error)));
+      stop = render_round(round_end(done_, film_.replicates(), most, goal(result.error)),
+                          result.error);
       if (!stop && done_ == most) stop = StopReason::Samples;
       if (stop || options_.target_relmse || progress_) result.error = estimate_error(film_);
       if (reaches_goal(result.error) && stop != StopReason::Cancelled) stop = StopReason::Error;
-      tell(result.error, most);
+      error_samples_ = done_;
+      if (progress_ && result.error) progress_->state_error(result.error->rmse);
+      expect(result.error);
     }
     result.stop = *stop;
     for (const TileCounts& tile : counts_) result.counts.add(tile);
@@ -67,7 +70,8 @@ class Loop {
 
  private:
   // Why it did not come to its end, if it did not.
-  std::optional<StopReason> render_round(std::uint32_t end) {
+  std::optional<StopReason> render_round(std::uint32_t end,
+                                         const std::optional<ErrorEstimate>& error) {
     while (done_ < end) {
       SampleRange pass = next_pass(done_, end);
       if (done_ > 0) {
@@ -79,6 +83,7 @@ class Loop {
       render_pass(pass);
       if (is_set(cancel_)) return StopReason::Cancelled;
       done_ = pass.end;
+      expect(error);
       if (budget_.is_spent()) return StopReason::Time;
     }
     return {};
@@ -104,11 +109,12 @@ class Loop {
     return options_.target_relmse && error && error->relmse <= *options_.target_relmse;
   }
 
-  void tell(const std::optional<ErrorEstimate>& error, std::uint32_t most) const {
+  // `error`: as of the last round; the rules then tell how many samples there will be.
+  void expect(const std::optional<ErrorEstimate>& error) const {
     if (progress_ == nullptr) return;
-    double samples = std::min<double>(most, budget_.samples_in_time(done_));
-    if (error) progress_->state_error(error->rmse);
-    if (const auto to = goal(error)) samples = std::min(samples, samples_for(*to, done_));
+    double samples = std::min<double>(options_.samples_per_pixel, budget_.samples_in_time(done_));
+    if (error && options_.target_relmse)
+      samples = std::min(samples, samples_for(*goal(error), error_samples_));
     progress_->expect(
         static_cast<std::uint64_t>(samples * static_cast<double>(film_.pixel_count())));
   }
@@ -122,6 +128,7 @@ class Loop {
   std::vector<PixelRect> tiles_;
   std::vector<TileCounts> counts_;
   std::uint32_t done_ = 0;
+  std::uint32_t error_samples_ = 0;  // a pixel, when the error was estimated
 };
 
 }  // namespace
