@@ -76,8 +76,8 @@ double error_of_pair(const Film& film, std::size_t i, std::uint32_t a, std::uint
   return sum / 3;
 }
 
-// Over pairs of neighbours in the ring of the replicates, one or two steps apart: all pairs of up to
-// five replicates, and not too many of more.
+// Over pairs of neighbours in the ring of the replicates, one or two steps apart: all pairs of up
+// to five replicates, and not too many of more.
 double relative_error(const Film& film, std::size_t i, const NeighbourLevel& near, double epsilon) {
   const std::uint32_t replicates = used_replicates(film, i);
   double sum = 0;

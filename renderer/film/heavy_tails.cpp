@@ -1,5 +1,8 @@
 #include "renderer/film/heavy_tails.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "renderer/film/tiles.h"
 
 namespace candela {
@@ -9,23 +12,36 @@ double sum_of(const Vec3d& v) {
   return v.x + v.y + v.z;
 }
 
-// Whether one replicate holds far more of a region's light than its share of the samples: of four,
-// half of all.
-bool is_heavy(const Film& film, const PixelRect& region) {
-  std::vector<double> sums(film.replicates(), 0.0);
-  double total = 0;
-  for (int y = region.y0; y < region.y1; ++y)
-    for (int x = region.x0; x < region.x1; ++x)
-      for (std::uint32_t r = 0; r < film.replicates(); ++r)
-        sums[r] += sum_of(film.replicate_sum(film.index(x, y), r));
-  double most = 0;
-  for (const double sum : sums) {
-    most = std::max(most, sum);
-    total += sum;
-  }
-  const double fair = 1.0 / film.replicates();
+// The light of a pixel or a region, by replicate.
+using Shares = std::vector<double>;
+
+void add_pixel(const Film& film, std::size_t i, Shares& shares) {
+  for (std::uint32_t r = 0; r < film.replicates(); ++r)
+    shares[r] += sum_of(film.replicate_sum(i, r));
+}
+
+// Whether one replicate holds far more than its share of the samples: of four, half of all.
+bool is_dominated(const Shares& shares) {
+  const double fair = 1.0 / static_cast<double>(shares.size());
   const double suspicious = fair + (1 - fair) / 3;
-  return film.replicates() > 1 && most > suspicious * total;
+  const double total = std::accumulate(shares.begin(), shares.end(), 0.0);
+  return shares.size() > 1 && *std::max_element(shares.begin(), shares.end()) > suspicious * total;
+}
+
+// As a whole, by a firefly; or in most pixels that have any light, each by another one.
+bool is_heavy(const Film& film, const PixelRect& region) {
+  Shares whole(film.replicates(), 0.0);
+  int lit = 0;
+  int dominated = 0;
+  for (int y = region.y0; y < region.y1; ++y)
+    for (int x = region.x0; x < region.x1; ++x) {
+      Shares pixel(film.replicates(), 0.0);
+      add_pixel(film, film.index(x, y), pixel);
+      if (max_component(film.mean(film.index(x, y))) > 0) ++lit;
+      if (is_dominated(pixel)) ++dominated;
+      add_pixel(film, film.index(x, y), whole);
+    }
+  return is_dominated(whole) || 2 * dominated > lit;
 }
 
 }  // namespace

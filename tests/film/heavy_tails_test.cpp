@@ -36,6 +36,18 @@ TEST(Unit_HeavyTails, ASampleThatOutshinesItsRegionMasksItAndNoOther) {
   }
 }
 
+// One sample in fifty brings everything: most pixels have met none or one.
+TEST(Unit_HeavyTails, RareLightMasksThoughRegionsAsAWholeLookEven) {
+  const auto rare = [](std::mt19937_64& random, int, int) {
+    return std::uniform_real_distribution<double>()(random) < 0.02 ? 1.0 : 0.0;
+  };
+  const auto frequent = [](std::mt19937_64& random, int, int) {
+    return std::uniform_real_distribution<double>()(random) < 0.5 ? 1.0 : 0.0;
+  };
+  EXPECT_GT(masked(test::synthetic_film(64, 64, 4, 1, rare)), 64 * 64 / 2);
+  EXPECT_EQ(masked(test::synthetic_film(64, 64, 4, 1, frequent)), 0);
+}
+
 TEST(Unit_HeavyTails, WithoutReplicatesOrLightNothingIsMasked) {
   EXPECT_EQ(masked(test::synthetic_film(16, 4, 1, 1, ordinary)), 0);
   EXPECT_EQ(masked(test::synthetic_film(16, 4, 4, 1, [](auto&, int, int) { return 0.0; })), 0);

@@ -196,8 +196,10 @@ void RenderRun::rendered(const Scene& scene, const RenderResult& result) {
 }
 
 void RenderRun::report_reliability() {
-  constexpr double negligible = 1e-3;
-  if (report_.error && report_.error->heavy_tails > negligible)
+  constexpr double negligible = 1e-2;
+  // Fewer samples a replicate say little about tails.
+  const bool is_telling = report_.min_samples >= 4 * report_.replicates;
+  if (report_.error && is_telling && report_.error->heavy_tails > negligible)
     warn(
         fmt::format("in {:.1f} % of the pixels rare strong samples hold most of the light: the "
                     "stated error may be too small (--aov heavy_tail shows where)",
