@@ -15,7 +15,7 @@ namespace candela {
   const bool is_about_y = std::abs(across) > std::abs(radius);
   swap_if(is_about_y, radius, across);
   if (radius == 0) return {0, 0};
-  const SinCos angle = sin_cos_of_octant((pi / 4) * (across / radius));
+  SinCos angle = sin_cos_of_octant((pi / 4) * (across / radius));
   Vec2f disk{radius * angle.cos, radius * angle.sin};
   swap_if(is_about_y, disk.x, disk.y);
   return disk;
@@ -23,7 +23,7 @@ namespace candela {
 
 // Density cos(theta) / pi over the hemisphere about z [Malley].
 [[nodiscard]] inline Vec3f square_to_cosine_hemisphere(Vec2f u) {
-  const Vec2f d = square_to_disk(u);
+  Vec2f d = square_to_disk(u);
   return {d.x, d.y, std::sqrt(std::max(0.0f, 1 - d.x * d.x - d.y * d.y))};
 }
 [[nodiscard]] inline float cosine_hemisphere_pdf(float cos_theta) {
@@ -34,7 +34,7 @@ namespace candela {
 [[nodiscard]] inline Vec3f square_to_uniform_hemisphere(Vec2f u) {
   const float z = u.x;
   const float r = std::sqrt(std::max(0.0f, 1 - z * z));
-  const SinCos phi = sin_cos_of_turns(u.y);
+  SinCos phi = sin_cos_of_turns(u.y);
   return {r * phi.cos, r * phi.sin, z};
 }
 
@@ -42,19 +42,14 @@ namespace candela {
 [[nodiscard]] inline Vec3f square_to_uniform_sphere(Vec2f u) {
   const float z = 1 - 2 * u.x;
   const float r = std::sqrt(std::max(0.0f, 1 - z * z));
-  const SinCos phi = sin_cos_of_turns(u.y);
+  SinCos phi = sin_cos_of_turns(u.y);
   return {r * phi.cos, r * phi.sin, z};
 }
 
 // Barycentric weights of vertices 1 and 2 of a point uniform on a triangle; continuous, and closer
 // in shape to the square than the square-root map [Heitz19].
 [[nodiscard]] inline Vec2f square_to_triangle(Vec2f u) {
-  if (u.y > u.x) {
-    const float b1 = u.x * 0.5f;
-    return {b1, u.y - b1};
-  }
-  const float b2 = u.y * 0.5f;
-  return {u.x - b2, b2};
+  return {std::max(u.x - 0.5f * u.y, 0.5f * u.x), std::max(u.y - 0.5f * u.x, 0.5f * u.y)};
 }
 
 }  // namespace candela
