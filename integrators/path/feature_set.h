@@ -16,6 +16,21 @@ struct FeatureSet {
   bool strategies = false;  // RenderOptions' sampling and heuristic count; else Mis by Power
   ModelSet models = all_models;
 
+  [[nodiscard]] constexpr FeatureSet with_models(ModelSet others) const {
+    FeatureSet features = *this;
+    features.models = others;
+    return features;
+  }
+
+  [[nodiscard]] constexpr LightKindSet light_kinds() const {
+    LightKindSet kinds = light_kind_bit(LightKind::Triangle);
+    if (delta_lights)
+      kinds |= light_kind_bit(LightKind::Point) | light_kind_bit(LightKind::Spot) |
+               light_kind_bit(LightKind::Directional);
+    if (environment) kinds |= light_kind_bit(LightKind::Environment);
+    return kinds;
+  }
+
   [[nodiscard]] constexpr bool covers(const SceneFeatures& scene) const {
     return (textures || !(scene.textures || scene.bump)) && (instances || !scene.instances) &&
            (delta_lights || !scene.delta_lights) && (environment || !scene.environment) &&

@@ -22,53 +22,78 @@ namespace candela {
   return {scene.environment ? &*scene.environment : nullptr, &scene.textures};
 }
 
+// What a light sample brings if nothing stands in its shadow ray's way.
+struct DirectLight {
+  Rgb contribution{0};  // black: there is no ray to trace
+  Ray shadow_ray;
+};
+
 // The contribution of one light sample, already divided by the probability `choice` of the light.
-template <FeatureSet F, class A>
-[[nodiscard]] inline Rgb light_contribution(const PathContext<A>& context,
-                                            const SurfacePoint& point, const Bsdf& bsdf,
-                                            const Vec3f& wo_local, const LightSample& light,
-                                            float choice, TileCounts& counts) {
-  if (!light.is_valid()) return Rgb(0);
-  const Vec3f wi_local = point.shading.to_local(light.wi);
-  if (!is_consistent(point, light.wi, wi_local)) {
-    ++counts.skipped.shadow_rays;
-    return Rgb(0);
-  }
-  const BsdfEvaluation f = evaluate_bsdf<F.models>(bsdf, wo_local, wi_local);
+template <FeatureSet F>
+[[nodiscard]] inline Rgb unshadowed_contribution(const RenderOptions& options,
+                                                 const SurfacePoint& point, const Bsdf& bsdf,
+                                                 const Vec3f& wo_local, const LightSample& light,
+                                                 float choice) {
+  Vec3f wi_local = point.shading.to_local(light.wi);
+  if (!is_consistent(point, light.wi, wi_local)) return Rgb(0);
+  BsdfEvaluation f = evaluate_bsdf<F.models>(bsdf, wo_local, wi_local);
   const float pdf = light.pdf * choice;
-  const float weight = light.is_delta ? 1.0f : light_sample_weight<F>(context.options, pdf, f.pdf);
-  const Rgb contribution = f.value * light.radiance * (weight / pdf);
-  if (is_black(contribution)) {
-    ++counts.skipped.shadow_rays;
-    return Rgb(0);
-  }
-  const Ray& ray = light.shadow_ray;
-  if (!is_traceable(ray)) return Rgb(0);
-  ++counts.rays.shadow;
-  return context.accelerator.occluded(ray) ? Rgb(0) : contribution;
+  const float weight = light.is_delta ? 1.0f : light_sample_weight<F>(options, pdf, f.pdf);
+  return f.value * light.radiance * (weight / pdf);
 }
 
-// The sum over the lights that are sampled at every hit, and one that is picked by power.
 template <FeatureSet F, class A>
-[[nodiscard]] inline Rgb direct_light(const PathContext<A>& context, const Sampler& sampler,
-                                      std::uint32_t bounce, const SurfacePoint& point,
-                                      const Bsdf& bsdf, const Vec3f& wo_local, TileCounts& counts) {
+[[nodiscard]] inline DirectLight sample_direct_light(const PathContext<A>& context,
+                                                     std::uint32_t index, Vec2f u, float choice,
+                                                     const SurfacePoint& point, const Bsdf& bsdf,
+                                                     const Vec3f& wo_local, TileCounts& counts) {
   const Scene& scene = context.scene;
-  const LightTables tables = light_tables(scene);
-  const auto contribution = [&](std::uint32_t index, Vec2f u, float choice) {
-    const LightSample light = sample_light(tables, scene.lights[index], point, u);
-    return light_contribution<F>(context, point, bsdf, wo_local, light, choice, counts);
-  };
+  LightSample light =
+      sample_light<F.light_kinds()>(light_tables(scene), scene.lights[index], point, u);
+  if (!light.is_valid()) return {};
+  Rgb contribution =
+      unshadowed_contribution<F>(context.options, point, bsdf, wo_local, light, choice);
+  if (is_black(contribution)) {
+    ++counts.skipped.shadow_rays;
+    return {};
+  }
+  return {contribution, light.shadow_ray};
+}
+
+// Of the light that is picked by power.
+template <FeatureSet F, class A>
+[[nodiscard]] inline DirectLight picked_light(const PathContext<A>& context, const Sampler& sampler,
+                                              std::uint32_t bounce, const SurfacePoint& point,
+                                              const Bsdf& bsdf, const Vec3f& wo_local,
+                                              TileCounts& counts) {
+  const LightSampler& lights = context.scene.light_sampler;
+  if (!lights.has_table()) return {};
+  LightPick pick = lights.pick(sampler.sample_1d_bits(bounce, Dimension::LightChoice));
+  return sample_direct_light<F>(context, pick.light,
+                                sampler.sample_2d(bounce, Dimension::LightPoint), pick.probability,
+                                point, bsdf, wo_local, counts);
+}
+
+template <class A>
+[[nodiscard]] inline Rgb shadowed(const A& accelerator, const DirectLight& light,
+                                  TileCounts& counts) {
+  if (is_black(light.contribution) || !is_traceable(light.shadow_ray)) return Rgb(0);
+  ++counts.rays.shadow;
+  return accelerator.occluded(light.shadow_ray) ? Rgb(0) : light.contribution;
+}
+
+// The lights that are sampled at every hit.
+template <FeatureSet F, class A>
+[[nodiscard]] inline Rgb light_from_always(const PathContext<A>& context, const SurfacePoint& point,
+                                           const Bsdf& bsdf, const Vec3f& wo_local,
+                                           TileCounts& counts) {
   Rgb sum(0);
   if constexpr (F.delta_lights) {
-    for (const std::uint32_t index : scene.light_sampler.always())
-      sum += contribution(index, Vec2f(0), 1);
-  }
-  if (scene.light_sampler.has_table()) {
-    const LightPick pick =
-        scene.light_sampler.pick(sampler.sample_1d_bits(bounce, Dimension::LightChoice));
-    sum += contribution(pick.light, sampler.sample_2d(bounce, Dimension::LightPoint),
-                        pick.probability);
+    for (const std::uint32_t index : context.scene.light_sampler.always())
+      sum += shadowed(
+          context.accelerator,
+          sample_direct_light<F>(context, index, Vec2f(0), 1, point, bsdf, wo_local, counts),
+          counts);
   }
   return sum;
 }

@@ -9,13 +9,11 @@ namespace candela {
 template <FeatureSet F, class A>
 [[nodiscard]] inline Ray camera_ray(const PathContext<A>& context, const Sampler& sampler, int x,
                                     int y) {
-  const Vec2f place = context.filter.sample(sampler.sample_2d(0, Dimension::Filter));
-  const Vec2f film{
-      (static_cast<float>(x) + 0.5f + place.x) / static_cast<float>(context.options.width),
-      (static_cast<float>(y) + 0.5f + place.y) / static_cast<float>(context.options.height)};
+  Vec2f place = context.filter.sample(sampler.sample_2d(0, Dimension::Filter));
+  Vec2f film{(static_cast<float>(x) + 0.5f + place.x) / static_cast<float>(context.options.width),
+             (static_cast<float>(y) + 0.5f + place.y) / static_cast<float>(context.options.height)};
   if constexpr (!F.thin_lens) return context.camera.generate_ray(film, Vec2f(0));
-  const Vec2f lens =
-      context.camera.lens_radius > 0 ? sampler.sample_2d(0, Dimension::Lens) : Vec2f(0);
+  Vec2f lens = context.camera.lens_radius > 0 ? sampler.sample_2d(0, Dimension::Lens) : Vec2f(0);
   return context.camera.generate_ray(film, lens);
 }
 
@@ -29,9 +27,9 @@ TileCounts render_tile(const PathContext<A>& context, const PixelRect& tile,
       const PixelSampler pixel(context.options.seed, static_cast<std::uint32_t>(x),
                                static_cast<std::uint32_t>(y), film.replicates());
       for (std::uint32_t s = first_sample; s < end_sample; ++s) {
-        const Sampler sampler = pixel.at(s);
-        const Ray ray = camera_ray<F>(context, sampler, x, y);
-        const FilmSample sample = trace_path<F>(context, sampler, ray, counts);
+        Sampler sampler = pixel.at(s);
+        Ray ray = camera_ray<F>(context, sampler, x, y);
+        FilmSample sample = trace_path<F>(context, sampler, ray, counts);
         add_or_count(sample, x, y, s, context.options.clamp, film, counts);
       }
     }

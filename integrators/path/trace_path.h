@@ -41,7 +41,7 @@ inline void add_environment(const Scene& scene, const RenderOptions& options, st
     if (!scene.environment) return;
     const Environment& environment = *scene.environment;
     if (bounce == 0 && (options.transparent || !environment.is_seen_by_camera)) return;
-    const Rgb radiance = environment_radiance(environment, scene.textures, path.ray.direction);
+    Rgb radiance = environment_radiance(environment, scene.textures, path.ray.direction);
     const bool is_unsampled = path.is_delta || scene.environment_light == Light::none;
     const float pdf = is_unsampled ? 0.0f
                                    : environment_pdf(environment, path.ray.direction) *
@@ -83,15 +83,28 @@ template <FeatureSet F>
   return point;
 }
 
+// What the film's layers keep. Out of line: the loop below need not have all of it at hand.
+template <FeatureSet F>
+[[gnu::noinline]] void record_camera_hit(const Scene& scene, const Camera& camera, const Ray& ray,
+                                         const Hit& hit, FilmSample& sample) {
+  const Geometry& geometry = scene.geometries[hit.geometry];
+  const Material& material = scene.materials[geometry.material.index];
+  Vec3f wo = -ray.direction;
+  SurfacePoint point = surface_point_at<F>(scene, hit, material, wo);
+  Bsdf bsdf = bsdf_at<F.models, F.textures>(material, scene.textures, point.uv, point.is_front);
+  record_first_hit(scene, camera, geometry, point, bsdf, point.shading.to_local(wo), sample);
+}
+
 // A direction drawn from the BSDF, or from what the options ask for.
 template <FeatureSet F>
 [[nodiscard]] inline BsdfSample sample_direction(const RenderOptions& options,
                                                  const Sampler& sampler, std::uint32_t bounce,
                                                  const Bsdf& bsdf, const Vec3f& wo_local) {
-  const float lobe = picks_a_lobe(bsdf) ? sampler.sample_1d(bounce, Dimension::LobeChoice) : 0.0f;
-  const Vec2f direction = sampler.sample_2d(bounce, Dimension::Direction);
+  const float lobe =
+      picks_a_lobe<F.models>(bsdf) ? sampler.sample_1d(bounce, Dimension::LobeChoice) : 0.0f;
+  Vec2f direction = sampler.sample_2d(bounce, Dimension::Direction);
   if constexpr (F.strategies) {
-    if (!samples_bsdfs(options.sampling) && !is_only_delta(bsdf))
+    if (!samples_bsdfs(options.sampling) && !is_only_delta<F.models>(bsdf))
       return sample_plain_direction<F.models>(options.sampling, bsdf, wo_local, lobe, direction);
   }
   return sample_bsdf<F.models>(bsdf, wo_local, lobe, direction);
@@ -101,7 +114,7 @@ template <FeatureSet F>
 [[nodiscard]] inline bool scatter(const SurfacePoint& point, const BsdfSample& sample,
                                   PathState& path) {
   if (is_black(sample.weight)) return false;
-  const Vec3f wi = point.shading.to_world(sample.wi);
+  Vec3f wi = point.shading.to_world(sample.wi);
   if (!is_consistent(point, wi, sample.wi)) return false;
   path.throughput *= sample.weight;
   path.bsdf_pdf = sample.pdf;
@@ -128,6 +141,48 @@ template <FeatureSet F>
   return true;
 }
 
+// Adds the light that reaches the surface straight from lights and continues the path; false where
+// it ends. The picked light's shadow ray comes last: nothing waits for its answer.
+template <FeatureSet F, class A>
+[[nodiscard]] inline bool leave_by_model(const PathContext<A>& context, const Sampler& sampler,
+                                         std::uint32_t bounce, const SurfacePoint& point,
+                                         const Material& material, const Vec3f& wo, PathState& path,
+                                         TileCounts& counts) {
+  Bsdf bsdf =
+      bsdf_at<F.models, F.textures>(material, context.scene.textures, point.uv, point.is_front);
+  Vec3f wo_local = point.shading.to_local(wo);
+  Rgb throughput = path.throughput;
+  Rgb direct(0);
+  DirectLight picked;
+  if (!is_only_delta<F.models>(bsdf) &&
+      (!F.strategies || samples_lights(context.options.sampling))) {
+    direct = light_from_always<F>(context, point, bsdf, wo_local, counts);
+    picked = picked_light<F>(context, sampler, bounce, point, bsdf, wo_local, counts);
+  }
+  BsdfSample next = sample_direction<F>(context.options, sampler, bounce, bsdf, wo_local);
+  const bool goes_on = scatter(point, next, path) && survives_roulette(sampler, bounce, path);
+  direct += shadowed(context.accelerator, picked, counts);
+  path.radiance += throughput * direct;
+  return goes_on;
+}
+
+// In the plain kernel a body for each of the two models.
+template <FeatureSet F, class A>
+[[nodiscard]] inline bool leave_surface(const PathContext<A>& context, const Sampler& sampler,
+                                        std::uint32_t bounce, const SurfacePoint& point,
+                                        const Material& material, const Vec3f& wo, PathState& path,
+                                        TileCounts& counts) {
+  if constexpr (F.models == plain_features.models) {
+    constexpr FeatureSet glossy = F.with_models(model_bit(BsdfModel::CookTorrance));
+    constexpr FeatureSet diffuse = F.with_models(model_bit(BsdfModel::Diffuse));
+    if (material.model == MaterialModel::CookTorrance)
+      return leave_by_model<glossy>(context, sampler, bounce, point, material, wo, path, counts);
+    return leave_by_model<diffuse>(context, sampler, bounce, point, material, wo, path, counts);
+  } else {
+    return leave_by_model<F>(context, sampler, bounce, point, material, wo, path, counts);
+  }
+}
+
 template <FeatureSet F, class A>
 [[nodiscard]] inline FilmSample trace_path(const PathContext<A>& context, const Sampler& sampler,
                                            const Ray& camera_ray, TileCounts& counts) {
@@ -140,7 +195,7 @@ template <FeatureSet F, class A>
       path.radiance = Rgb(std::numeric_limits<float>::quiet_NaN());
       break;
     }
-    const Hit hit = context.accelerator.intersect(path.ray);
+    Hit hit = context.accelerator.intersect(path.ray);
     if (!hit.is_hit()) {
       add_environment<F>(scene, context.options, bounce, path);
       if (bounce == 0) sample.alpha = 0;
@@ -148,23 +203,14 @@ template <FeatureSet F, class A>
     }
     const Geometry& geometry = scene.geometries[hit.geometry];
     const Material& material = scene.materials[geometry.material.index];
-    const Vec3f wo = -path.ray.direction;
-    const SurfacePoint point = surface_point_at<F>(scene, hit, material, wo);
+    Vec3f wo = -path.ray.direction;
+    SurfacePoint point = surface_point_at<F>(scene, hit, material, wo);
     if (geometry.is_emissive()) add_emission<F>(scene, context.options, geometry, hit, path);
-    const bool is_last = bounce >= context.max_depth;
-    if (is_last && (bounce > 0 || context.options.aovs == 0)) break;
-
-    const Bsdf bsdf = bsdf_at(material, scene.textures, point.uv, point.is_front);
-    const Vec3f wo_local = point.shading.to_local(wo);
     if (bounce == 0 && context.options.aovs != 0)
-      record_first_hit(scene, context.camera, geometry, point, bsdf, wo_local, sample);
-    if (is_last) break;
-    if (!is_only_delta(bsdf) && (!F.strategies || samples_lights(context.options.sampling)))
-      path.radiance += path.throughput *
-                       direct_light<F>(context, sampler, bounce, point, bsdf, wo_local, counts);
-    const BsdfSample next = sample_direction<F>(context.options, sampler, bounce, bsdf, wo_local);
-    if (!scatter(point, next, path)) break;
-    if (!survives_roulette(sampler, bounce, path)) break;
+      record_camera_hit<F>(scene, context.camera, path.ray, hit, sample);
+    if (bounce >= context.max_depth) break;
+
+    if (!leave_surface<F>(context, sampler, bounce, point, material, wo, path, counts)) break;
     ++counts.rays.indirect;
   }
   sample.radiance = path.radiance;

@@ -5,7 +5,6 @@
 #include <cstddef>
 
 #include "renderer/geometry/geometry.h"
-#include "renderer/math/float4.h"
 #include "renderer/math/ray.h"
 
 namespace candela {
@@ -23,12 +22,11 @@ concept Accelerator = requires(const A& accelerator, const Ray& ray) {
 // Debian's Embree is built with asserts: a NaN, a component near 1e19 or a negative range would
 // abort the process. Every ray passes here first; a ray that fails is counted as invalid.
 [[nodiscard]] inline bool is_traceable(const Ray& ray) {
-  const Float4 origin = absolute(to_lanes(ray.origin));
-  const Float4 direction = absolute(to_lanes(ray.direction));
-  const Float4 limit = broadcast(1e15f);
-  const int bounded = mask_of((origin < limit) & (direction < limit));
-  const int nonzero = mask_of(direction > broadcast(0.0f));
-  return bounded == 0xf && nonzero != 0 && ray.t_max > 0;
+  const auto sum_of_absolutes = [](const Vec3f& v) {
+    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+  };
+  const float direction = sum_of_absolutes(ray.direction);
+  return direction > 0 && direction + sum_of_absolutes(ray.origin) < 1e15f && ray.t_max > 0;
 }
 
 }  // namespace candela

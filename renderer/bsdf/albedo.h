@@ -32,24 +32,24 @@ namespace candela {
 
 [[nodiscard]] inline Rgb cook_torrance_albedo(const Bsdf& bsdf, float cos_o) {
   const float a = ggx_width(bsdf.alpha);
-  const Rgb fresnel =
+  Rgb fresnel =
       rough_reflectance(cook_torrance_fresnel(bsdf, 1), cook_torrance_fresnel(bsdf, cos_o), a);
   return bsdf.diffuse + bsdf.specular * fresnel * microfacet_albedo(bsdf.geometry, a, cos_o);
 }
 
 [[nodiscard]] inline Rgb lab_albedo(const Bsdf& bsdf, float cos_o) {
   const float a = ggx_width(bsdf.alpha);
-  const Rgb at_angle = lab_fresnel(bsdf.specular, cos_o);
+  Rgb at_angle = lab_fresnel(bsdf.specular, cos_o);
   // The cosine-weighted mean of (1 - cos)^5 over the hemisphere is 1 / 21.
   const float f90 = std::min(1.0f, 50 * max_component(bsdf.specular));
-  const Rgb mean = bsdf.specular + (Rgb{f90} - bsdf.specular) / 21.0f;
+  Rgb mean = bsdf.specular + (Rgb{f90} - bsdf.specular) / 21.0f;
   return bsdf.diffuse * (Rgb{1} - at_angle) * (Rgb{1} - mean) +
          rough_reflectance(bsdf.specular, at_angle, a) *
              microfacet_albedo(GeometryTerm::Smith, a, cos_o);
 }
 
 [[nodiscard]] inline Rgb conductor_albedo(const Bsdf& bsdf, float cos_o) {
-  const Rgb at_angle = fresnel_conductor(cos_o, bsdf.eta, bsdf.k);
+  Rgb at_angle = fresnel_conductor(cos_o, bsdf.eta, bsdf.k);
   if (bsdf.is_smooth) return at_angle;
   const float a = ggx_width(bsdf.alpha);
   return rough_reflectance(fresnel_conductor(1, bsdf.eta, bsdf.k), at_angle, a) *

@@ -12,7 +12,7 @@ namespace candela {
 [[nodiscard]] inline BsdfEvaluation evaluate_conductor(const Bsdf& bsdf, const Vec3f& wo,
                                                        const Vec3f& wi) {
   if (bsdf.is_smooth) return {};
-  const MicrofacetReflection reflection =
+  MicrofacetReflection reflection =
       reflect_microfacets(GeometryTerm::Smith, ggx_width(bsdf.alpha), wo, wi);
   return {fresnel_conductor(reflection.cos_half, bsdf.eta, bsdf.k) * reflection.value,
           reflection.pdf};
@@ -21,7 +21,7 @@ namespace candela {
 [[nodiscard]] inline BsdfSample sample_conductor(const Bsdf& bsdf, const Vec3f& wo,
                                                  Vec2f direction) {
   if (bsdf.is_smooth) return mirror_sample(wo, fresnel_conductor(wo.z, bsdf.eta, bsdf.k));
-  const Vec3f wi = sample_ggx_reflection(wo, ggx_width(bsdf.alpha), direction);
+  Vec3f wi = sample_ggx_reflection(wo, ggx_width(bsdf.alpha), direction);
   return to_sample(wi, evaluate_conductor(bsdf, wo, wi));
 }
 

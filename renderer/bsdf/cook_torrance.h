@@ -31,9 +31,9 @@ namespace candela {
 [[nodiscard]] inline BsdfEvaluation evaluate_cook_torrance(const Bsdf& bsdf, const Vec3f& wo,
                                                            const Vec3f& wi) {
   if (!(wi.z > 0)) return {};
-  const MicrofacetReflection reflection =
+  MicrofacetReflection reflection =
       reflect_microfacets(bsdf.geometry, ggx_width(bsdf.alpha), wo, wi);
-  const Rgb fresnel = cook_torrance_fresnel(bsdf, reflection.cos_half);
+  Rgb fresnel = cook_torrance_fresnel(bsdf, reflection.cos_half);
   return {
       bsdf.diffuse * (wi.z * inverse_pi) + bsdf.specular * fresnel * reflection.value,
       specular_mixture_pdf(cook_torrance_specular_probability(bsdf, wo.z), reflection.pdf, wi.z)};
@@ -41,8 +41,8 @@ namespace candela {
 
 [[nodiscard]] inline BsdfSample sample_cook_torrance(const Bsdf& bsdf, const Vec3f& wo, float lobe,
                                                      Vec2f direction) {
-  const Vec3f wi = sample_specular_mixture(cook_torrance_specular_probability(bsdf, wo.z),
-                                           ggx_width(bsdf.alpha), wo, lobe, direction);
+  Vec3f wi = sample_specular_mixture(cook_torrance_specular_probability(bsdf, wo.z),
+                                     ggx_width(bsdf.alpha), wo, lobe, direction);
   return to_sample(wi, evaluate_cook_torrance(bsdf, wo, wi));
 }
 

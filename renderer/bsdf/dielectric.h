@@ -40,10 +40,10 @@ inline constexpr float smallest_refraction_spread = 1e-5f;
 [[nodiscard]] inline BsdfSample sample_smooth_dielectric(const Bsdf& bsdf, const Vec3f& wo,
                                                          float lobe) {
   const float eta = bsdf.eta.x;
-  const DielectricFresnel fresnel = fresnel_dielectric(wo.z, eta);
+  DielectricFresnel fresnel = fresnel_dielectric(wo.z, eta);
   const float p_reflect = reflection_probability(fresnel.reflectance, bsdf.transmittance);
   if (lobe < p_reflect) return mirror_sample(wo, Rgb{fresnel.reflectance / p_reflect});
-  const Vec3f wi = refract(wo, {0, 0, 1}, wo.z, fresnel.cos_transmitted, eta);
+  Vec3f wi = refract(wo, {0, 0, 1}, wo.z, fresnel.cos_transmitted, eta);
   const float weight = (1 - fresnel.reflectance) / ((1 - p_reflect) * square(eta));
   return refraction_sample(wi, bsdf.transmittance * weight, eta);
 }
@@ -51,7 +51,7 @@ inline constexpr float smallest_refraction_spread = 1e-5f;
 [[nodiscard]] inline BsdfEvaluation evaluate_rough_reflection(const Bsdf& bsdf, const Vec3f& wo,
                                                               const Vec3f& wi) {
   const float a = ggx_width(bsdf.alpha);
-  const Vec3f sum = wo + wi;
+  Vec3f sum = wo + wi;
   const float length2 = length_squared(sum);
   if (!(length2 > 0)) return {};
   const float cos_half = cosine_to_half_vector(length2);
@@ -69,11 +69,11 @@ inline constexpr float smallest_refraction_spread = 1e-5f;
                                                               const Vec3f& wi) {
   const float a = ggx_width(bsdf.alpha);
   const float eta = bsdf.eta.x;
-  const Vec3f across = wo + wi * eta;
-  const Vec3f half = across.z < 0 ? -across : across;
+  Vec3f across = wo + wi * eta;
+  Vec3f half = across.z < 0 ? -across : across;
   const float length2 = length_squared(half);
   if (!(length2 > 0) || !(half.z > 0)) return {};
-  const Vec3f h = half / std::sqrt(length2);
+  Vec3f h = half / std::sqrt(length2);
   const float cos_o = dot(wo, h);
   const float cos_i = -dot(wi, h);
   if (!(cos_o > 0) || !(cos_i > 0)) return {};
@@ -98,15 +98,15 @@ inline constexpr float smallest_refraction_spread = 1e-5f;
 [[nodiscard]] inline BsdfSample sample_rough_dielectric(const Bsdf& bsdf, const Vec3f& wo,
                                                         float lobe, Vec2f direction) {
   const float eta = bsdf.eta.x;
-  const Vec3f m = sample_ggx_visible_normal(wo, ggx_width(bsdf.alpha), direction);
+  Vec3f m = sample_ggx_visible_normal(wo, ggx_width(bsdf.alpha), direction);
   const float cos_half = dot(wo, m);
   if (!(cos_half > 0)) return {};
-  const DielectricFresnel fresnel = fresnel_dielectric(cos_half, eta);
+  DielectricFresnel fresnel = fresnel_dielectric(cos_half, eta);
   const bool reflects = lobe < reflection_probability(fresnel.reflectance, bsdf.transmittance);
-  const Vec3f wi =
+  Vec3f wi =
       reflects ? m * (2 * cos_half) - wo : refract(wo, m, cos_half, fresnel.cos_transmitted, eta);
   if (reflects != (wi.z > 0)) return {};
-  const BsdfEvaluation evaluation = evaluate_dielectric(bsdf, wo, wi);
+  BsdfEvaluation evaluation = evaluate_dielectric(bsdf, wo, wi);
   if (!(evaluation.pdf > 0)) return {};
   return {.wi = wi,
           .weight = evaluation.value / evaluation.pdf,

@@ -15,7 +15,7 @@ namespace candela {
 
 [[nodiscard]] inline BsdfSample sample_diffuse(const Bsdf& bsdf, const Vec3f& /*wo*/,
                                                Vec2f direction) {
-  const Vec3f wi = square_to_cosine_hemisphere(direction);
+  Vec3f wi = square_to_cosine_hemisphere(direction);
   if (!(wi.z > 0)) return {};
   return {.wi = wi, .weight = bsdf.diffuse, .pdf = cosine_hemisphere_pdf(wi.z)};
 }

@@ -3,6 +3,8 @@
 // of the set would be black; bsdf_at() never makes one (material/bsdf_at.h: bsdf_models).
 #pragma once
 
+#include <bit>
+
 #include "renderer/bsdf/albedo.h"  // albedo_estimate
 #include "renderer/bsdf/bsdf.h"
 #include "renderer/bsdf/compensated_cook_torrance.h"
@@ -21,15 +23,25 @@ constexpr bool has_model(BsdfModel model) {
   return (models & model_bit(model)) != 0;
 }
 
+// The model of a BSDF: a constant where the set has only one.
+template <ModelSet models>
+constexpr BsdfModel model_in(const Bsdf& bsdf) {
+  if constexpr (std::has_single_bit(models))
+    return static_cast<BsdfModel>(std::countr_zero(models));
+  return bsdf.model;
+}
+
 // True where every lobe is a delta lobe: next-event estimation has nothing to add.
+template <ModelSet models = all_models>
 [[nodiscard]] inline bool is_only_delta(const Bsdf& bsdf) {
-  return bsdf.model == BsdfModel::Mirror || bsdf.model == BsdfModel::ThinDielectric ||
-         bsdf.is_smooth;
+  const BsdfModel model = model_in<models>(bsdf);
+  return model == BsdfModel::Mirror || model == BsdfModel::ThinDielectric || bsdf.is_smooth;
 }
 
 // Whether sample_bsdf() reads the number that picks a lobe.
+template <ModelSet models = all_models>
 [[nodiscard]] inline bool picks_a_lobe(const Bsdf& bsdf) {
-  switch (bsdf.model) {
+  switch (model_in<models>(bsdf)) {
     case BsdfModel::Diffuse:
     case BsdfModel::Mirror:
     case BsdfModel::Conductor:
@@ -48,7 +60,7 @@ constexpr bool has_model(BsdfModel model) {
 template <ModelSet models = all_models>
 [[nodiscard]] inline BsdfEvaluation evaluate_bsdf(const Bsdf& bsdf, const Vec3f& wo,
                                                   const Vec3f& wi) {
-  switch (bsdf.model) {
+  switch (model_in<models>(bsdf)) {
     case BsdfModel::Diffuse:
       if constexpr (has_model<models>(BsdfModel::Diffuse)) return evaluate_diffuse(bsdf, wo, wi);
       break;
@@ -83,7 +95,7 @@ template <ModelSet models = all_models>
 template <ModelSet models = all_models>
 [[nodiscard]] inline BsdfSample sample_bsdf(const Bsdf& bsdf, const Vec3f& wo, float lobe,
                                             Vec2f direction) {
-  switch (bsdf.model) {
+  switch (model_in<models>(bsdf)) {
     case BsdfModel::Diffuse:
       if constexpr (has_model<models>(BsdfModel::Diffuse))
         return sample_diffuse(bsdf, wo, direction);

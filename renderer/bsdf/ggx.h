@@ -45,16 +45,16 @@ inline constexpr float smallest_ggx_width = 1e-4f;
                                           Vec2f u) {
   const float z = (1 - u.y) * (1 + bound) - bound;
   const float r = std::sqrt(std::max(0.0f, 1 - z * z));
-  const SinCos phi = sin_cos_of_turns(u.x);
-  const Vec3f m = stretched_wo + Vec3f{r * phi.cos, r * phi.sin, z};
-  const Vec3f normal{a * m.x, a * m.y, m.z};
+  SinCos phi = sin_cos_of_turns(u.x);
+  Vec3f m = stretched_wo + Vec3f{r * phi.cos, r * phi.sin, z};
+  Vec3f normal{a * m.x, a * m.y, m.z};
   const float length2 = length_squared(normal);
   if (!(length2 > 0) || !(normal.z > 0)) return Vec3f{0};
   return normal / std::sqrt(length2);
 }
 
 [[nodiscard]] inline Vec3f sample_ggx_visible_normal(const Vec3f& wo, float a, Vec2f u) {
-  const Vec3f stretched = normalize(Vec3f{a * wo.x, a * wo.y, wo.z});
+  Vec3f stretched = normalize(Vec3f{a * wo.x, a * wo.y, wo.z});
   return sample_ggx_cap(stretched, stretched.z, a, u);
 }
 // In solid angle of m, given D(m) and (wo.m) > 0: D G1 (wo.m) / wo.z.
@@ -72,8 +72,8 @@ inline constexpr float smallest_ggx_width = 1e-4f;
 }
 // A reflection by the bounded cap. It may still go below the surface: reject it then.
 [[nodiscard]] inline Vec3f sample_ggx_reflection(const Vec3f& wo, float a, Vec2f u) {
-  const Vec3f stretched = normalize(Vec3f{a * wo.x, a * wo.y, wo.z});
-  const Vec3f m = sample_ggx_cap(stretched, ggx_reflection_bound(wo, a) * stretched.z, a, u);
+  Vec3f stretched = normalize(Vec3f{a * wo.x, a * wo.y, wo.z});
+  Vec3f m = sample_ggx_cap(stretched, ggx_reflection_bound(wo, a) * stretched.z, a, u);
   return m * (2 * dot(wo, m)) - wo;
 }
 // In solid angle of wi, given D(h) [Eto23, eq. 8].

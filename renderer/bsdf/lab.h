@@ -26,25 +26,25 @@ namespace candela {
 }
 
 [[nodiscard]] inline float lab_specular_probability(const Bsdf& bsdf, float cos_o) {
-  const Rgb fresnel = lab_fresnel(bsdf.specular, cos_o);
+  Rgb fresnel = lab_fresnel(bsdf.specular, cos_o);
   return specular_probability(average(fresnel), average(bsdf.diffuse * (Rgb{1} - fresnel)));
 }
 
 [[nodiscard]] inline BsdfEvaluation evaluate_lab(const Bsdf& bsdf, const Vec3f& wo,
                                                  const Vec3f& wi) {
   if (!(wi.z > 0)) return {};
-  const MicrofacetReflection reflection =
+  MicrofacetReflection reflection =
       reflect_microfacets(GeometryTerm::Smith, ggx_width(bsdf.alpha), wo, wi);
-  const Rgb diffuse = bsdf.diffuse * (Rgb{1} - lab_fresnel(bsdf.specular, wo.z)) *
-                      (Rgb{1} - lab_fresnel(bsdf.specular, wi.z)) * (wi.z * inverse_pi);
+  Rgb diffuse = bsdf.diffuse * (Rgb{1} - lab_fresnel(bsdf.specular, wo.z)) *
+                (Rgb{1} - lab_fresnel(bsdf.specular, wi.z)) * (wi.z * inverse_pi);
   return {diffuse + lab_fresnel(bsdf.specular, reflection.cos_half) * reflection.value,
           specular_mixture_pdf(lab_specular_probability(bsdf, wo.z), reflection.pdf, wi.z)};
 }
 
 [[nodiscard]] inline BsdfSample sample_lab(const Bsdf& bsdf, const Vec3f& wo, float lobe,
                                            Vec2f direction) {
-  const Vec3f wi = sample_specular_mixture(lab_specular_probability(bsdf, wo.z),
-                                           ggx_width(bsdf.alpha), wo, lobe, direction);
+  Vec3f wi = sample_specular_mixture(lab_specular_probability(bsdf, wo.z), ggx_width(bsdf.alpha),
+                                     wo, lobe, direction);
   return to_sample(wi, evaluate_lab(bsdf, wo, wi));
 }
 

@@ -34,7 +34,7 @@ struct MicrofacetReflection {
 [[nodiscard]] inline MicrofacetReflection reflect_microfacets(GeometryTerm geometry, float a,
                                                               const Vec3f& wo, const Vec3f& wi) {
   if (!(wi.z > 0)) return {};
-  const Vec3f sum = wo + wi;
+  Vec3f sum = wo + wi;
   const float length2 = length_squared(sum);
   if (!(length2 > 0)) return {};
   const float distribution = ggx_distribution(sum, a);

@@ -20,7 +20,7 @@ struct PaneReflectance {
 //   R = F + t (1-F)^2 F (1 + F^2 + ...), T = t (1-F)^2 (1 + F^2 + ...), 1 / (1 - F^2) in sum.
 [[nodiscard]] inline PaneReflectance pane_reflectance(const Bsdf& bsdf, float cos_theta) {
   const float f = fresnel_dielectric(cos_theta, bsdf.eta.x).reflectance;
-  const Rgb transmitted = bsdf.transmittance * bsdf.transmittance * ((1 - f) / (1 + f));
+  Rgb transmitted = bsdf.transmittance * bsdf.transmittance * ((1 - f) / (1 + f));
   return {Rgb{f} + transmitted * f, transmitted};
 }
 

@@ -18,10 +18,10 @@ struct Camera {
 
   // `film` in [0,1]^2 over the full picture, y from the top.
   [[nodiscard]] Ray generate_ray(Vec2f film, Vec2f lens) const {
-    const Vec3f through = look + right * (2 * film.x - 1) + up * (1 - 2 * film.y);
+    Vec3f through = look + right * (2 * film.x - 1) + up * (1 - 2 * film.y);
     if (lens_radius == 0) return {eye, normalize(through), infinity};
-    const Vec2f disk = square_to_disk(lens) * lens_radius;
-    const Vec3f offset = normalize(right) * disk.x + normalize(up) * disk.y;
+    Vec2f disk = square_to_disk(lens) * lens_radius;
+    Vec3f offset = normalize(right) * disk.x + normalize(up) * disk.y;
     return {eye + offset, normalize(through * focus_distance - offset), infinity};
   }
 };

@@ -17,7 +17,7 @@ struct CubePoint {
 
 // Any direction but zero.
 [[nodiscard]] inline CubePoint cube_point(const Vec3f& d) {
-  const Vec3f a = glm::abs(d);
+  Vec3f a = glm::abs(d);
   const auto point = [](int face, float s, float t, float major) {
     const float half = 0.5f / major;
     return CubePoint{face, {s * half + 0.5f, t * half + 0.5f}, major};
@@ -58,10 +58,9 @@ struct CubePoint {
   const GridDistribution::Cell cell = grid.sample(u);
   const std::uint32_t rows = grid.rows() / 6;
   const std::uint32_t face = cell.row / rows;
-  const Vec2f st{
-      (static_cast<float>(cell.column) + cell.offset.x) / static_cast<float>(grid.columns()),
-      (static_cast<float>(cell.row - face * rows) + cell.offset.y) / static_cast<float>(rows)};
-  const Vec3f d = cube_direction(static_cast<int>(face), st);
+  Vec2f st{(static_cast<float>(cell.column) + cell.offset.x) / static_cast<float>(grid.columns()),
+           (static_cast<float>(cell.row - face * rows) + cell.offset.y) / static_cast<float>(rows)};
+  Vec3f d = cube_direction(static_cast<int>(face), st);
   const float r2 = dot(d, d);
   const float r = std::sqrt(r2);
   return {d / r, cell.probability * cube_cells_over_face_area(grid) * (r2 * r)};

@@ -81,12 +81,12 @@ namespace environment_detail {
       return environment.scale;
     case EnvironmentMapping::Cube: {
       const CubePoint point = cube_point(to_map(environment, direction));
-      const Vec2f inset = environment.half_texel[static_cast<std::size_t>(point.face)];
+      Vec2f inset = environment.half_texel[static_cast<std::size_t>(point.face)];
       return look_up(environment, textures, point.face,
                      glm::clamp(point.st, inset, Vec2f(1) - inset));
     }
     case EnvironmentMapping::LatLong: {
-      const Vec2f st = lat_long_point(to_map(environment, direction));
+      Vec2f st = lat_long_point(to_map(environment, direction));
       const float inset = environment.half_texel[0].y;  // columns wrap, rows do not
       return look_up(environment, textures, 0, {st.x, glm::clamp(st.y, inset, 1 - inset)});
     }

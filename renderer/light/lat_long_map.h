@@ -47,15 +47,15 @@ namespace candela {
   const float sin_theta = 2 * std::sqrt(h * (1 - h));
   const float s =
       (static_cast<float>(cell.column) + cell.offset.x) / static_cast<float>(grid.columns());
-  const SinCos azimuth = sin_cos(two_pi * (s - 0.5f));
-  const Vec3f direction{sin_theta * azimuth.sin, is_south ? -cos_theta : cos_theta,
-                        -sin_theta * azimuth.cos};
+  SinCos azimuth = sin_cos(two_pi * (s - 0.5f));
+  Vec3f direction{sin_theta * azimuth.sin, is_south ? -cos_theta : cos_theta,
+                  -sin_theta * azimuth.cos};
   return {direction, cell.probability / lat_long_cell_solid_angle(grid, cell.row)};
 }
 
 // The density of sample_lat_long() at the direction d.
 [[nodiscard]] inline float lat_long_pdf(const GridDistribution& grid, const Vec3f& d) {
-  const Vec2f st = lat_long_point(d);
+  Vec2f st = lat_long_point(d);
   const auto index = [](float x, std::uint32_t count) {
     return std::min(static_cast<std::uint32_t>(x * static_cast<float>(count)), count - 1);
   };

@@ -13,6 +13,13 @@ namespace candela {
 
 enum class LightKind : std::uint8_t { Point, Spot, Directional, Triangle, Environment };
 
+// Which kinds a scene has: kernels specialised on a set leave the others out of their switches.
+using LightKindSet = std::uint32_t;
+constexpr LightKindSet light_kind_bit(LightKind kind) {
+  return 1u << static_cast<unsigned>(kind);
+}
+inline constexpr LightKindSet all_light_kinds = 0x1f;
+
 struct Light {
   static constexpr std::uint32_t none = 0xffffffffu;
 

@@ -11,7 +11,7 @@ namespace candela {
 // 1 within the inner angle, 0 outside the outer one, Hermite's 3t^2 - 2t^3 of the cosine between.
 [[nodiscard]] inline float spot_falloff(const Light& light, const Vec3f& w) {
   // For unit vectors 1 - cos = |a - b|^2 / 2, without the cancellation of 1 - dot(a, b).
-  const Vec3f difference = w - light.edge1;
+  Vec3f difference = w - light.edge1;
   const float versine = 0.5f * dot(difference, difference);
   if (versine <= light.versine_inner) return 1;
   if (!(versine < light.versine_outer)) return 0;
@@ -20,12 +20,12 @@ namespace candela {
 }
 
 [[nodiscard]] inline LightSample sample_point_light(const Light& light, const SurfacePoint& from) {
-  const Vec3f to_light = light.position - from.position;
+  Vec3f to_light = light.position - from.position;
   const float distance2 = dot(to_light, to_light);
   if (!(distance2 > 0)) return {};
-  const Vec3f wi = to_light / std::sqrt(distance2);
+  Vec3f wi = to_light / std::sqrt(distance2);
   const float falloff = light.kind == LightKind::Spot ? spot_falloff(light, -wi) : 1.0f;
-  const Rgb irradiance = light.emission * (falloff / distance2);
+  Rgb irradiance = light.emission * (falloff / distance2);
   // Nothing outside of the cone; and nearer than floats can tell, the irradiance has no value.
   if (is_black(irradiance) || !is_finite(irradiance)) return {};
   return {.wi = wi,

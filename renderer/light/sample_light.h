@@ -22,10 +22,9 @@ struct LightTables {
 
 [[nodiscard]] inline LightSample sample_environment_light(const LightTables& tables,
                                                           const SurfacePoint& from, Vec2f u) {
-  const EnvironmentSample sample = sample_environment(*tables.environment, u);
+  EnvironmentSample sample = sample_environment(*tables.environment, u);
   if (!(sample.pdf > 0)) return {};
-  const Rgb radiance =
-      environment_radiance(*tables.environment, *tables.textures, sample.direction);
+  Rgb radiance = environment_radiance(*tables.environment, *tables.textures, sample.direction);
   if (is_black(radiance)) return {};
   return {.wi = sample.direction,
           .radiance = radiance,
@@ -33,9 +32,13 @@ struct LightTables {
           .shadow_ray = spawn_ray(from, sample.direction)};
 }
 
-// Towards `light` from a surface; u in [0, 1)^2. The result is never NaN or Inf.
+// Towards `light` from a surface; u in [0, 1)^2. The result is never NaN or Inf. Kernels pass the
+// kinds that their scene has.
+template <LightKindSet kinds = all_light_kinds>
 [[nodiscard]] inline LightSample sample_light(const LightTables& tables, const Light& light,
                                               const SurfacePoint& from, Vec2f u) {
+  if constexpr (kinds == light_kind_bit(LightKind::Triangle))
+    return sample_triangle_light(light, from, u);
   switch (light.kind) {
     case LightKind::Point:
     case LightKind::Spot:

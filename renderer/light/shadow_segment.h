@@ -9,7 +9,7 @@ namespace candela {
 // out, since the intersector's own t is rounded too.
 [[nodiscard]] inline Ray shadow_segment(const SurfacePoint& from, const Vec3f& to_light,
                                         const Vec3f& end) {
-  const Vec3f origin = offset_origin(from.position, from.geometric_normal, from.offset, to_light);
+  Vec3f origin = offset_origin(from.position, from.geometric_normal, from.offset, to_light);
   return {origin, end - origin, 1 - gamma_bound(16)};
 }
 

@@ -24,16 +24,16 @@ namespace candela {
 
 [[nodiscard]] inline LightSample sample_triangle_light(const Light& light, const SurfacePoint& from,
                                                        Vec2f u) {
-  const Vec2f weights = square_to_triangle(u);
-  const Vec3f point = light.position + (light.edge1 * weights.x + light.edge2 * weights.y);
-  const Vec3f to_light = point - from.position;
+  Vec2f weights = square_to_triangle(u);
+  Vec3f point = light.position + (light.edge1 * weights.x + light.edge2 * weights.y);
+  Vec3f to_light = point - from.position;
   const float distance2 = dot(to_light, to_light);
   if (!(distance2 > 0)) return {};
   const float distance = std::sqrt(distance2);
-  const Vec3f wi = to_light / distance;
-  const Rgb radiance = triangle_light_radiance(light, -wi);
+  Vec3f wi = to_light / distance;
+  Rgb radiance = triangle_light_radiance(light, -wi);
   if (is_black(radiance)) return {};
-  const Vec3f end = offset_origin(point, light.normal, light.offset, -wi);
+  Vec3f end = offset_origin(point, light.normal, light.offset, -wi);
   return {.wi = wi,
           .radiance = radiance,
           .pdf = triangle_light_pdf(light, wi, distance),

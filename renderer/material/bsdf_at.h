@@ -13,14 +13,16 @@
 
 namespace candela {
 
+template <bool textured = true>
 [[nodiscard]] inline Rgb colour_at(const ColourParameter& parameter, const TextureStore& textures,
                                    Vec2f uv) {
-  if (!parameter.texture) return parameter.constant;
+  if (!textured || !parameter.texture) return parameter.constant;
   return clamp_unit(Rgb(textures.lookup(parameter.texture, uv)));
 }
+template <bool textured = true>
 [[nodiscard]] inline float scalar_at(const ScalarParameter& parameter, const TextureStore& textures,
                                      Vec2f uv) {
-  if (!parameter.texture) return parameter.constant;
+  if (!textured || !parameter.texture) return parameter.constant;
   return clamp_unit(textures.lookup(parameter.texture, uv)[parameter.channel]);
 }
 
@@ -59,11 +61,12 @@ namespace candela {
 
 // kd + ks <= 1 a channel [REPORT 2.2]: where maps ask for more, both give way in proportion.
 inline void limit_reflectance(Rgb& diffuse, Rgb& specular) {
-  const Rgb sum = glm::max(diffuse + specular, Rgb{1});
+  Rgb sum = glm::max(diffuse + specular, Rgb{1});
   diffuse /= sum;
   specular /= sum;
 }
 
+template <bool textured>
 [[nodiscard]] inline Bsdf cook_torrance_at(const Material& material, const TextureStore& textures,
                                            Vec2f uv) {
   Bsdf bsdf{.model = material.energy_compensation ? BsdfModel::CompensatedCookTorrance
@@ -71,9 +74,9 @@ inline void limit_reflectance(Rgb& diffuse, Rgb& specular) {
             .fresnel = fresnel_term(material),
             .geometry = material.geometry == GeometryModel::Smith ? GeometryTerm::Smith
                                                                   : GeometryTerm::SchlickGgx,
-            .alpha = ggx_width(scalar_at(material.roughness, textures, uv)),
-            .diffuse = colour_at(material.diffuse, textures, uv),
-            .specular = colour_at(material.specular, textures, uv),
+            .alpha = ggx_width(scalar_at<textured>(material.roughness, textures, uv)),
+            .diffuse = colour_at<textured>(material.diffuse, textures, uv),
+            .specular = colour_at<textured>(material.specular, textures, uv),
             .f0 = material.f0,
             .eta = material.eta,
             .k = material.k};
@@ -81,12 +84,13 @@ inline void limit_reflectance(Rgb& diffuse, Rgb& specular) {
   return bsdf;
 }
 
+template <bool textured>
 [[nodiscard]] inline Bsdf lab_at(const Material& material, const TextureStore& textures, Vec2f uv) {
   Bsdf bsdf{.model = BsdfModel::Lab,
             .alpha = material.roughness.constant,
-            .diffuse = colour_at(material.diffuse, textures, uv),
+            .diffuse = colour_at<textured>(material.diffuse, textures, uv),
             .specular = material.specular.constant};
-  if (material.specular.texture) {
+  if (textured && material.specular.texture) {
     const Vec4f specular = textures.lookup(material.specular.texture, uv);
     bsdf.specular = clamp_unit(Rgb(specular));
     bsdf.alpha = lab_width(clamp_unit(specular.w) * 256);
@@ -95,9 +99,10 @@ inline void limit_reflectance(Rgb& diffuse, Rgb& specular) {
   return bsdf;
 }
 
+template <bool textured>
 [[nodiscard]] inline Bsdf conductor_at(const Material& material, const TextureStore& textures,
                                        Vec2f uv) {
-  const float alpha = scalar_at(material.roughness, textures, uv);
+  const float alpha = scalar_at<textured>(material.roughness, textures, uv);
   if (material.energy_compensation && alpha >= smallest_ggx_width)
     return {.model = BsdfModel::CompensatedCookTorrance,
             .fresnel = FresnelTerm::Conductor,
@@ -114,10 +119,11 @@ inline void limit_reflectance(Rgb& diffuse, Rgb& specular) {
           .k = material.k};
 }
 
+template <bool textured>
 [[nodiscard]] inline Bsdf dielectric_at(const Material& material, const TextureStore& textures,
                                         Vec2f uv, bool is_front_side) {
   const float eta = is_front_side ? material.eta.x : 1 / material.eta.x;
-  const float alpha = scalar_at(material.roughness, textures, uv);
+  const float alpha = scalar_at<textured>(material.roughness, textures, uv);
   return {.model = BsdfModel::Dielectric,
           .is_smooth = is_smooth_dielectric(alpha, eta),
           .alpha = ggx_width(alpha),
@@ -126,26 +132,45 @@ inline void limit_reflectance(Rgb& diffuse, Rgb& specular) {
 }
 
 // `is_front_side`: wo lies on the side that the geometric normal (of the file's winding) points to,
-// the outside of glass.
+// the outside of glass. Kernels pass the models that their scene has, and whether it has textures.
+template <ModelSet models = all_models, bool textured = true>
 [[nodiscard]] inline Bsdf bsdf_at(const Material& material, const TextureStore& textures, Vec2f uv,
                                   bool is_front_side) {
+  if constexpr (models == model_bit(BsdfModel::Diffuse))
+    return {.diffuse = colour_at<textured>(material.diffuse, textures, uv)};
+  if constexpr (models == model_bit(BsdfModel::CookTorrance))
+    return cook_torrance_at<textured>(material, textures, uv);
+  constexpr auto has = [](BsdfModel model) { return (models & model_bit(model)) != 0; };
+  constexpr bool has_compensated = has(BsdfModel::CompensatedCookTorrance);
   switch (material.model) {
     case MaterialModel::Diffuse:
-      return {.model = BsdfModel::Diffuse, .diffuse = colour_at(material.diffuse, textures, uv)};
+      return {.model = BsdfModel::Diffuse,
+              .diffuse = colour_at<textured>(material.diffuse, textures, uv)};
     case MaterialModel::CookTorrance:
-      return cook_torrance_at(material, textures, uv);
+      if constexpr (has(BsdfModel::CookTorrance) || has_compensated)
+        return cook_torrance_at<textured>(material, textures, uv);
+      break;
     case MaterialModel::Lab:
-      return lab_at(material, textures, uv);
+      return lab_at<textured>(material, textures, uv);
     case MaterialModel::Mirror:
-      return {.model = BsdfModel::Mirror, .diffuse = colour_at(material.diffuse, textures, uv)};
+      if constexpr (has(BsdfModel::Mirror))
+        return {.model = BsdfModel::Mirror,
+                .diffuse = colour_at<textured>(material.diffuse, textures, uv)};
+      break;
     case MaterialModel::Conductor:
-      return conductor_at(material, textures, uv);
+      if constexpr (has(BsdfModel::Conductor) || has_compensated)
+        return conductor_at<textured>(material, textures, uv);
+      break;
     case MaterialModel::Dielectric:
-      return dielectric_at(material, textures, uv, is_front_side);
+      if constexpr (has(BsdfModel::Dielectric))
+        return dielectric_at<textured>(material, textures, uv, is_front_side);
+      break;
     case MaterialModel::ThinDielectric:
-      return {.model = BsdfModel::ThinDielectric,
-              .eta = material.eta,
-              .transmittance = material.transmittance};
+      if constexpr (has(BsdfModel::ThinDielectric))
+        return {.model = BsdfModel::ThinDielectric,
+                .eta = material.eta,
+                .transmittance = material.transmittance};
+      break;
   }
   return {};
 }

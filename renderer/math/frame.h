@@ -24,10 +24,10 @@ struct Frame {
 
 // A frame about a unit normal whose x follows `tangent` as far as it can.
 [[nodiscard]] inline Frame frame_from_normal_and_tangent(const Vec3f& n, const Vec3f& tangent) {
-  const Vec3f x = tangent - n * dot(n, tangent);
+  Vec3f x = tangent - n * dot(n, tangent);
   const float length2 = dot(x, x);
   if (!(length2 > 1e-12f * dot(tangent, tangent))) return frame_from_normal(n);
-  const Vec3f unit_x = x / std::sqrt(length2);
+  Vec3f unit_x = x / std::sqrt(length2);
   return {unit_x, cross(n, unit_x), n};
 }
 

@@ -100,7 +100,7 @@ struct SobolPoint {
   return unit_float(scrambled_sobol_1d(reverse_bits(index), key));
 }
 [[nodiscard]] inline Vec2f owen_sobol_2d(std::uint32_t index, std::uint64_t key) {
-  const SobolPoint point = scrambled_sobol_2d(reverse_bits(index), key);
+  SobolPoint point = scrambled_sobol_2d(reverse_bits(index), key);
   return {unit_float(point.x), unit_float(point.y)};
 }
 
