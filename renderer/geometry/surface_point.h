@@ -36,9 +36,9 @@ struct Corners {
 [[nodiscard]] inline Corners corners_of(const Geometry& geometry, std::uint32_t triangle,
                                         const Instance* instance) {
   const auto& index = geometry.triangles[triangle];
-  const Vec3f p0 = geometry.positions[index[0]];
-  const Vec3f p1 = geometry.positions[index[1]];
-  const Vec3f p2 = geometry.positions[index[2]];
+  Vec3f p0 = geometry.positions[index[0]];
+  Vec3f p1 = geometry.positions[index[1]];
+  Vec3f p2 = geometry.positions[index[2]];
   if (instance == nullptr) return {p0, p1, p2};
   return {instance->point(p0), instance->point(p1), instance->point(p2)};
 }
@@ -72,18 +72,18 @@ struct Corners {
   const float least = std::min(0.9f * z, 0.01f);
   const float height = 2 * dot(shading, wo) * dot(shading, geometric) - z;
   if (height >= least) return shading;
-  const Vec3f aside = shading - geometric * dot(shading, geometric);
+  Vec3f aside = shading - geometric * dot(shading, geometric);
   const float length2 = dot(aside, aside);
   if (!(length2 > 0)) return geometric;
-  const Vec3f tangent = aside / std::sqrt(length2);
+  Vec3f tangent = aside / std::sqrt(length2);
   const float x = dot(tangent, wo);
   const float r = std::sqrt(x * x + z * z);
   if (!(r > 0)) return geometric;
   const float cosine = least / r;
   const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
-  const Vec3f doubled =
+  Vec3f doubled =
       tangent * ((x * cosine + z * sine) / r) + geometric * ((z * cosine - x * sine) / r);
-  const Vec3f halfway = geometric + doubled;
+  Vec3f halfway = geometric + doubled;
   const float halfway2 = dot(halfway, halfway);
   return halfway2 > 0 ? halfway / std::sqrt(halfway2) : geometric;
 }
@@ -94,7 +94,7 @@ struct Corners {
                                                      const Instance* instance, const Hit& hit,
                                                      const Vec3f& wo, bool with_uv) {
   using namespace surface_point_detail;
-  const Corners c = corners_of(geometry, hit.triangle, instance);
+  Corners c = corners_of(geometry, hit.triangle, instance);
   const auto& index = geometry.triangles[hit.triangle];
   const float b0 = 1 - hit.u - hit.v;
   const Float4 p0 = to_lanes(c.p0), p1 = to_lanes(c.p1), p2 = to_lanes(c.p2);
@@ -128,9 +128,9 @@ struct Corners {
     }
   }
   if (with_uv && !geometry.uvs.empty()) {
-    const Vec2f t0 = geometry.uvs[index[0]];
-    const Vec2f d1 = geometry.uvs[index[1]] - t0;
-    const Vec2f d2 = geometry.uvs[index[2]] - t0;
+    Vec2f t0 = geometry.uvs[index[0]];
+    Vec2f d1 = geometry.uvs[index[1]] - t0;
+    Vec2f d2 = geometry.uvs[index[2]] - t0;
     point.uv = t0 + d1 * hit.u + d2 * hit.v;
     const float determinant = difference_of_products(d1.x, d2.y, d1.y, d2.x);
     if (determinant != 0) {
@@ -148,7 +148,7 @@ inline void set_shading_frame(SurfacePoint& point, const Vec3f& wo) {
     return;
   }
   const Vec3f& front = point.front_normal;
-  const Vec3f facing = dot(front, point.geometric_normal) < 0 ? -front : front;
+  Vec3f facing = dot(front, point.geometric_normal) < 0 ? -front : front;
   point.shading = frame_from_normal(valid_shading_normal(facing, point.geometric_normal, wo));
 }
 
