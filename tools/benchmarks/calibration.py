@@ -187,11 +187,11 @@ STOP_SCENES = ("cornell_box_diffuse", "cornell_box", "cutouts", "furnace")
 
 def stops(candela, options):
     """Does --error X end with a true error near X?"""
-    size = 32
+    size = 64
     for scene in all_scenes(options):
         if scene.name not in STOP_SCENES:
             continue
-        truth = reference(candela, scene, size, 1 << 13)
+        truth = reference(candela, scene, size, 1 << 12)
         once = candela.render("stop", scene.path, png=False, integrator="path", spp=64,
                               size=square(size), seed=1)
         goal = float(f"{once.stats['error']['rmse']:.2g}")  # reached near 64 samples
