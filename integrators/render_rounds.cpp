@@ -13,6 +13,12 @@ bool is_set(const CancelFlag* flag) {
   return flag != nullptr && flag->load(std::memory_order_relaxed);
 }
 
+// What decides whether to stop: half the way to the upper end of the interval of what is stated, so
+// that a picture seldom ends since its error is understated just then.
+double deciding_relmse(const ErrorEstimate& error) {
+  return (error.relmse + error.interval95.high) / 2;
+}
+
 // How many samples a pixel still fit into the time, from how long those so far took.
 class TimeBudget {
  public:
@@ -102,11 +108,11 @@ class Loop {
 
   [[nodiscard]] std::optional<ErrorGoal> goal(const std::optional<ErrorEstimate>& error) const {
     if (!options_.target_relmse) return {};
-    return ErrorGoal{error ? error->relmse : std::numeric_limits<double>::infinity(),
+    return ErrorGoal{error ? deciding_relmse(*error) : std::numeric_limits<double>::infinity(),
                      *options_.target_relmse};
   }
   [[nodiscard]] bool reaches_goal(const std::optional<ErrorEstimate>& error) const {
-    return options_.target_relmse && error && error->relmse <= *options_.target_relmse;
+    return options_.target_relmse && error && deciding_relmse(*error) <= *options_.target_relmse;
   }
 
   // `error`: as of the last round; the rules then tell how many samples there will be.

@@ -2,8 +2,8 @@
 
 #include "integrators/path/kernels.h"
 #include "integrators/render.h"
-#include "renderer/film/tiles.h"
 #include "renderer/base/thread_clock.h"
+#include "renderer/film/tiles.h"
 
 namespace candela {
 namespace {

@@ -151,8 +151,8 @@ TileCounts render_report_tile(const ReportContext<A>& context, const PixelRect& 
       for (std::uint32_t s = first_sample; s < end_sample; ++s) {
         const Sampler sampler = pixel.at(s);
         const Ray ray = camera_ray<general_features>(context.base, sampler, x, y);
-        add_or_count(shade(context, sampler, ray, counts), x, y, s, context.base.options.clamp, film,
-                     counts);
+        add_or_count(shade(context, sampler, ray, counts), x, y, s, context.base.options.clamp,
+                     film, counts);
       }
     }
   }

@@ -115,6 +115,7 @@ bool EmbreeAccel::State::count_bytes(void* state, ssize_t bytes, bool /*is_done*
   State& self = *static_cast<State*>(state);
   self.callbacks.enter();
   const std::size_t now = self.bytes += static_cast<std::size_t>(bytes);
+  self.callbacks.leave();
   return bytes <= 0 || self.options.memory_limit_bytes == 0 ||
          now <= self.options.memory_limit_bytes;
 }

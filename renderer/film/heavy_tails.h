@@ -8,8 +8,8 @@
 
 namespace candela {
 
-// One flag a pixel of the crop, in rows from the top. Regions are blocks of 8x8 pixels: those in which
-// one replicate holds most of the light, be it of the whole region or of most of its pixels.
+// One flag a pixel of the crop, in rows from the top. Regions are blocks of 8x8 pixels: those in
+// which one replicate holds most of the light, be it of the whole region or of most of its pixels.
 [[nodiscard]] std::vector<bool> heavy_tail_mask(const Film& film);
 
 }  // namespace candela

@@ -236,7 +236,8 @@ def table(rows):
                   "|---|" + "---:|" * len(counts)]
         for scene in dict.fromkeys(r["scene"] for r in rows):
             by_spp = {r["spp"]: r for r in rows if r["scene"] == scene}
-            cells = [form.format(by_spp[n][key]) if n in by_spp else "" for n in counts]
+            cells = ["" if n not in by_spp else "-" if math.isnan(by_spp[n][key])
+                     else form.format(by_spp[n][key]) for n in counts]
             lines.append(f"| {scene} | " + " | ".join(cells) + " |")
         lines.append("")
     return "\n".join(lines)
