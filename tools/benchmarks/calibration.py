@@ -243,15 +243,30 @@ def table(rows):
     return "\n".join(lines)
 
 
+GOAL = (.8, 1.25)
+SHOWN = (.25, 4)  # what lies beyond is drawn at the edge
+
+
 def plot(out, rows):
+    import matplotlib.pyplot
     import plots
-    names = list(dict.fromkeys(r["scene"] for r in rows))
-    for key, label, name in (("stated_over_true", "stated / true relMSE", "calibration"),
-                             ("pixels_covered", "pixels within their 95 % interval", "coverage")):
-        curves = [(scene, [r["spp"] for r in rows if r["scene"] == scene],
-                   [r[key] for r in rows if r["scene"] == scene], {"lw": 1})
-                  for scene in names]
-        plots.line_plot(out / f"{name}.png", curves, "samples a pixel", label, log_x=True)
+    figure, axes = matplotlib.pyplot.subplots(figsize=(8, 4), layout="constrained")
+    marks = "os^vDP*X"
+    for index, scene in enumerate(dict.fromkeys(r["scene"] for r in rows)):
+        mine = [r for r in rows if r["scene"] == scene]
+        axes.plot([r["spp"] * 1.03 ** (index - 7) for r in mine],
+                  [min(max(r["stated_over_true"], SHOWN[0]), SHOWN[1]) for r in mine],
+                  marks[index % len(marks)] + "-", lw=.6, ms=5, label=scene)
+    counts = sorted({r["spp"] for r in rows})
+    axes.axhspan(*GOAL, color="0.9", label="goal from 16 on")
+    axes.set_xscale("log", base=2)
+    axes.set_xticks(counts, counts)
+    axes.set_yscale("log", base=2)
+    ticks = [SHOWN[0], .5, *GOAL, 1, 2, SHOWN[1]]
+    axes.set_yticks(ticks, [f"{t:g}" for t in ticks])
+    axes.set(xlabel="samples a pixel", ylabel="stated / true relMSE", ylim=(.22, 4.5))
+    axes.legend(loc="center left", bbox_to_anchor=(1, .5), fontsize=8)
+    plots.save(figure, out / "calibration.png")
 
 
 def run(options):
