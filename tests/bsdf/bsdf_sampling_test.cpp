@@ -4,6 +4,7 @@
 
 #include "renderer/bsdf/dispatch.h"
 #include "tests/bsdf/bsdf_cases.h"
+#include "tests/bsdf/test_sampler.h"
 #include "tests/statistics/direction_sampling.h"
 #include "tests/statistics/distributions.h"
 #include "tests/statistics/moments.h"
@@ -42,13 +43,7 @@ std::vector<SamplerCase> sampler_cases() {
 
 statistics::DirectionTestResult test_sampler(const Bsdf& bsdf, const Vec3f& wo,
                                              std::uint64_t seed) {
-  const auto sampler = [&](float lobe, Vec2f direction) -> std::optional<Vec3f> {
-    const BsdfSample sample = sample_bsdf(bsdf, wo, lobe, direction);
-    if (!(sample.pdf > 0)) return std::nullopt;
-    return sample.wi;
-  };
-  const auto density = [&](const Vec3f& wi) { return double{evaluate_bsdf(bsdf, wo, wi).pdf}; };
-  return test_directions(sampler, density, grid_for(bsdf, wo), seed, sample_count);
+  return tests::test_sampler(bsdf, wo, grid_for(bsdf, wo), seed, sample_count);
 }
 
 TEST(Statistical_BsdfSampling, DirectionsFollowTheDensity) {

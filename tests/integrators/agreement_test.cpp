@@ -77,15 +77,6 @@ Scene compiled(const description::SceneDescription& description) {
   return test::compiled(description, test::settings_of(size, 1).options);
 }
 
-std::vector<double> grey(const Image& image) {
-  std::vector<double> values;
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      values.push_back(
-          (image.pixel(x, y)[0] + double{image.pixel(x, y)[1]} + image.pixel(x, y)[2]) / 3);
-  return values;
-}
-
 // Seeds of their own for each setting: common random numbers would hide what they share.
 Replicates replicates_of(const Scene& scene, const Setting& setting, std::uint64_t first_seed) {
   RenderSettings settings = test::settings_of(size, samples_per_pixel);
@@ -93,7 +84,7 @@ Replicates replicates_of(const Scene& scene, const Setting& setting, std::uint64
   Replicates replicates{setting.name, size, size, {}};
   for (int i = 0; i < replicate_count; ++i) {
     settings.options.seed = first_seed + static_cast<std::uint64_t>(i);
-    replicates.images.push_back(grey(test::rendered(scene, settings).film.to_image(false)));
+    replicates.images.push_back(test::grey(test::rendered(scene, settings).film.to_image(false)));
   }
   return replicates;
 }

@@ -38,6 +38,15 @@ RenderResult rendered(const description::SceneDescription& description,
   return rendered(scene, settings);
 }
 
+std::vector<double> grey(const Image& image) {
+  std::vector<double> values;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      values.push_back(
+          (image.pixel(x, y)[0] + double{image.pixel(x, y)[1]} + image.pixel(x, y)[2]) / 3);
+  return values;
+}
+
 double mean_of(const Image& image) {
   double sum = 0;
   for (std::size_t i = 0; i < image.pixel_count(); ++i)

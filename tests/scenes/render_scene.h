@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "integrators/render.h"
 #include "renderer/description/scene_description.h"
@@ -25,6 +26,9 @@ struct RenderSettings {
 [[nodiscard]] RenderResult rendered(const description::SceneDescription& description,
                                     const RenderSettings& settings);
 [[nodiscard]] RenderResult rendered(const Scene& scene, const RenderSettings& settings);
+
+// Each pixel's mean of R, G, B, in rows from the top.
+[[nodiscard]] std::vector<double> grey(const Image& image);
 
 // Mean over all pixels and the three colour channels.
 [[nodiscard]] double mean_of(const Image& image);

@@ -7,6 +7,7 @@
 #include "renderer/bsdf/dispatch.h"
 #include "renderer/sampling/hash.h"
 #include "tests/bsdf/bsdf_cases.h"
+#include "tests/bsdf/test_sampler.h"
 #include "tests/statistics/direction_sampling.h"
 #include "tests/statistics/distributions.h"
 #include "tests/stress/material_cases.h"
@@ -73,13 +74,7 @@ int sample_count(const Bsdf& bsdf) {
 
 statistics::DirectionTestResult test_sampler(const Bsdf& bsdf, const Vec3f& wo,
                                              std::uint64_t seed) {
-  const auto sampler = [&](float lobe, Vec2f direction) -> std::optional<Vec3f> {
-    const BsdfSample sample = sample_bsdf(bsdf, wo, lobe, direction);
-    if (!(sample.pdf > 0)) return std::nullopt;
-    return sample.wi;
-  };
-  const auto density = [&](const Vec3f& wi) { return double{evaluate_bsdf(bsdf, wo, wi).pdf}; };
-  return test_directions(sampler, density, grid_for(bsdf, wo), seed, sample_count(bsdf));
+  return tests::test_sampler(bsdf, wo, grid_for(bsdf, wo), seed, sample_count(bsdf));
 }
 
 // The densities' integrals over narrow cells take the time: the default suite does one in 23.

@@ -10,15 +10,6 @@
 namespace candela::test {
 namespace {
 
-std::vector<double> grey(const Image& image) {
-  std::vector<double> values;
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      values.push_back(
-          (image.pixel(x, y)[0] + double{image.pixel(x, y)[1]} + image.pixel(x, y)[2]) / 3);
-  return values;
-}
-
 // Every other render, from the `first` on: the even ones of one scene and the odd ones of the other
 // share no seed.
 statistics::Replicates every_other(const Renders& renders, std::size_t first) {

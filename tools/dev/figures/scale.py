@@ -34,4 +34,4 @@ FULL = Scale("full", 400, SPP, references(4096, 1024), 64, 1024, 256, 16, 360, 1
              ROUGHNESS)
 QUICK = Scale("quick", 128, SPP, references(2048, 1024), 64, 512, 64, 16, 160, 8, 64, 32, 48, 64,
               ROUGHNESS)
-TINY = Scale("tiny", 32, (1, 4), references(64, 64), 4, 128, 4, 4, 32, 1, 16, 4, 16, 16, (.2, 1))
+TINY = Scale("tiny", 32, (1, 4), references(64, 64), 4, 128, 4, 16, 32, 1, 16, 4, 16, 16, (.2, 1))
