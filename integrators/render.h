@@ -37,7 +37,7 @@ struct RenderOptions {
   // (rounds.h); the time limit may leave some pixels one sample short, or without any where it does
   // not suffice for one.
   int samples_per_pixel = 64;  // whitted and raster: a square number, else the grid has gaps
-  std::optional<double> target_relmse;  // stated; needs replicates
+  std::optional<double> target_relmse;  // to be safely below (render_rounds.cpp); needs replicates
   std::optional<double> time_limit_seconds;
   // Independently randomised sequences a pixel, whose spread states the error; at most
   // samples_per_pixel are used. 1: none is stated. whitted and raster have no error to state.

@@ -109,9 +109,9 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
             "Stop at so many samples a pixel; a square number for whitted and raster [the scene's, "
             "else 64, or 16 for whitted and raster; no limit where another rule is given]");
   add_value(command, "--error", "E", render.error_goal, parse_error_goal,
-            "Stop when the stated rMSE is at most E, such as 1%");
+            "Stop when the stated rMSE is safely below E, such as 1%");
   add_value(command, "--relmse", "E", render.relmse_goal, parse_positive_number,
-            "Stop when the stated relMSE is at most E, such as 1e-4");
+            "Stop when the stated relMSE is safely below E, such as 1e-4");
   add_value(command, "--time", "T", render.time_limit_seconds, parse_duration,
             "Stop rendering after this time, such as 60s, 5m or 1h");
   add_value(command, "--replicates", "R", render.replicates, integer_between(1, max_replicates),
