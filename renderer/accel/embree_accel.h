@@ -10,7 +10,7 @@ namespace candela {
 
 struct EmbreeOptions {
   // RTC_SCENE_FLAG_ROBUST: no ray slips between triangles that share an edge, and none meets the
-  // face that it left (docs/accuracy.md tells what happens without, and what it costs).
+  // face that it left (docs/accuracy_stress.md tells what happens without, and what it costs).
   bool robust = true;
   // Building fails as if out of memory beyond this; 0: no limit.
   std::size_t memory_limit_bytes = 0;

@@ -138,7 +138,7 @@ Interval interval_of(const ErrorSums& errors, double pixels, double replicates) 
   if (!(errors.squares > 0)) return {};
   const double variance = errors.squares * 2 * replicates / (replicates + 1);
   const double degrees = (replicates - 1) * errors.sum * errors.sum / errors.squares;
-  constexpr double common = 0.1;  // share of the sum, one and a half deviations
+  constexpr double common = 0.1;  // share of the sum that the levels may be off by
   const double reach = std::hypot(student_t_95(degrees) * std::sqrt(variance), common * errors.sum);
   return {std::max(errors.sum - reach, 0.0) / pixels, (errors.sum + reach) / pixels};
 }
