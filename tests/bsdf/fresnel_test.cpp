@@ -6,25 +6,19 @@
 #include <limits>
 
 #include "renderer/math/constants.h"
+#include "tests/bsdf/reference_bsdf.h"
 
 namespace candela {
 namespace {
 
-// The textbook's amplitudes with a complex index, in double.
-double exact_reflectance(double cos_theta, std::complex<double> eta) {
-  const double sin2 = 1 - cos_theta * cos_theta;
-  const std::complex<double> cos_t = std::sqrt(1.0 - sin2 / (eta * eta));
-  const std::complex<double> s = (cos_theta - eta * cos_t) / (cos_theta + eta * cos_t);
-  const std::complex<double> p = (eta * cos_theta - cos_t) / (eta * cos_theta + cos_t);
-  return 0.5 * (std::norm(s) + std::norm(p));
-}
+using tests::exact_fresnel;
 
 TEST(Unit_Fresnel, DielectricMatchesTheAmplitudes) {
   for (const float eta : {1.0001f, 1.33f, 1.5f, 2.4f, 1000.0f, 1 / 1.33f, 0.5f})
     for (int i = 1; i <= 1000; ++i) {
       const float cos_theta = static_cast<float>(i) / 1000;
       const DielectricFresnel fresnel = fresnel_dielectric(cos_theta, eta);
-      ASSERT_NEAR(fresnel.reflectance, exact_reflectance(cos_theta, {eta, -1e-30}), 2e-5)
+      ASSERT_NEAR(fresnel.reflectance, exact_fresnel(cos_theta, {eta, -1e-30}), 2e-5)
           << eta << " " << cos_theta;
     }
 }
@@ -35,7 +29,7 @@ TEST(Unit_Fresnel, ConductorMatchesTheAmplitudes) {
       for (int i = 1; i <= 1000; ++i) {
         const float cos_theta = static_cast<float>(i) / 1000;
         ASSERT_NEAR(fresnel_conductor(cos_theta, eta, k),
-                    exact_reflectance(cos_theta, {eta, -static_cast<double>(k)}), 1e-4)
+                    exact_fresnel(cos_theta, {eta, -static_cast<double>(k)}), 1e-4)
             << eta << " " << k << " " << cos_theta;
       }
 }

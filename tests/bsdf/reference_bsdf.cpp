@@ -6,9 +6,7 @@
 #include "renderer/math/constants.h"
 
 namespace candela::tests {
-namespace {
 
-// Of the amplitudes with a complex index; `eta` of the far side over the near side.
 double exact_fresnel(double cos_theta, std::complex<double> eta) {
   const double sin2 = 1 - cos_theta * cos_theta;
   const std::complex<double> cos_t = std::sqrt(1.0 - sin2 / (eta * eta));
@@ -16,6 +14,9 @@ double exact_fresnel(double cos_theta, std::complex<double> eta) {
   const std::complex<double> p = (eta * cos_theta - cos_t) / (eta * cos_theta + cos_t);
   return std::min(1.0, 0.5 * (std::norm(s) + std::norm(p)));
 }
+
+namespace {
+
 double schlick(double f0, double f90, double cos_theta) {
   return f0 + (f90 - f0) * std::pow(1 - cos_theta, 5);
 }

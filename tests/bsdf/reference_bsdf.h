@@ -3,10 +3,16 @@
 // (Not the compensated model, which is a table.)
 #pragma once
 
+#include <complex>
+
 #include "renderer/bsdf/bsdf.h"
 #include "renderer/math/vec.h"
 
 namespace candela::tests {
+
+// Fresnel's reflectance from the amplitudes with a complex index; `eta` of the far side over the
+// near side.
+[[nodiscard]] double exact_fresnel(double cos_theta, std::complex<double> eta);
 
 // f |cos(theta_i)| of the lobes that are not delta lobes. Unit vectors, wo.z > 0.
 [[nodiscard]] double reference_value(const Bsdf& bsdf, const Vec3d& wo, const Vec3d& wi);

@@ -47,15 +47,19 @@ TEST(Unit_NeighbourLevel, KnowsNoiseFromStructure) {
   });
   double of_noise = 0;
   double own = 0;
+  double own_of_structured = 0;
   double of_structure = 0;
   for (const NeighbourLevel& level : neighbour_levels(noisy, noisy.crop())) {
     of_noise += level.structure.x / (size * size);
     own += level.own_variance.x / (size * size);
   }
-  for (const NeighbourLevel& level : neighbour_levels(structured, structured.crop()))
-    of_structure += level.own_variance.x;
+  for (const NeighbourLevel& level : neighbour_levels(structured, structured.crop())) {
+    own_of_structured += level.own_variance.x;
+    of_structure += level.structure.x;
+  }
   EXPECT_LT(of_noise, own / 4);
-  EXPECT_NEAR(of_structure, 0, 1e-12);
+  EXPECT_NEAR(own_of_structured, 0, 1e-12);
+  EXPECT_GT(of_structure / (size * size), own);
 }
 
 // Blocks cut the picture, and change nothing.

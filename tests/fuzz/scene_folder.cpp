@@ -1,4 +1,5 @@
 #include "tests/fuzz/scene_folder.h"
+#include "tests/scenes/folder_guard.h"
 
 #include <unistd.h>
 
@@ -31,18 +32,10 @@ std::string make_folder() {
   return folder.string() + "/";
 }
 
-struct Folder {
-  std::string path = make_folder();
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-};
-
 }  // namespace
 
 const std::string& scene_folder() {
-  static const Folder folder;
+  static const test::FolderGuard folder{make_folder()};
   return folder.path;
 }
 

@@ -67,6 +67,19 @@ std::optional<double> finite(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
+bool is_positive(double value) {
+  return value > 0;
+}
+
+// The number that `number`, a part of `text`, is, in its unit; else what was expected of the text.
+Result<double> number_in(std::string_view text, std::string_view number, bool (*is_good)(double),
+                         std::string_view wanted, double unit = 1) {
+  const std::optional<double> value = finite(number);
+  if (!value || !is_good(*value))
+    return failure(fmt::format("expected {}, found '{}'", wanted, text));
+  return *value * unit;
+}
+
 }  // namespace
 
 std::span<const Choice<IntegratorKind>> integrator_choices() {
@@ -123,38 +136,30 @@ Result<std::uint64_t> parse_seed(std::string_view text) {
 }
 
 Result<double> parse_number(std::string_view text) {
-  const std::optional<double> value = finite(text);
-  if (!value) return failure(fmt::format("expected a number, found '{}'", text));
-  return double(*value);
+  return number_in(
+      text, text, [](double) { return true; }, "a number");
 }
 
 Result<double> parse_non_negative_number(std::string_view text) {
-  const std::optional<double> value = finite(text);
-  if (!value || *value < 0)
-    return failure(fmt::format("expected a number of at least 0, found '{}'", text));
-  return double(*value);
+  return number_in(
+      text, text, [](double value) { return value >= 0; }, "a number of at least 0");
 }
 
 Result<double> parse_positive_number(std::string_view text) {
-  const std::optional<double> value = finite(text);
-  if (!value || *value <= 0)
-    return failure(fmt::format("expected a number above 0, found '{}'", text));
-  return double(*value);
+  return number_in(text, text, is_positive, "a number above 0");
 }
 
 Result<double> parse_probability(std::string_view text) {
-  const std::optional<double> value = finite(text);
-  if (!value || !(static_cast<float>(*value) > 0) || *value > 1)
-    return failure(fmt::format("expected a number above 0 and up to 1, found '{}'", text));
-  return double(*value);
+  const auto is_probability = [](double value) {
+    return static_cast<float>(value) > 0 && value <= 1;
+  };
+  return number_in(text, text, is_probability, "a number above 0 and up to 1");
 }
 
 Result<double> parse_error_goal(std::string_view text) {
   const bool is_percentage = text.ends_with('%');
-  const std::optional<double> value = finite(text.substr(0, text.size() - (is_percentage ? 1 : 0)));
-  if (!value || *value <= 0)
-    return failure(fmt::format("expected an error above 0 such as 1% or 0.01, found '{}'", text));
-  return *value / (is_percentage ? 100 : 1);
+  return number_in(text, text.substr(0, text.size() - (is_percentage ? 1 : 0)), is_positive,
+                   "an error above 0 such as 1% or 0.01", is_percentage ? 0.01 : 1);
 }
 
 Result<double> parse_duration(std::string_view text) {
@@ -165,10 +170,7 @@ Result<double> parse_duration(std::string_view text) {
       unit = seconds;
       number.remove_suffix(1);
     }
-  const std::optional<double> value = finite(number);
-  if (!value || *value <= 0)
-    return failure(fmt::format("expected a time above 0 such as 60s, 5m or 1h, found '{}'", text));
-  return *value * unit;
+  return number_in(text, number, is_positive, "a time above 0 such as 60s, 5m or 1h", unit);
 }
 
 Result<Size> parse_size(std::string_view text) {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "scene_io/lab3/read_lab3.h"
+#include "tests/scenes/folder_guard.h"
 
 namespace candela::test {
 namespace {
@@ -47,15 +48,6 @@ std::string make_folder() {
   return folder.string() + "/";
 }
 
-// The folder goes when the program ends.
-struct Folder {
-  std::string path = make_folder();
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-};
-
 std::string without_file(const Diagnostic& diagnostic) {
   if (diagnostic.span.line == 0) return diagnostic.message;
   return fmt::format("{}:{}: {}", diagnostic.span.line, diagnostic.span.column, diagnostic.message);
@@ -70,7 +62,7 @@ std::string only_one(const std::vector<std::string>& sentences) {
 }  // namespace
 
 const std::string& lab3_folder() {
-  static const Folder folder;
+  static const FolderGuard folder{make_folder()};
   return folder.path;
 }
 
