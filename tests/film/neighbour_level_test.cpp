@@ -38,28 +38,34 @@ TEST(Unit_NeighbourLevel, LeavesThePixelItselfOut) {
   EXPECT_EQ(before.wide_mean, after.wide_mean);
 }
 
+NeighbourLevel mean_level(const Film& film) {
+  NeighbourLevel mean;
+  for (const NeighbourLevel& level : neighbour_levels(film, film.crop())) {
+    mean.structure += level.structure / static_cast<double>(size * size);
+    mean.own_variance += level.own_variance / static_cast<double>(size * size);
+  }
+  return mean;
+}
+
 TEST(Unit_NeighbourLevel, KnowsNoiseFromStructure) {
-  const Film noisy = test::synthetic_film(size, 16, 4, 3, [](std::mt19937_64& random, int, int) {
+  const auto exponential = [](std::mt19937_64& random) {
     return std::exponential_distribution<double>(1)(random);
-  });
-  const Film structured = test::synthetic_film(size, 16, 4, 3, [](std::mt19937_64&, int x, int y) {
-    return 1 + 0.25 * ((x * 7 + y * 5) % 3);
-  });
-  double of_noise = 0;
-  double own = 0;
-  double own_of_structured = 0;
-  double of_structure = 0;
-  for (const NeighbourLevel& level : neighbour_levels(noisy, noisy.crop())) {
-    of_noise += level.structure.x / (size * size);
-    own += level.own_variance.x / (size * size);
-  }
-  for (const NeighbourLevel& level : neighbour_levels(structured, structured.crop())) {
-    own_of_structured += level.own_variance.x;
-    of_structure += level.structure.x;
-  }
-  EXPECT_LT(of_noise, own / 4);
-  EXPECT_NEAR(own_of_structured, 0, 1e-12);
-  EXPECT_GT(of_structure / (size * size), own);
+  };
+  const auto pattern = [](int x, int y) { return 0.25 * ((x * 7 + y * 5) % 3); };
+  const auto film_of = [](const auto& value) {
+    return test::synthetic_film(size, 16, 4, 3, value);
+  };
+  const NeighbourLevel noise =
+      mean_level(film_of([&](std::mt19937_64& random, int, int) { return exponential(random); }));
+  const NeighbourLevel structure =
+      mean_level(film_of([&](std::mt19937_64&, int x, int y) { return 1 + pattern(x, y); }));
+  const NeighbourLevel both = mean_level(film_of(
+      [&](std::mt19937_64& random, int x, int y) { return exponential(random) + pattern(x, y); }));
+  constexpr double of_pattern = 0.25 * 0.25 * 2 / 3;
+  EXPECT_LT(noise.structure.x, noise.own_variance.x / 4);
+  EXPECT_NEAR(structure.own_variance.x, 0, 1e-12);
+  EXPECT_GT(both.structure.x, noise.structure.x + of_pattern / 4);
+  EXPECT_LT(both.structure.x, of_pattern * 1.25);
 }
 
 // Blocks cut the picture, and change nothing.
