@@ -18,6 +18,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS
     "--param=inline-unit-growth=500;--param=large-function-growth=5000;--param=max-inline-insns-auto=200;--param=max-inline-insns-single=1000")
 endif()
+# Loops over lanes become vectors there; a precompiled header would undo the option.
+set_source_files_properties(renderer/sampling/sampler_block.cpp PROPERTIES
+  SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS -O3)
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)

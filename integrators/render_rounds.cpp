@@ -79,7 +79,7 @@ class Loop {
   std::optional<StopReason> render_round(std::uint32_t end,
                                          const std::optional<ErrorEstimate>& error) {
     while (done_ < end) {
-      SampleRange pass = next_pass(done_, end);
+      SampleRange pass = next_pass(done_, end, is_long());
       if (done_ > 0) {
         constexpr double caution = 0.95;  // the next pass may be slower
         const double fitting = caution * budget_.samples_in_time(done_);
@@ -93,6 +93,14 @@ class Loop {
       if (budget_.is_spent()) return StopReason::Time;
     }
     return {};
+  }
+
+  // Where a first block might take more than a few seconds, or too much of the time that there is.
+  [[nodiscard]] bool is_long() const {
+    constexpr std::uint64_t samples_of_seconds = 1u << 23;
+    const std::uint64_t pixels =
+        static_cast<std::uint64_t>(options_.width) * static_cast<std::uint64_t>(options_.height);
+    return options_.time_limit_seconds || pixels * whole_block > samples_of_seconds;
   }
 
   void render_pass(const SampleRange& pass) {

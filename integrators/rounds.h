@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 
 namespace candela {
@@ -26,28 +27,40 @@ struct ErrorGoal {
   return static_cast<double>(samples) * goal.relmse / goal.wanted;
 }
 
-inline constexpr double largest_growth = 1.3;  // of a round that is followed by a decision
+// Of a round that is followed by a decision; and by how much less it may grow for whole blocks.
+inline constexpr double largest_growth = 1.3;
+inline constexpr double smallest_growth = 1.1;
+
+// Samples that are traced together (trace_block.h): ranges that are cut at their multiples are
+// the fastest.
+inline constexpr std::uint32_t whole_block = 16;
 
 // Where the round after `done` samples ends: multiples of the replicates, so that all hold equally
-// many. Four samples a replicate first. Towards a goal the picture then grows by 1.3 at most, and
-// not beyond what the goal seems to need; else it doubles.
+// many, and of whole blocks, too, as soon as the growth allows. Four samples a replicate first.
+// Towards a goal the picture then grows by 1.3 at most, and not beyond what the goal seems to need;
+// else it doubles.
 [[nodiscard]] inline std::uint32_t round_end(std::uint32_t done, std::uint32_t replicates,
                                              std::uint32_t most,
                                              const std::optional<ErrorGoal>& goal) {
   constexpr std::uint32_t first_samples = 4;  // a replicate
   if (done < first_samples * replicates) return std::min(first_samples * replicates, most);
   const double now = done;
-  const double grown = std::floor((goal ? largest_growth : 2) * now / replicates) * replicates;
+  const double most_grown = (goal ? largest_growth : 2) * now;
+  const auto multiple_below = [](double n, double step) { return std::floor(n / step) * step; };
+  const std::uint32_t whole = std::lcm(replicates, whole_block);
+  const double step =
+      multiple_below(most_grown, whole) > smallest_growth * now ? whole : replicates;
   const double needed =
-      goal ? std::ceil(samples_for(*goal, done) / replicates) * replicates : grown;
-  const double end = std::max(std::min(needed, grown), now + replicates);
+      goal ? std::ceil(samples_for(*goal, done) / step) * step : multiple_below(most_grown, step);
+  const double end = std::max(std::min(needed, multiple_below(most_grown, step)),
+                              multiple_below(now, step) + step);
   return end < most ? static_cast<std::uint32_t>(end) : most;
 }
 
-// One sample first, so that an interrupted picture is whole early; then up to multiples of sixteen.
-[[nodiscard]] inline SampleRange next_pass(std::uint32_t done, std::uint32_t end) {
-  constexpr std::uint32_t block = 16;
-  const std::uint32_t block_end = done == 0 ? 1 : (done / block + 1) * block;
+// Block by block; of a long render one sample first, so that what an interruption leaves is whole
+// early.
+[[nodiscard]] inline SampleRange next_pass(std::uint32_t done, std::uint32_t end, bool is_long) {
+  const std::uint32_t block_end = is_long && done == 0 ? 1 : (done / whole_block + 1) * whole_block;
   return {done, std::min(block_end, end)};
 }
 

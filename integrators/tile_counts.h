@@ -32,12 +32,17 @@ struct TileCounts {
 
 // Invalid radiance never enters the film: it is counted and located (invariant 4). What is above
 // `clamp` in any channel is dimmed to it.
-inline void add_or_count(FilmSample sample, int x, int y, std::uint32_t index, float clamp,
+inline void add_or_count(const FilmSample& sample, int x, int y, std::uint32_t index, float clamp,
                          Film& film, TileCounts& counts) {
   if (is_finite(sample.radiance) && min_component(sample.radiance) >= 0) {
     const float largest = max_component(sample.radiance);
-    if (largest > clamp) sample.radiance *= clamp / largest;
-    film.add(x, y, sample);
+    if (largest > clamp) {
+      FilmSample clamped = sample;
+      clamped.radiance *= clamp / largest;
+      film.add(x, y, clamped);
+    } else {
+      film.add(x, y, sample);
+    }
     return;
   }
   film.add_invalid(x, y);

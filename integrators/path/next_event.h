@@ -60,18 +60,16 @@ template <FeatureSet F, class A>
   return {contribution, light.shadow_ray};
 }
 
-// Of the light that is picked by power.
+// Of the light that is picked by power; `choice`: 32 random bits.
 template <FeatureSet F, class A>
-[[nodiscard]] inline DirectLight picked_light(const PathContext<A>& context, const Sampler& sampler,
-                                              std::uint32_t bounce, const SurfacePoint& point,
-                                              const Bsdf& bsdf, const Vec3f& wo_local,
-                                              TileCounts& counts) {
+[[nodiscard]] inline DirectLight picked_light(const PathContext<A>& context, std::uint32_t choice,
+                                              Vec2f u, const SurfacePoint& point, const Bsdf& bsdf,
+                                              const Vec3f& wo_local, TileCounts& counts) {
   const LightSampler& lights = context.scene.light_sampler;
   if (!lights.has_table()) return {};
-  LightPick pick = lights.pick(sampler.sample_1d_bits(bounce, Dimension::LightChoice));
-  return sample_direct_light<F>(context, pick.light,
-                                sampler.sample_2d(bounce, Dimension::LightPoint), pick.probability,
-                                point, bsdf, wo_local, counts);
+  LightPick pick = lights.pick(choice);
+  return sample_direct_light<F>(context, pick.light, u, pick.probability, point, bsdf, wo_local,
+                                counts);
 }
 
 template <class A>

@@ -1,20 +1,48 @@
 // A tile's pixels through the path kernel: camera rays in, film samples out.
 #pragma once
 
-#include "integrators/path/trace_path.h"
+#include "integrators/path/trace_block.h"
 
 namespace candela {
 
 // The camera ray of one sample; the filter chooses its place (filter importance sampling).
 template <FeatureSet F, class A>
-[[nodiscard]] inline Ray camera_ray(const PathContext<A>& context, const Sampler& sampler, int x,
+[[nodiscard]] inline Ray camera_ray(const PathContext<A>& context, Vec2f filter, Vec2f lens, int x,
                                     int y) {
-  Vec2f place = context.filter.sample(sampler.sample_2d(0, Dimension::Filter));
+  Vec2f place = context.filter.sample(filter);
   Vec2f film{(static_cast<float>(x) + 0.5f + place.x) / static_cast<float>(context.options.width),
              (static_cast<float>(y) + 0.5f + place.y) / static_cast<float>(context.options.height)};
   if constexpr (!F.thin_lens) return context.camera.generate_ray(film, Vec2f(0));
-  Vec2f lens = context.camera.lens_radius > 0 ? sampler.sample_2d(0, Dimension::Lens) : Vec2f(0);
   return context.camera.generate_ray(film, lens);
+}
+
+// The samples of `lanes` of the pixel's block that begins at `base`.
+template <FeatureSet F, class A>
+inline void render_block(const PathContext<A>& context, const PixelSampler& pixel, int x, int y,
+                         std::uint32_t base, LaneMask lanes, PathBlock& block, Film& film,
+                         TileCounts& counts) {
+  const SamplerBlock samplers(pixel, base);
+  SobolPointLanes filter;
+  SobolPointLanes lens{};
+  samplers.sample_2d(0, Dimension::Filter, filter);
+  if (F.thin_lens && context.camera.lens_radius > 0) samplers.sample_2d(0, Dimension::Lens, lens);
+  for_each_lane(lanes, [&](std::uint32_t i) {
+    block.paths[i] =
+        PathState{.ray = camera_ray<F>(context, unit_point(filter, i), unit_point(lens, i), x, y)};
+    block.samples[i].alpha = 1;
+    block.samples[i].has_hit = false;
+  });
+  trace_block<F>(context, samplers, lanes, block, counts);
+  for_each_lane(lanes, [&](std::uint32_t i) {
+    add_or_count(block.samples[i], x, y, base + i, context.options.clamp, film, counts);
+  });
+}
+
+// Lanes of the block at `base` whose samples lie in [first, end).
+[[nodiscard]] inline LaneMask lanes_in(std::uint32_t base, std::uint32_t first, std::uint32_t end) {
+  const LaneMask from_first = first > base ? all_lanes << (first - base) : all_lanes;
+  const LaneMask to_end = end - base < block_size ? (1u << (end - base)) - 1 : all_lanes;
+  return from_first & to_end & all_lanes;
 }
 
 // Samples [first_sample, end_sample) of each pixel of the tile, in order.
@@ -22,16 +50,15 @@ template <FeatureSet F, class A>
 TileCounts render_tile(const PathContext<A>& context, const PixelRect& tile,
                        std::uint32_t first_sample, std::uint32_t end_sample, Film& film) {
   TileCounts counts;
+  PathBlock block;
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) {
       const PixelSampler pixel(context.options.seed, static_cast<std::uint32_t>(x),
                                static_cast<std::uint32_t>(y), film.replicates());
-      for (std::uint32_t s = first_sample; s < end_sample; ++s) {
-        Sampler sampler = pixel.at(s);
-        Ray ray = camera_ray<F>(context, sampler, x, y);
-        FilmSample sample = trace_path<F>(context, sampler, ray, counts);
-        add_or_count(sample, x, y, s, context.options.clamp, film, counts);
-      }
+      for (std::uint32_t base = first_sample & ~(block_size - 1); base < end_sample;
+           base += block_size)
+        render_block<F>(context, pixel, x, y, base, lanes_in(base, first_sample, end_sample), block,
+                        film, counts);
     }
   }
   return counts;

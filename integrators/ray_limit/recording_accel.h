@@ -27,6 +27,15 @@ class RecordingAccel {
     rays_.push_back({ray, true});
     return inner_.occluded(ray);
   }
+  [[nodiscard]] HitBlock intersect(const RayBlock& rays, LaneMask lanes,
+                                   Coherence coherence) const {
+    for_each_lane(lanes, [&](std::uint32_t i) { rays_.push_back({rays[i], false}); });
+    return inner_.intersect(rays, lanes, coherence);
+  }
+  [[nodiscard]] LaneMask occluded(const RayBlock& rays, LaneMask lanes) const {
+    for_each_lane(lanes, [&](std::uint32_t i) { rays_.push_back({rays[i], true}); });
+    return inner_.occluded(rays, lanes);
+  }
   [[nodiscard]] std::size_t memory_bytes() const { return inner_.memory_bytes(); }
   [[nodiscard]] std::vector<RecordedRay>& rays() const { return rays_; }
 

@@ -150,7 +150,9 @@ TileCounts render_report_tile(const ReportContext<A>& context, const PixelRect& 
                                static_cast<std::uint32_t>(y), film.replicates());
       for (std::uint32_t s = first_sample; s < end_sample; ++s) {
         const Sampler sampler = pixel.at(s);
-        const Ray ray = camera_ray<general_features>(context.base, sampler, x, y);
+        const Ray ray =
+            camera_ray<general_features>(context.base, sampler.sample_2d(0, Dimension::Filter),
+                                         sampler.sample_2d(0, Dimension::Lens), x, y);
         add_or_count(shade(context, sampler, ray, counts), x, y, s, context.base.options.clamp,
                      film, counts);
       }

@@ -4,18 +4,24 @@
 #include <concepts>
 #include <cstddef>
 
+#include "renderer/accel/ray_block.h"
 #include "renderer/geometry/geometry.h"
 #include "renderer/math/ray.h"
 
 namespace candela {
 
 // intersect: the nearest hit with 0 < t < ray.t_max, cut-outs seen through. occluded: whether there
-// is any. Both are pure and thread-safe. Whether a triangle is hit in whose plane the ray starts or
-// ends exactly is left open (Embree answers t = 0 then): offset the origin first.
+// is any. Both are pure and thread-safe, as are their forms for the given lanes of a block of rays,
+// whose answers are those of single rays (of hits at the very same distance any may be told).
+// Whether a triangle is hit in whose plane the ray starts or ends exactly is left open (Embree
+// answers t = 0 then): offset the origin first.
 template <class A>
-concept Accelerator = requires(const A& accelerator, const Ray& ray) {
+concept Accelerator = requires(const A& accelerator, const Ray& ray, const RayBlock& rays,
+                               LaneMask lanes, Coherence coherence) {
   { accelerator.intersect(ray) } -> std::same_as<Hit>;
   { accelerator.occluded(ray) } -> std::same_as<bool>;
+  { accelerator.intersect(rays, lanes, coherence) } -> std::same_as<HitBlock>;
+  { accelerator.occluded(rays, lanes) } -> std::same_as<LaneMask>;
   { accelerator.memory_bytes() } -> std::same_as<std::size_t>;
 };
 

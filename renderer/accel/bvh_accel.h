@@ -22,6 +22,12 @@ class BvhAccel {
 
   [[nodiscard]] Hit intersect(const Ray& ray) const;
   [[nodiscard]] bool occluded(const Ray& ray) const;
+  [[nodiscard]] HitBlock intersect(const RayBlock& rays, LaneMask lanes, Coherence) const {
+    return intersect_one_by_one(*this, rays, lanes);
+  }
+  [[nodiscard]] LaneMask occluded(const RayBlock& rays, LaneMask lanes) const {
+    return occluded_one_by_one(*this, rays, lanes);
+  }
   [[nodiscard]] std::size_t memory_bytes() const;
 
  private:

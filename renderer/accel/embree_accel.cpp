@@ -1,5 +1,6 @@
 #include "renderer/accel/embree_accel.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstring>
 #include <mutex>
@@ -11,6 +12,7 @@
 #include "renderer/accel/placement.h"
 #include "renderer/base/handover.h"
 #include "renderer/base/parallel.h"
+#include "renderer/math/float4.h"
 
 namespace candela {
 namespace {
@@ -38,19 +40,24 @@ struct Cutout {
   std::uint32_t geometry = none;
 };
 
-// Called for single rays only. An instance's ID in the top level is the count of geometries plus
-// its index.
-void let_light_through(const RTCFilterFunctionNArguments* arguments) {
-  const auto& query = *reinterpret_cast<const embree::Query*>(arguments->context);
-  const Cutout& cutout = *static_cast<const Cutout*>(arguments->geometryUserPtr);
-  RTCHitN* hit = arguments->hit;
-  const std::uint32_t id = RTCHitN_instID(hit, 1, 0, 0);
+// An instance's ID in the top level is the count of geometries plus its index.
+bool is_clear_in_lane(const RTCFilterFunctionNArguments& arguments, unsigned n, unsigned lane) {
+  const auto& query = *reinterpret_cast<const embree::Query*>(arguments.context);
+  const Cutout& cutout = *static_cast<const Cutout*>(arguments.geometryUserPtr);
+  RTCHitN* hit = arguments.hit;
+  const std::uint32_t id = RTCHitN_instID(hit, n, lane, 0);
   const std::uint32_t instance =
       id == none ? none : id - static_cast<std::uint32_t>(cutout.scene->geometries.size());
-  const bool is_clear = is_transparent_at(*cutout.scene, cutout.geometry, RTCHitN_primID(hit, 1, 0),
-                                          instance, RTCHitN_u(hit, 1, 0), RTCHitN_v(hit, 1, 0),
-                                          query.world_ray->origin, query.world_ray->direction);
-  if (is_clear) arguments->valid[0] = 0;
+  const Ray& ray = query.world_rays[RTCRayN_id(arguments.ray, n, lane)];
+  return is_transparent_at(*cutout.scene, cutout.geometry, RTCHitN_primID(hit, n, lane), instance,
+                           RTCHitN_u(hit, n, lane), RTCHitN_v(hit, n, lane), ray.origin,
+                           ray.direction);
+}
+
+void let_light_through(const RTCFilterFunctionNArguments* arguments) {
+  for (unsigned lane = 0; lane < arguments->N; ++lane)
+    if (arguments->valid[lane] != 0 && is_clear_in_lane(*arguments, arguments->N, lane))
+      arguments->valid[lane] = 0;
 }
 
 // Four floats at once: Embree loads origin and direction as vectors, and a vector load cannot be
@@ -67,6 +74,56 @@ void set_ray(RTCRay& target, const Ray& ray) {
   target.mask = none;
   target.id = 0;
   target.flags = 0;
+}
+
+struct ValidLanes {
+  alignas(64) std::array<int, block_size> lanes;
+};
+
+// The four floats of a ray from the given one on.
+Float4 part_of(const Ray& ray, std::size_t first) {
+  static_assert(sizeof(Ray) == 7 * sizeof(float));
+  Float4 part;
+  std::memcpy(&part, reinterpret_cast<const char*>(&ray) + first * sizeof(float), sizeof(part));
+  return part;
+}
+
+// Four rays at a time: their origins, then their directions with t_max.
+ValidLanes set_rays(RTCRay16& target, const RayBlock& rays, LaneMask lanes) {
+  ValidLanes valid;
+  for (std::uint32_t i = 0; i < block_size; i += 4) {
+    const auto columns = [&](std::size_t first) {
+      return transposed({part_of(rays[i], first), part_of(rays[i + 1], first),
+                         part_of(rays[i + 2], first), part_of(rays[i + 3], first)});
+    };
+    const std::array<Float4, 4> origins = columns(0);
+    const std::array<Float4, 4> directions = columns(3);
+    std::memcpy(target.org_x + i, &origins[0], sizeof(Float4));
+    std::memcpy(target.org_y + i, &origins[1], sizeof(Float4));
+    std::memcpy(target.org_z + i, &origins[2], sizeof(Float4));
+    std::memcpy(target.dir_x + i, &directions[0], sizeof(Float4));
+    std::memcpy(target.dir_y + i, &directions[1], sizeof(Float4));
+    std::memcpy(target.dir_z + i, &directions[2], sizeof(Float4));
+    std::memcpy(target.tfar + i, &directions[3], sizeof(Float4));
+  }
+  for (std::uint32_t i = 0; i < block_size; ++i) {
+    valid.lanes[i] = -static_cast<int>(lanes >> i & 1);
+    target.id[i] = i;
+  }
+  std::fill_n(target.tnear, block_size, 0.0f);
+  std::fill_n(target.time, block_size, 0.0f);
+  std::fill_n(target.mask, block_size, none);
+  std::fill_n(target.flags, block_size, 0u);
+  return valid;
+}
+
+// From Embree's IDs to the scene's.
+Hit in_tables(const Scene& scene, Hit hit) {
+  if (!hit.is_instanced()) return hit;
+  hit.instance -= static_cast<std::uint32_t>(scene.geometries.size());
+  const Object& object = scene.objects[scene.instances[hit.instance].object.index];
+  hit.geometry = object.geometries[hit.geometry].index;
+  return hit;
 }
 
 }  // namespace
@@ -229,7 +286,7 @@ EmbreeAccel::~EmbreeAccel() = default;
 
 Hit EmbreeAccel::intersect(const Ray& ray) const {
   embree::Query query;
-  embree::initialise(query, ray);
+  embree::initialise(query, &ray);
   RTCRayHit ray_hit;
   set_ray(ray_hit.ray, ray);
   ray_hit.hit.geomID = none;
@@ -238,23 +295,48 @@ Hit EmbreeAccel::intersect(const Ray& ray) const {
 
   const RTCHit& found = ray_hit.hit;
   if (found.geomID == none) return {};
-  Hit hit{ray_hit.ray.tfar, found.u, found.v, found.geomID, found.primID, none};
-  if (found.instID[0] != none) {
-    const Scene& scene = *state_->scene;
-    hit.instance = found.instID[0] - static_cast<std::uint32_t>(scene.geometries.size());
-    const Object& object = scene.objects[scene.instances[hit.instance].object.index];
-    hit.geometry = object.geometries[found.geomID].index;
-  }
-  return hit;
+  return in_tables(*state_->scene, {ray_hit.ray.tfar, found.u, found.v, found.geomID, found.primID,
+                                    found.instID[0]});
 }
 
 bool EmbreeAccel::occluded(const Ray& ray) const {
   embree::Query query;
-  embree::initialise(query, ray);
+  embree::initialise(query, &ray);
   RTCRay embree_ray;
   set_ray(embree_ray, ray);
   embree::occluded_one(state_->world.get(), embree_ray, query);
   return embree_ray.tfar < 0;  // Embree's mark of an occluded ray: -infinity
+}
+
+HitBlock EmbreeAccel::intersect(const RayBlock& rays, LaneMask lanes, Coherence coherence) const {
+  embree::Query query;
+  embree::initialise(query, rays.data());
+  RTCRayHit16 ray_hits;
+  const ValidLanes valid = set_rays(ray_hits.ray, rays, lanes);
+  std::fill_n(ray_hits.hit.geomID, block_size, none);
+  std::fill_n(ray_hits.hit.instID[0], block_size, none);
+  embree::intersect_block(state_->world.get(), valid.lanes.data(), ray_hits, query, coherence);
+
+  const RTCHit16& found = ray_hits.hit;
+  HitBlock hits;
+  for_each_lane(lanes, [&](std::uint32_t i) {
+    if (found.geomID[i] != none)
+      hits[i] = in_tables(*state_->scene, {ray_hits.ray.tfar[i], found.u[i], found.v[i],
+                                           found.geomID[i], found.primID[i], found.instID[0][i]});
+  });
+  return hits;
+}
+
+LaneMask EmbreeAccel::occluded(const RayBlock& rays, LaneMask lanes) const {
+  embree::Query query;
+  embree::initialise(query, rays.data());
+  RTCRay16 embree_rays;
+  const ValidLanes valid = set_rays(embree_rays, rays, lanes);
+  embree::occluded_block(state_->world.get(), valid.lanes.data(), embree_rays, query);
+  LaneMask occluded = 0;
+  for (std::uint32_t i = 0; i < block_size; ++i)
+    occluded |= static_cast<LaneMask>(embree_rays.tfar[i] < 0) << i;  // as above
+  return occluded & lanes;
 }
 
 std::size_t EmbreeAccel::memory_bytes() const {

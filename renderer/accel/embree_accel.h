@@ -29,6 +29,8 @@ class EmbreeAccel {
   // Callers have checked is_traceable(ray).
   [[nodiscard]] Hit intersect(const Ray& ray) const;
   [[nodiscard]] bool occluded(const Ray& ray) const;
+  [[nodiscard]] HitBlock intersect(const RayBlock& rays, LaneMask lanes, Coherence coherence) const;
+  [[nodiscard]] LaneMask occluded(const RayBlock& rays, LaneMask lanes) const;
   // What Embree has allocated; the scene's own arrays are not counted.
   [[nodiscard]] std::size_t memory_bytes() const;
 

@@ -8,6 +8,7 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include "renderer/accel/ray_block.h"
 #include "renderer/base/floating_point_traps.h"
 #include "renderer/math/ray.h"
 
@@ -23,16 +24,16 @@ using Context = RTCIntersectContext;
 // being the first member, is a pointer to the whole.
 struct Query {
   Context context;
-  const Ray* world_ray;  // filters see Embree's ray in the space of the instance
+  const Ray* world_rays;  // by ray ID; filters see Embree's ray in the space of the instance
 };
 
-inline void initialise(Query& query, const Ray& world_ray) {
+inline void initialise(Query& query, const Ray* world_rays) {
 #if CANDELA_EMBREE_MAJOR >= 4
   rtcInitRayQueryContext(&query.context);
 #else
   rtcInitIntersectContext(&query.context);
 #endif
-  query.world_ray = &world_ray;
+  query.world_rays = world_rays;
 }
 
 inline void intersect_one(RTCScene scene, RTCRayHit& ray_hit, Query& query) {
@@ -56,6 +57,34 @@ inline void occluded_one(RTCScene scene, RTCRay& ray, Query& query) {
   rtcOccluded1(scene, &ray, &arguments);
 #else
   rtcOccluded1(scene, &query.context, &ray);
+#endif
+}
+
+// `valid`: -1 in lanes that count, 0 in the others; 64-byte aligned.
+inline void intersect_block(RTCScene scene, const int* valid, RTCRayHit16& ray_hits, Query& query,
+                            Coherence coherence) {
+  const FloatingPointTraps traps(Traps::Off);
+#if CANDELA_EMBREE_MAJOR >= 4
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &query.context;
+  if (coherence == Coherence::Coherent) arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  rtcIntersect16(valid, scene, &ray_hits, &arguments);
+#else
+  if (coherence == Coherence::Coherent) query.context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect16(valid, scene, &query.context, &ray_hits);
+#endif
+}
+
+inline void occluded_block(RTCScene scene, const int* valid, RTCRay16& rays, Query& query) {
+  const FloatingPointTraps traps(Traps::Off);
+#if CANDELA_EMBREE_MAJOR >= 4
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.context = &query.context;
+  rtcOccluded16(valid, scene, &rays, &arguments);
+#else
+  rtcOccluded16(valid, scene, &query.context, &rays);
 #endif
 }
 

@@ -39,23 +39,10 @@ template <ModelSet models = all_models>
   return model == BsdfModel::Mirror || model == BsdfModel::ThinDielectric || bsdf.is_smooth;
 }
 
-// Whether sample_bsdf() reads the number that picks a lobe.
-template <ModelSet models = all_models>
-[[nodiscard]] inline bool picks_a_lobe(const Bsdf& bsdf) {
-  switch (model_in<models>(bsdf)) {
-    case BsdfModel::Diffuse:
-    case BsdfModel::Mirror:
-    case BsdfModel::Conductor:
-      return false;
-    case BsdfModel::CookTorrance:
-    case BsdfModel::CompensatedCookTorrance:
-    case BsdfModel::Lab:
-    case BsdfModel::Dielectric:
-    case BsdfModel::ThinDielectric:
-      return true;
-  }
-  return true;
-}
+// Those whose sample_bsdf() reads the number that picks a lobe.
+inline constexpr ModelSet models_with_lobes =
+    all_models & ~(model_bit(BsdfModel::Diffuse) | model_bit(BsdfModel::Mirror) |
+                   model_bit(BsdfModel::Conductor));
 
 // The sum of the non-delta lobes. wo.z > 0 always holds; wi is of unit length.
 template <ModelSet models = all_models>
@@ -91,7 +78,7 @@ template <ModelSet models = all_models>
   return {};
 }
 
-// `lobe` picks the lobe (not read unless picks_a_lobe()), `direction` a direction in it, all in
+// `lobe` picks the lobe (read by models_with_lobes only), `direction` a direction in it, all in
 // [0, 1).
 template <ModelSet models = all_models>
 [[nodiscard]] inline BsdfSample sample_bsdf(const Bsdf& bsdf, const Vec3f& wo, float lobe,

@@ -14,18 +14,34 @@
 
 namespace candela {
 
+// Of one named dimension of a sequence.
+[[nodiscard]] constexpr std::uint64_t dimension_key(std::uint64_t sequence_key,
+                                                    std::uint32_t bounce, Dimension dimension) {
+  const std::uint64_t place = (std::uint64_t{bounce} << 8) | static_cast<std::uint64_t>(dimension);
+  return hash_counter(sequence_key, place);
+}
+
+// A point of a sequence, as hashing wants it.
+struct SequencePlace {
+  std::uint64_t sequence_key;
+  std::uint32_t reversed_index;
+};
+
 class Sampler {
  public:
+  explicit Sampler(const SequencePlace& place)
+      : sequence_key_(place.sequence_key), reversed_index_(place.reversed_index) {}
   // Point `index` of the sequence that belongs to `sequence_key`.
   Sampler(std::uint64_t sequence_key, std::uint32_t index)
-      : sequence_key_(sequence_key), reversed_index_(reverse_bits(index)) {}
+      : Sampler(SequencePlace{sequence_key, reverse_bits(index)}) {}
   // Of a pixel that has one sequence only.
   Sampler(std::uint64_t seed, std::uint32_t pixel_x, std::uint32_t pixel_y, std::uint32_t index)
       : Sampler(hash_pixel(seed, pixel_x, pixel_y), index) {}
 
   // Both in [0, 1).
   [[nodiscard]] Vec2f sample_2d(std::uint32_t bounce, Dimension dimension) const {
-    const SobolPoint point = scrambled_sobol_2d(reversed_index_, key(bounce, dimension));
+    const SobolPoint point =
+        scrambled_sobol_2d(reversed_index_, dimension_key(sequence_key_, bounce, dimension));
     return {unit_float(point.x), unit_float(point.y)};
   }
   // In [0, 1).
@@ -34,16 +50,10 @@ class Sampler {
   }
   // All 32 bits: for choices among so many things that 24 bits are too coarse.
   [[nodiscard]] std::uint32_t sample_1d_bits(std::uint32_t bounce, Dimension dimension) const {
-    return scrambled_sobol_1d(reversed_index_, key(bounce, dimension));
+    return scrambled_sobol_1d(reversed_index_, dimension_key(sequence_key_, bounce, dimension));
   }
 
  private:
-  [[nodiscard]] std::uint64_t key(std::uint32_t bounce, Dimension dimension) const {
-    const std::uint64_t place =
-        (std::uint64_t{bounce} << 8) | static_cast<std::uint64_t>(dimension);
-    return hash_counter(sequence_key_, place);
-  }
-
   std::uint64_t sequence_key_;
   std::uint32_t reversed_index_;
 };
@@ -57,7 +67,11 @@ class PixelSampler {
       : pixel_key_(hash_pixel(seed, pixel_x, pixel_y)), replicates_(replicates) {}
 
   [[nodiscard]] Sampler at(std::uint32_t sample) const {
-    return {hash_counter(pixel_key_, sample % replicates_), sample / replicates_};
+    return {sequence_key(sample % replicates_), sample / replicates_};
+  }
+  [[nodiscard]] std::uint32_t replicates() const { return replicates_; }
+  [[nodiscard]] std::uint64_t sequence_key(std::uint32_t replicate) const {
+    return hash_counter(pixel_key_, replicate);
   }
 
  private:

@@ -28,7 +28,7 @@ TEST(Unit_Rounds, GrowByLessThanAThirdTowardsAGoal) {
     EXPECT_GT(all[i], all[i - 1]);
     EXPECT_EQ(all[i] % 4, 0u);
   }
-  EXPECT_EQ(all.back(), 1000u);  // and not beyond what is needed
+  EXPECT_EQ(all.back(), 1008u);  // the first whole block that suffices
 }
 
 TEST(Unit_Rounds, DoubleWithoutAGoalUpToTheLimit) {
@@ -42,17 +42,39 @@ TEST(Unit_Rounds, DoubleWithoutAGoalUpToTheLimit) {
 TEST(Unit_Rounds, GoOnWhereTheErrorIsNotKnown) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   EXPECT_EQ(round_end(16, 4, 1u << 30, ErrorGoal{infinite, 1e-3}), 20u);
-  EXPECT_EQ(round_end(1u << 29, 4, 1u << 30, ErrorGoal{infinite, 1e-30}), 697932184u);
+  EXPECT_EQ(round_end(1u << 29, 4, 1u << 30, ErrorGoal{infinite, 1e-30}), 697932176u);
 }
 
-TEST(Unit_Rounds, PassesBeginWithOneSampleAndEndAtMultiplesOfSixteen) {
+TEST(Unit_Rounds, TowardsAGoalAreWholeBlocksOnceTheyMayBe) {
+  const auto all = ends(1.0 / 100000, 4, 1u << 30);
+  EXPECT_EQ(std::vector(all.begin(), all.begin() + 9),
+            (std::vector<std::uint32_t>{16, 20, 24, 28, 32, 40, 48, 60, 76}));
+  std::uint32_t last = 64;
+  for (const std::uint32_t replicates : {1u, 2u, 3u, 4u, 16u})
+    for (std::uint32_t done = 64 * replicates; done < 100000; done = last) {
+      last = round_end(done, replicates, 1u << 30, ErrorGoal{1.0 / done, 1.0 / 1000000});
+      EXPECT_EQ(last % 16, 0u);
+      EXPECT_EQ(last % replicates, 0u);
+      EXPECT_LE(last, largest_growth * done);
+    }
+}
+
+std::vector<std::uint32_t> pass_ends(bool is_long) {
   std::vector<std::uint32_t> all;
   for (std::uint32_t done = 0; done < 50; done = all.back()) {
-    const SampleRange pass = next_pass(done, 50);
+    const SampleRange pass = next_pass(done, 50, is_long);
     EXPECT_EQ(pass.first, done);
     all.push_back(pass.end);
   }
-  EXPECT_EQ(all, (std::vector<std::uint32_t>{1, 16, 32, 48, 50}));
+  return all;
+}
+
+TEST(Unit_Rounds, PassesEndAtMultiplesOfSixteen) {
+  EXPECT_EQ(pass_ends(false), (std::vector<std::uint32_t>{16, 32, 48, 50}));
+}
+
+TEST(Unit_Rounds, LongRendersBeginWithOneSample) {
+  EXPECT_EQ(pass_ends(true), (std::vector<std::uint32_t>{1, 16, 32, 48, 50}));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// One camera sample: iterative path tracing with next-event estimation at every non-delta hit and
-// BSDF sampling, combined by the power heuristic; Russian roulette on throughput [Veach97].
-// Unbiased: no clamp, no depth limit unless asked for.
+// A step of a path, from where its ray ended to its next ray: next-event estimation at every
+// non-delta hit and BSDF sampling, combined by the power heuristic; Russian roulette on throughput
+// [Veach97]. Unbiased: no clamp, no depth limit unless asked for.
 #pragma once
 
 #include "integrators/first_hit.h"
@@ -21,6 +21,15 @@ struct PathState {
   float bsdf_pdf = 0;     // solid angle, of the direction of `ray`
   float eta_squared = 1;  // what refraction multiplied the throughput by: no loss of light
   bool is_delta = true;   // camera rays and delta lobes: only this strategy finds the light
+};
+
+// The random numbers of a step: 32 random bits, else in [0, 1).
+struct StepNumbers {
+  std::uint32_t light_choice = 0;
+  Vec2f light_point{0};
+  float lobe = 0;
+  Vec2f direction{0};
+  float roulette = 0;
 };
 
 // Light that the path met; `light_pdf` is the light sampler's density of its direction, 0 where it
@@ -98,16 +107,14 @@ template <FeatureSet F>
 // A direction drawn from the BSDF, or from what the options ask for.
 template <FeatureSet F>
 [[nodiscard]] inline BsdfSample sample_direction(const RenderOptions& options,
-                                                 const Sampler& sampler, std::uint32_t bounce,
-                                                 const Bsdf& bsdf, const Vec3f& wo_local) {
-  const float lobe =
-      picks_a_lobe<F.models>(bsdf) ? sampler.sample_1d(bounce, Dimension::LobeChoice) : 0.0f;
-  Vec2f direction = sampler.sample_2d(bounce, Dimension::Direction);
+                                                 const StepNumbers& numbers, const Bsdf& bsdf,
+                                                 const Vec3f& wo_local) {
   if constexpr (F.strategies) {
     if (!samples_bsdfs(options.sampling) && !is_only_delta<F.models>(bsdf))
-      return sample_plain_direction<F.models>(options.sampling, bsdf, wo_local, lobe, direction);
+      return sample_plain_direction<F.models>(options.sampling, bsdf, wo_local, numbers.lobe,
+                                              numbers.direction);
   }
-  return sample_bsdf<F.models>(bsdf, wo_local, lobe, direction);
+  return sample_bsdf<F.models>(bsdf, wo_local, numbers.lobe, numbers.direction);
 }
 
 // Continues the path in a direction of a sample; false where it ends.
@@ -129,92 +136,78 @@ template <FeatureSet F>
 // section 14.5.4]. The survival probability stays below 1 so that paths end in closed white scenes
 // too, by little: light that leaves a trap (total reflection) in shares smaller than what roulette
 // takes would have no variance.
-[[nodiscard]] inline bool survives_roulette(const Sampler& sampler, std::uint32_t bounce,
-                                            PathState& path) {
-  constexpr std::uint32_t first_bounce = 2;
+inline constexpr std::uint32_t first_bounce_with_roulette = 2;
+[[nodiscard]] inline bool survives_roulette(float u, std::uint32_t bounce, PathState& path) {
   constexpr float highest_survival = 0.998f;
-  if (bounce < first_bounce) return true;
+  if (bounce < first_bounce_with_roulette) return true;
   const float survival =
       std::min(max_component(path.throughput) * path.eta_squared, highest_survival);
-  if (!(sampler.sample_1d(bounce, Dimension::Roulette) < survival)) return false;
+  if (!(u < survival)) return false;
   path.throughput /= survival;
   return true;
 }
 
 // Adds the light that reaches the surface straight from lights and continues the path; false where
-// it ends. The picked light's shadow ray comes last: nothing waits for its answer.
+// it ends. The picked light's is left to the caller, who traces its shadow ray.
 template <FeatureSet F, class A>
-[[nodiscard]] inline bool leave_by_model(const PathContext<A>& context, const Sampler& sampler,
+[[nodiscard]] inline bool leave_by_model(const PathContext<A>& context, const StepNumbers& numbers,
                                          std::uint32_t bounce, const SurfacePoint& point,
                                          const Material& material, const Vec3f& wo, PathState& path,
-                                         TileCounts& counts) {
+                                         DirectLight& picked, TileCounts& counts) {
   Bsdf bsdf =
       bsdf_at<F.models, F.textures>(material, context.scene.textures, point.uv, point.is_front);
   Vec3f wo_local = point.shading.to_local(wo);
-  Rgb throughput = path.throughput;
-  Rgb direct(0);
-  DirectLight picked;
   if (!is_only_delta<F.models>(bsdf) &&
       (!F.strategies || samples_lights(context.options.sampling))) {
-    direct = light_from_always<F>(context, point, bsdf, wo_local, counts);
-    picked = picked_light<F>(context, sampler, bounce, point, bsdf, wo_local, counts);
+    path.radiance += path.throughput * light_from_always<F>(context, point, bsdf, wo_local, counts);
+    picked = picked_light<F>(context, numbers.light_choice, numbers.light_point, point, bsdf,
+                             wo_local, counts);
+    picked.contribution *= path.throughput;
   }
-  BsdfSample next = sample_direction<F>(context.options, sampler, bounce, bsdf, wo_local);
-  const bool goes_on = scatter(point, next, path) && survives_roulette(sampler, bounce, path);
-  direct += shadowed(context.accelerator, picked, counts);
-  path.radiance += throughput * direct;
-  return goes_on;
+  BsdfSample next = sample_direction<F>(context.options, numbers, bsdf, wo_local);
+  return scatter(point, next, path) && survives_roulette(numbers.roulette, bounce, path);
 }
 
 // In the plain kernel a body for each of the two models.
 template <FeatureSet F, class A>
-[[nodiscard]] inline bool leave_surface(const PathContext<A>& context, const Sampler& sampler,
+[[nodiscard]] inline bool leave_surface(const PathContext<A>& context, const StepNumbers& numbers,
                                         std::uint32_t bounce, const SurfacePoint& point,
                                         const Material& material, const Vec3f& wo, PathState& path,
-                                        TileCounts& counts) {
+                                        DirectLight& picked, TileCounts& counts) {
   if constexpr (F.models == plain_features.models) {
     constexpr FeatureSet glossy = F.with_models(model_bit(BsdfModel::CookTorrance));
     constexpr FeatureSet diffuse = F.with_models(model_bit(BsdfModel::Diffuse));
     if (material.model == MaterialModel::CookTorrance)
-      return leave_by_model<glossy>(context, sampler, bounce, point, material, wo, path, counts);
-    return leave_by_model<diffuse>(context, sampler, bounce, point, material, wo, path, counts);
+      return leave_by_model<glossy>(context, numbers, bounce, point, material, wo, path, picked,
+                                    counts);
+    return leave_by_model<diffuse>(context, numbers, bounce, point, material, wo, path, picked,
+                                   counts);
   } else {
-    return leave_by_model<F>(context, sampler, bounce, point, material, wo, path, counts);
+    return leave_by_model<F>(context, numbers, bounce, point, material, wo, path, picked, counts);
   }
 }
 
+// From what the path's ray met to its next ray; false where the path ends. `first_hit`: what the
+// film's layers keep of the camera ray.
 template <FeatureSet F, class A>
-[[nodiscard]] inline FilmSample trace_path(const PathContext<A>& context, const Sampler& sampler,
-                                           const Ray& camera_ray, TileCounts& counts) {
+[[nodiscard]] inline bool step(const PathContext<A>& context, const StepNumbers& numbers,
+                               std::uint32_t bounce, const Hit& hit, PathState& path,
+                               DirectLight& picked, FilmSample& first_hit, TileCounts& counts) {
   const Scene& scene = context.scene;
-  FilmSample sample;
-  PathState path{.ray = camera_ray};
-  ++counts.rays.camera;
-  for (std::uint32_t bounce = 0;; ++bounce) {
-    if (!is_traceable(path.ray)) {
-      path.radiance = Rgb(std::numeric_limits<float>::quiet_NaN());
-      break;
-    }
-    Hit hit = context.accelerator.intersect(path.ray);
-    if (!hit.is_hit()) {
-      add_environment<F>(scene, context.options, bounce, path);
-      if (bounce == 0) sample.alpha = 0;
-      break;
-    }
-    const Geometry& geometry = scene.geometries[hit.geometry];
-    const Material& material = scene.materials[geometry.material.index];
-    Vec3f wo = -path.ray.direction;
-    SurfacePoint point = surface_point_at<F>(scene, hit, material, wo);
-    if (geometry.is_emissive()) add_emission<F>(scene, context.options, geometry, hit, path);
-    if (bounce == 0 && context.options.aovs != 0)
-      record_camera_hit<F>(scene, context.camera, path.ray, hit, sample);
-    if (bounce >= context.max_depth) break;
-
-    if (!leave_surface<F>(context, sampler, bounce, point, material, wo, path, counts)) break;
-    ++counts.rays.indirect;
+  if (!hit.is_hit()) {
+    add_environment<F>(scene, context.options, bounce, path);
+    if (bounce == 0) first_hit.alpha = 0;
+    return false;
   }
-  sample.radiance = path.radiance;
-  return sample;
+  const Geometry& geometry = scene.geometries[hit.geometry];
+  const Material& material = scene.materials[geometry.material.index];
+  Vec3f wo = -path.ray.direction;
+  SurfacePoint point = surface_point_at<F>(scene, hit, material, wo);
+  if (geometry.is_emissive()) add_emission<F>(scene, context.options, geometry, hit, path);
+  if (bounce == 0 && context.options.aovs != 0)
+    record_camera_hit<F>(scene, context.camera, path.ray, hit, first_hit);
+  if (bounce >= context.max_depth) return false;
+  return leave_surface<F>(context, numbers, bounce, point, material, wo, path, picked, counts);
 }
 
 }  // namespace candela

@@ -1,0 +1,63 @@
+// The random numbers that the paths of a block take at one bounce.
+#pragma once
+
+#include "integrators/path/path_step.h"
+#include "renderer/accel/ray_block.h"
+#include "renderer/sampling/sampler_block.h"
+
+namespace candela {
+
+static_assert(sampler_lanes == block_size);
+
+[[nodiscard]] inline Vec2f unit_point(const SobolPointLanes& points, std::size_t lane) {
+  return {unit_float(points.x[lane]), unit_float(points.y[lane])};
+}
+
+class BlockNumbers {
+ public:
+  // Of what a scene has no use for, nothing is drawn.
+  template <FeatureSet F>
+  void draw(const Scene& scene, const SamplerBlock& samplers, std::uint32_t bounce) {
+    if (scene.light_sampler.has_table()) {
+      samplers.sample_1d(bounce, Dimension::LightChoice, light_choice_);
+      samplers.sample_2d(bounce, Dimension::LightPoint, light_point_);
+    }
+    if ((F.models & models_with_lobes) != 0 &&
+        (scene.features.bsdf_models & models_with_lobes) != 0)
+      samplers.sample_1d(bounce, Dimension::LobeChoice, lobe_);
+    samplers.sample_2d(bounce, Dimension::Direction, direction_);
+    if (bounce >= first_bounce_with_roulette)
+      samplers.sample_1d(bounce, Dimension::Roulette, roulette_);
+  }
+
+  [[nodiscard]] StepNumbers lane(std::size_t i) const {
+    return {light_choice_[i], unit_point(light_point_, i), unit_float(lobe_[i]),
+            unit_point(direction_, i), unit_float(roulette_[i])};
+  }
+
+ private:
+  SamplerLanes<std::uint32_t> light_choice_{};
+  SobolPointLanes light_point_{};
+  SamplerLanes<std::uint32_t> lobe_{};
+  SobolPointLanes direction_{};
+  SamplerLanes<std::uint32_t> roulette_{};
+};
+
+// The same for a single sample.
+template <FeatureSet F>
+[[nodiscard]] inline StepNumbers numbers_of(const Scene& scene, const Sampler& sampler,
+                                            std::uint32_t bounce) {
+  StepNumbers numbers;
+  if (scene.light_sampler.has_table()) {
+    numbers.light_choice = sampler.sample_1d_bits(bounce, Dimension::LightChoice);
+    numbers.light_point = sampler.sample_2d(bounce, Dimension::LightPoint);
+  }
+  if ((F.models & models_with_lobes) != 0)
+    numbers.lobe = sampler.sample_1d(bounce, Dimension::LobeChoice);
+  numbers.direction = sampler.sample_2d(bounce, Dimension::Direction);
+  if (bounce >= first_bounce_with_roulette)
+    numbers.roulette = sampler.sample_1d(bounce, Dimension::Roulette);
+  return numbers;
+}
+
+}  // namespace candela

@@ -1,0 +1,70 @@
+#include "renderer/sampling/sampler_block.h"
+
+#include <algorithm>
+
+// One body for each width of vectors; the processor's is chosen when the program starts. Integers
+// only, so all of them give the same bits. Sanitizers would instrument the choice itself, which
+// runs before they are set up.
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
+    !defined(__clang__)
+#define CANDELA_EACH_VECTOR_WIDTH \
+  __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#else
+#define CANDELA_EACH_VECTOR_WIDTH
+#endif
+
+namespace candela {
+namespace {
+
+CANDELA_EACH_VECTOR_WIDTH void points_of(const SamplerLanes<std::uint64_t>& keys,
+                                         const SamplerLanes<std::uint32_t>& reversed_indices,
+                                         SobolPointLanes& points) {
+  for (std::size_t i = 0; i < sampler_lanes; ++i) {
+    const SobolPoint point = scrambled_sobol_2d(reversed_indices[i], keys[i]);
+    points.x[i] = point.x;
+    points.y[i] = point.y;
+  }
+}
+
+CANDELA_EACH_VECTOR_WIDTH void numbers_of(const SamplerLanes<std::uint64_t>& keys,
+                                          const SamplerLanes<std::uint32_t>& reversed_indices,
+                                          SamplerLanes<std::uint32_t>& numbers) {
+  for (std::size_t i = 0; i < sampler_lanes; ++i)
+    numbers[i] = scrambled_sobol_1d(reversed_indices[i], keys[i]);
+}
+
+}  // namespace
+
+SamplerBlock::SamplerBlock(const PixelSampler& pixel, std::uint32_t first_sample)
+    : period_(std::min<std::size_t>(pixel.replicates(), sampler_lanes)) {
+  std::uint32_t replicate = first_sample % pixel.replicates();
+  std::uint32_t index = first_sample / pixel.replicates();
+  for (std::size_t i = 0; i < sampler_lanes; ++i) {
+    sequence_keys_[i] = i < period_ ? pixel.sequence_key(replicate) : sequence_keys_[i - period_];
+    reversed_indices_[i] = reverse_bits(index);
+    if (++replicate == pixel.replicates()) {
+      replicate = 0;
+      ++index;
+    }
+  }
+}
+
+SamplerLanes<std::uint64_t> SamplerBlock::keys_at(std::uint32_t bounce, Dimension dimension) const {
+  SamplerLanes<std::uint64_t> keys;
+  for (std::size_t i = 0; i < period_; ++i)
+    keys[i] = dimension_key(sequence_keys_[i], bounce, dimension);
+  for (std::size_t i = period_; i < sampler_lanes; ++i) keys[i] = keys[i - period_];
+  return keys;
+}
+
+void SamplerBlock::sample_2d(std::uint32_t bounce, Dimension dimension,
+                             SobolPointLanes& points) const {
+  points_of(keys_at(bounce, dimension), reversed_indices_, points);
+}
+
+void SamplerBlock::sample_1d(std::uint32_t bounce, Dimension dimension,
+                             SamplerLanes<std::uint32_t>& numbers) const {
+  numbers_of(keys_at(bounce, dimension), reversed_indices_, numbers);
+}
+
+}  // namespace candela

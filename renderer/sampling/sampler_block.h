@@ -1,0 +1,44 @@
+// The numbers of sixteen consecutive samples of a pixel at once: the same bits as Sampler's, side
+// by side in the lanes of the processor's vectors.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "renderer/sampling/sampler.h"
+
+namespace candela {
+
+inline constexpr std::size_t sampler_lanes = 16;
+template <class T>
+using SamplerLanes = std::array<T, sampler_lanes>;
+
+// 32-bit fractions; unit_float() makes numbers in [0, 1) of them.
+struct SobolPointLanes {
+  SamplerLanes<std::uint32_t> x;
+  SamplerLanes<std::uint32_t> y;
+};
+
+class SamplerBlock {
+ public:
+  // Samples first_sample to first_sample + 15 of the pixel.
+  SamplerBlock(const PixelSampler& pixel, std::uint32_t first_sample);
+
+  [[nodiscard]] Sampler lane(std::size_t i) const {
+    return Sampler(SequencePlace{sequence_keys_[i], reversed_indices_[i]});
+  }
+  void sample_2d(std::uint32_t bounce, Dimension dimension, SobolPointLanes& points) const;
+  void sample_1d(std::uint32_t bounce, Dimension dimension,
+                 SamplerLanes<std::uint32_t>& numbers) const;
+
+ private:
+  [[nodiscard]] SamplerLanes<std::uint64_t> keys_at(std::uint32_t bounce,
+                                                    Dimension dimension) const;
+
+  SamplerLanes<std::uint64_t> sequence_keys_;
+  SamplerLanes<std::uint32_t> reversed_indices_;
+  std::size_t period_;  // of the sequence keys over the lanes
+};
+
+}  // namespace candela
