@@ -17,7 +17,7 @@ inline void record_first_hit(const Scene& scene, const Camera& camera, const Geo
   sample.normal = point.shading.z;
   sample.position = scene.normalisation.to_file(point.position);
   sample.depth =
-      static_cast<double>(length(point.position - camera.eye)) / scene.normalisation.scale;
+      static_cast<double>(camera.distance_to(point.position)) / scene.normalisation.scale;
   sample.material = geometry.material.index;
 }
 

@@ -20,6 +20,12 @@ struct NameOfUnknownModel {
   std::string_view operator()(const DielectricMaterial&) const {
     return "a dielectric, in and behind which the report integrator would miss the lamps";
   }
+  std::string_view operator()(const CoatedDiffuseMaterial&) const { return "coated"; }
+  std::string_view operator()(const CoatedConductorMaterial&) const { return "coated"; }
+  std::string_view operator()(const DiffuseTransmissionMaterial&) const {
+    return "seen from behind";
+  }
+  std::string_view operator()(const InterfaceMaterial&) const { return "an interface"; }
   template <class Known>
   std::string_view operator()(const Known&) const {
     return "";
@@ -79,6 +85,7 @@ struct NameOfUnknownLight {
   }
   std::string_view operator()(const CubeEnvironment&) const { return "a skybox"; }
   std::string_view operator()(const LatLongEnvironment&) const { return "an environment map"; }
+  std::string_view operator()(const EqualAreaEnvironment&) const { return "an environment map"; }
 };
 
 }  // namespace

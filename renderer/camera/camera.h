@@ -1,6 +1,7 @@
-// The perspective camera: pinhole or thin lens, in normalised space.
+// Cameras in normalised space: perspective by pinhole or thin lens, orthographic, and all around.
 #pragma once
 
+#include "renderer/description/scene_description.h"
 #include "renderer/math/frame.h"
 #include "renderer/math/ray.h"
 #include "renderer/math/vec.h"
@@ -8,22 +9,43 @@
 
 namespace candela {
 
+using description::CameraKind;
+
 struct Camera {
-  Vec3f eye{0};
-  Vec3f look{0, 0, -1};      // unit
-  Vec3f right{1, 0, 0};      // unit times tan(fovy / 2) * width / height
-  Vec3f up{0, 1, 0};         // unit times tan(fovy / 2)
+  CameraKind kind = CameraKind::Perspective;
+  Vec3f eye{0};  // Orthographic: where the picture's middle is seen from
+  // Perspective: from the eye to the picture's middle on the plane at distance 1; else unit, the
+  // line of sight.
+  Vec3f look{0, 0, -1};
+  // To the middles of the picture's right and upper edges from its own middle: at distance 1, or,
+  // Orthographic, lengths as they are. All around: unit.
+  Vec3f right{1, 0, 0};
+  Vec3f up{0, 1, 0};
   float lens_radius = 0;     // 0: pinhole
-  float focus_distance = 1;  // along `look`
+  float focus_distance = 1;  // along the line of sight
 
   // `film` in [0,1]^2 over the full picture, y from the top.
   [[nodiscard]] Ray generate_ray(Vec2f film, Vec2f lens) const {
+    if (kind != CameraKind::Perspective) return generate_other_ray(film, lens);
     Vec3f through = look + right * (2 * film.x - 1) + up * (1 - 2 * film.y);
     if (lens_radius == 0) return {eye, normalize(through), infinity};
-    Vec2f disk = square_to_disk(lens) * lens_radius;
-    Vec3f offset = normalize(right) * disk.x + normalize(up) * disk.y;
+    Vec3f offset = lens_offset(lens);
     return {eye + offset, normalize(through * focus_distance - offset), infinity};
   }
+
+  // How far along its line of sight, or from its eye, the camera sees a point.
+  [[nodiscard]] float distance_to(const Vec3f& point) const {
+    if (kind == CameraKind::Orthographic) return dot(point - eye, look);
+    return length(point - eye);
+  }
+
+ private:
+  [[nodiscard]] Vec3f lens_offset(Vec2f lens) const {
+    Vec2f disk = square_to_disk(lens) * lens_radius;
+    return normalize(right) * disk.x + normalize(up) * disk.y;
+  }
+  // Not inline: the usual camera's code stays small.
+  [[nodiscard]] Ray generate_other_ray(Vec2f film, Vec2f lens) const;
 };
 
 }  // namespace candela

@@ -46,6 +46,7 @@ void warn_of_blind_cameras(const SceneDescription& scene, Diagnostics& diagnosti
   const Bounds3d box = world_bounds(scene);
   if (box.is_empty()) return;
   for (const Camera& camera : scene.cameras) {
+    if (camera.kind == CameraKind::LatLong || camera.kind == CameraKind::EqualArea) continue;
     const Vec3d look = camera.target - camera.eye;
     Vec3d farthest;  // the box's corner that lies most in the direction of sight
     for (int axis = 0; axis < 3; ++axis)

@@ -20,9 +20,11 @@ namespace candela::description {
 struct Image;
 struct Material;
 struct Mesh;
+struct Texture;
 using ImageHandle = Handle<Image>;
 using MaterialHandle = Handle<Material>;
 using MeshHandle = Handle<Mesh>;
+using TextureHandle = Handle<Texture>;
 
 // How stored numbers become linear ones.
 enum class Encoding : std::uint8_t {
@@ -41,17 +43,73 @@ struct Image {
   SourceSpan span;  // where the scene names it
 };
 
-// A factor, or a map that replaces it.
+// A factor, or a map or texture (one of the two) that replaces it.
 struct ColourInput {
   Vec3d factor{1.0};
   ImageHandle map;
+  TextureHandle texture{};
 };
 inline constexpr int alpha_or_first = -1;
 struct ScalarInput {
   double factor = 1.0;
   ImageHandle map;
   int channel = 0;  // of the map; alpha_or_first: alpha where the file has one, else channel 0
+  TextureHandle texture{};
 };
+
+// --- textures: functions of the surface's uv, made of images, constants and each other ---
+
+// Where a texture looks: (u, v) * scale + offset.
+struct UvMapping {
+  Vec2d scale{1.0};
+  Vec2d offset{0.0};
+};
+
+// factor * texel, or 1 minus that (at least 0) where it is inverted.
+struct ImageTexture {
+  ImageHandle image;
+  UvMapping mapping;
+  double factor = 1.0;
+  bool is_inverted = false;
+};
+struct ProductTexture {
+  ColourInput first;
+  ColourInput second;
+};
+// (1 - amount) first + amount second, a channel.
+struct MixTexture {
+  ColourInput first;
+  ColourInput second;
+  ColourInput amount{Vec3d{0.5}, {}, {}};
+};
+// Unit squares, `even` on the one at the origin.
+struct CheckerboardTexture {
+  UvMapping mapping;
+  ColourInput even;
+  ColourInput odd{Vec3d{0.0}, {}, {}};
+};
+// Dots at random places: one in about half of the unit squares, wholly inside.
+struct DotsTexture {
+  UvMapping mapping;
+  ColourInput inside;
+  ColourInput outside{Vec3d{0.0}, {}, {}};
+};
+// Between the unit square's corners: v01 is at u = 0, v = 1. Beyond the square it goes on.
+struct BilinearTexture {
+  UvMapping mapping;
+  Vec3d v00{0.0}, v01{1.0}, v10{0.0}, v11{1.0};
+};
+
+// Inputs are textures that stand before this one in the list.
+struct Texture {
+  std::string name;
+  SourceSpan span;
+  std::variant<ImageTexture, ProductTexture, MixTexture, CheckerboardTexture, DotsTexture,
+               BilinearTexture>
+      kind;
+};
+
+// --- materials ---
 
 // lab3's Blinn-Phong material as LAB3.md sections 1-4 define it; `whitted` shades it as it stands,
 // the path tracer by section 8. Colours are as written (before pow 2.2).
@@ -91,25 +149,62 @@ struct ConductorMaterial {
   Vec3d k{3.9, 2.45, 2.14};
   ScalarInput roughness{0.0, {}, 0};  // GGX width; 0 is a mirror
   bool energy_compensation = false;   // as for CookTorrance
+  // The width along dp/dv; then `roughness` is that along dp/du. Without energy_compensation.
+  std::optional<ScalarInput> roughness_across = {};
 };
 
 struct DielectricMaterial {
   double ior = 1.5;
-  ScalarInput roughness{0.0, {}, 0};  // GGX width; 0 is smooth
-  Vec3d transmittance{1.0};           // factor of each refraction (MTL's Tf)
-  bool is_thin = false;               // straight through, both interfaces at once
+  ScalarInput roughness{0.0, {}, 0};                 // GGX width; 0 is smooth
+  Vec3d transmittance{1.0};                          // factor of each refraction (MTL's Tf)
+  bool is_thin = false;                              // straight through, both interfaces at once
+  std::optional<ScalarInput> roughness_across = {};  // as for Conductor
 };
+
+// A dielectric layer over a surface, alike from both sides. What is between the coat's interface
+// and the surface absorbs exp(-thickness / cosine) of the light a crossing, and scatters none.
+struct Coat {
+  double ior = 1.5;
+  ScalarInput roughness{0.0, {}, 0};                 // GGX width; 0 is smooth
+  std::optional<ScalarInput> roughness_across = {};  // as for Conductor
+  double thickness = 0.01;                           // optical
+  // Interfaces that light meets within the coat, at most; 0: no limit. An even number 2 n lets
+  // light leave the surface n times.
+  int max_depth = 0;
+};
+struct CoatedDiffuseMaterial {
+  ColourInput reflectance{Vec3d{0.5}, {}};
+  Coat coat;
+};
+struct CoatedConductorMaterial {
+  Vec3d eta{0.2, 0.92, 1.1};  // against vacuum, as k
+  Vec3d k{3.9, 2.45, 2.14};
+  ScalarInput roughness{0.0, {}, 0};  // of the metal
+  std::optional<ScalarInput> roughness_across = {};
+  Coat coat;
+};
+
+// Lambert's on both sides: reflectance + transmittance at most 1.
+struct DiffuseTransmissionMaterial {
+  ColourInput reflectance{Vec3d{0.25}, {}};
+  ColourInput transmittance{Vec3d{0.25}, {}};
+};
+
+// Nothing is there: rays go straight on. It bounds a medium, or nothing.
+struct InterfaceMaterial {};
 
 struct Material {
   std::string name;
   SourceSpan span;
   std::variant<LabMaterial, CookTorranceMaterial, DiffuseMaterial, MirrorMaterial,
-               ConductorMaterial, DielectricMaterial>
+               ConductorMaterial, DielectricMaterial, CoatedDiffuseMaterial,
+               CoatedConductorMaterial, DiffuseTransmissionMaterial, InterfaceMaterial>
       model;
   Vec3d emission{0.0};  // radiance; the geometric normal's side, or both
   bool emits_both_sides = false;
   ScalarInput opacity{1.0, {}, 0};  // coverage in [0,1]: the probability of a hit
   ImageHandle height;               // bump map: grey heights
+  TextureHandle height_texture{};   // the same by a texture
   double height_scale = 1.0;  // height of white, in units of the uv square's edge on the surface
   ImageHandle normal_map;     // tangent-space normals, encoded (n+1)/2
 };
@@ -171,19 +266,46 @@ struct LatLongEnvironment {
   bool is_seen_by_camera = true;
 };
 
+// A square of equal areas, an octahedron unfolded [Clarberg08]: its centre is +z of the map, its
+// corners -z; +x is the middle of the right edge, +y of the bottom edge (rows count from the top).
+struct EqualAreaEnvironment {
+  ImageHandle image;
+  Vec3d scale{1.0};
+  Mat3d world_from_map{1.0};
+  bool is_seen_by_camera = true;
+};
+
 struct Light {
   SourceSpan span;
   std::variant<PointLight, SpotLight, DirectionalLight, TriangleLight, ConstantEnvironment,
-               CubeEnvironment, LatLongEnvironment>
+               CubeEnvironment, LatLongEnvironment, EqualAreaEnvironment>
       kind;
+};
+
+enum class CameraKind : std::uint8_t {
+  Perspective,
+  Orthographic,  // rays along the line of sight
+  LatLong,       // every direction: the top row is `up`, the centre column holds the line of sight
+  EqualArea,     // every direction, as EqualAreaEnvironment: +x is right, +y forward, +z up
+};
+
+// What of the image plane the picture shows, from left to right and from bottom to top. Units are
+// tan(fov / 2) at distance 1 for Perspective, those of the file for Orthographic.
+struct ScreenWindow {
+  double left = -1, right = 1, bottom = -1, top = 1;
 };
 
 struct Camera {
   SourceSpan span;
+  CameraKind kind = CameraKind::Perspective;
   Vec3d eye{0.0, 0.0, 1.0};
   Vec3d target{0.0};
   Vec3d up{0.0, 1.0, 0.0};
-  double fovy_degrees = 60.0;   // vertical
+  bool is_mirrored = false;    // right is up x look, not look x up
+  double fovy_degrees = 60.0;  // vertical, or of the shorter side of the picture
+  bool fov_is_of_shorter_side = false;
+  // Absent: [-1, 1] along the side that the angle of view is of, and in proportion along the other.
+  std::optional<ScreenWindow> screen_window;
   double lens_radius = 0.0;     // 0: pinhole
   double focus_distance = 0.0;  // along the axis; 0: at the target
 };
@@ -192,6 +314,7 @@ struct Camera {
 struct RenderDefaults {
   std::optional<int> width, height, samples_per_pixel, max_depth;
   std::optional<std::string> integrator, filter;
+  std::optional<double> filter_radius;  // in pixels
   std::optional<std::uint64_t> seed;
   std::optional<double> exposure;
 };
@@ -199,6 +322,7 @@ struct RenderDefaults {
 struct SceneDescription {
   std::string path;  // the scene file, as given
   std::vector<Image> images;
+  std::vector<Texture> textures;
   std::vector<Material> materials;
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;

@@ -9,6 +9,7 @@
 #include "renderer/description/validate_light.h"
 #include "renderer/description/validate_material.h"
 #include "renderer/description/validate_mesh.h"
+#include "renderer/description/validate_texture.h"
 
 namespace candela::description {
 namespace {
@@ -60,6 +61,15 @@ bool has_light(const SceneDescription& scene) {
          std::any_of(scene.materials.begin(), scene.materials.end(), glows);
 }
 
+void check_defaults(const SceneDescription& scene, Diagnostics& diagnostics) {
+  const std::optional<double>& radius = scene.defaults.filter_radius;
+  constexpr double widest = 32;  // pixels
+  if (radius && !(*radius > 0 && *radius <= widest))
+    diagnostics.error({}, fmt::format("the filter's radius is {} pixels, expected above 0 and at "
+                                      "most {}",
+                                      *radius, widest));
+}
+
 SourceSpan whole_file(const SceneDescription& scene) {
   if (scene.path.empty()) return {};
   return {std::make_shared<const std::string>(scene.path), 0, 0};
@@ -77,11 +87,13 @@ void warn_of_nothing_to_see(const SceneDescription& scene, Diagnostics& diagnost
 Diagnostics validate(const SceneDescription& scene) {
   Diagnostics diagnostics;
   check_images(scene, diagnostics);
+  check_textures(scene, diagnostics);
   for (const Material& material : scene.materials) check_material(scene, material, diagnostics);
   for (const Mesh& mesh : scene.meshes) check_mesh(scene, mesh, diagnostics);
   for (const Instance& instance : scene.instances) check_instance(scene, instance, diagnostics);
   check_lights(scene, diagnostics);
   check_cameras(scene, diagnostics);
+  check_defaults(scene, diagnostics);
   if (!diagnostics.has_errors()) warn_of_nothing_to_see(scene, diagnostics);
   return diagnostics;
 }

@@ -12,7 +12,8 @@ namespace {
 bool is_environment(const Light& light) {
   return std::holds_alternative<ConstantEnvironment>(light.kind) ||
          std::holds_alternative<CubeEnvironment>(light.kind) ||
-         std::holds_alternative<LatLongEnvironment>(light.kind);
+         std::holds_alternative<LatLongEnvironment>(light.kind) ||
+         std::holds_alternative<EqualAreaEnvironment>(light.kind);
 }
 
 bool has_area(const std::array<Vec3d, 3>& vertices) {
@@ -45,6 +46,12 @@ class Check {
   void image(ImageHandle handle) const {
     if (handle.index >= scene_.images.size()) error("the image of an environment does not exist");
   }
+  template <class Map>
+  void map(const Map& light) const {
+    image(light.image);
+    colour(light.scale, "scale");
+    for (int c = 0; c < 3; ++c) direction(light.world_from_map[c]);
+  }
 
   void operator()(const PointLight& light) const {
     place(light.position);
@@ -75,11 +82,8 @@ class Check {
   void operator()(const CubeEnvironment& light) const {
     for (const ImageHandle face : light.faces) image(face);
   }
-  void operator()(const LatLongEnvironment& light) const {
-    image(light.image);
-    colour(light.scale, "scale");
-    for (int c = 0; c < 3; ++c) direction(light.world_from_map[c]);
-  }
+  void operator()(const LatLongEnvironment& light) const { map(light); }
+  void operator()(const EqualAreaEnvironment& light) const { map(light); }
 
  private:
   const SceneDescription& scene_;
@@ -97,6 +101,7 @@ struct Brightness {
   Vec3d operator()(const ConstantEnvironment& light) const { return light.radiance; }
   Vec3d operator()(const CubeEnvironment&) const { return Vec3d(1.0); }
   Vec3d operator()(const LatLongEnvironment& light) const { return light.scale; }
+  Vec3d operator()(const EqualAreaEnvironment& light) const { return light.scale; }
 };
 
 }  // namespace

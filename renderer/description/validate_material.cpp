@@ -34,17 +34,43 @@ class Check {
     diagnostics_.error(material_.span, fmt::format("material '{}': the map of {} does not exist",
                                                    material_.name, what));
   }
+  void texture(TextureHandle handle, std::string_view what) const {
+    if (!handle || handle.index < scene_.textures.size()) return;
+    diagnostics_.error(
+        material_.span,
+        fmt::format("material '{}': the texture of {} does not exist", material_.name, what));
+  }
   void input(const ColourInput& colour_input, std::string_view what) const {
     colour(colour_input.factor, what);
     image(colour_input.map, what);
+    texture(colour_input.texture, what);
   }
   void input(const ScalarInput& scalar, std::string_view what) const {
     number(scalar.factor, 0, 1, what);
     image(scalar.map, what);
+    texture(scalar.texture, what);
     if (scalar.channel < alpha_or_first || scalar.channel > 3)
       diagnostics_.error(material_.span,
                          fmt::format("material '{}': the map of {} has no channel {}",
                                      material_.name, what, scalar.channel));
+  }
+  void widths(const ScalarInput& along, const std::optional<ScalarInput>& across,
+              std::string_view what) const {
+    input(along, what);
+    if (across) input(*across, what);
+  }
+  void coat(const Coat& layer) const {
+    at_least(layer.ior, 1, "the refractive index of the coat");
+    widths(layer.roughness, layer.roughness_across, "the roughness of the coat");
+    at_least(layer.thickness, 0, "the thickness of the coat");
+    if (layer.max_depth < 0)
+      diagnostics_.error(material_.span,
+                         fmt::format("material '{}': the depth of the coat is {}, expected at "
+                                     "least 0",
+                                     material_.name, layer.max_depth));
+  }
+  [[nodiscard]] static bool is_textured(const ColourInput& input) {
+    return input.map.is_valid() || input.texture.is_valid();
   }
   void warn(std::string message) const {
     diagnostics_.warning(material_.span, fmt::format("material '{}': {}", material_.name, message));
@@ -87,13 +113,35 @@ class Check {
   void operator()(const ConductorMaterial& conductor) const {
     positive_colour(conductor.eta, "eta");
     positive_colour(conductor.k, "k");
-    input(conductor.roughness, "the roughness");
+    widths(conductor.roughness, conductor.roughness_across, "the roughness");
   }
   void operator()(const DielectricMaterial& glass) const {
     at_least(glass.ior, 1, "the refractive index");
-    input(glass.roughness, "the roughness");
+    widths(glass.roughness, glass.roughness_across, "the roughness");
     colour(glass.transmittance, "the transmittance");
   }
+  void operator()(const CoatedDiffuseMaterial& coated) const {
+    input(coated.reflectance, "the reflectance");
+    coat(coated.coat);
+  }
+  void operator()(const CoatedConductorMaterial& coated) const {
+    positive_colour(coated.eta, "eta");
+    positive_colour(coated.k, "k");
+    widths(coated.roughness, coated.roughness_across, "the roughness");
+    coat(coated.coat);
+  }
+  void operator()(const DiffuseTransmissionMaterial& leaf) const {
+    input(leaf.reflectance, "the reflectance");
+    input(leaf.transmittance, "the transmittance");
+    const double most = max_component(leaf.reflectance.factor + leaf.transmittance.factor);
+    const bool is_constant = !is_textured(leaf.reflectance) && !is_textured(leaf.transmittance);
+    if (is_constant && most > 1 + 1e-9)
+      warn(
+          fmt::format("reflectance + transmittance reaches {:.4g} in a channel, more than 1; both "
+                      "are made smaller",
+                      most));
+  }
+  void operator()(const InterfaceMaterial&) const {}
 
  private:
   const SceneDescription& scene_;
@@ -110,6 +158,7 @@ void check_material(const SceneDescription& scene, const Material& material,
   check.positive_colour(material.emission, "the emission");
   check.input(material.opacity, "the opacity");
   check.image(material.height, "heights");
+  check.texture(material.height_texture, "heights");
   check.image(material.normal_map, "normals");
   if (!std::isfinite(material.height_scale))
     diagnostics.error(material.span, fmt::format("material '{}': the scale of its heights is not "

@@ -29,6 +29,8 @@ double value_at(FilterKind kind, double x, double radius) {
       return gaussian(x, radius);
     case FilterKind::BlackmanHarris:
       return blackman_harris(x, radius);
+    case FilterKind::Triangle:
+      return std::max(0.0, radius - std::abs(x));
   }
   return 0;
 }
@@ -48,7 +50,16 @@ std::vector<double> cumulative(FilterKind kind, double radius, int steps) {
 }  // namespace
 
 float default_radius(FilterKind kind) {
-  return kind == FilterKind::Box ? 0.5f : 1.5f;
+  switch (kind) {
+    case FilterKind::Box:
+      return 0.5f;
+    case FilterKind::Gaussian:
+    case FilterKind::BlackmanHarris:
+      return 1.5f;
+    case FilterKind::Triangle:
+      return 1;
+  }
+  return 1;
 }
 
 Filter::Filter(FilterKind kind, float radius) : kind_(kind), radius_(radius) {

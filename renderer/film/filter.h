@@ -9,7 +9,7 @@
 
 namespace candela {
 
-enum class FilterKind : std::uint8_t { Box, Gaussian, BlackmanHarris };
+enum class FilterKind : std::uint8_t { Box, Gaussian, BlackmanHarris, Triangle };
 
 // Non-negative, separable, symmetric filters of finite radius (pixels), sampled by a tabulated
 // inverse of each axis' cumulative distribution.
@@ -37,7 +37,7 @@ class Filter {
   std::array<float, intervals + 1> inverse_{};
 };
 
-// Box 0.5, Gaussian 1.5 (sigma 0.5), Blackman-Harris 1.5 pixels.
+// Box 0.5, Gaussian 1.5 (sigma 0.5), Blackman-Harris 1.5, triangle 1 pixels.
 [[nodiscard]] float default_radius(FilterKind kind);
 
 }  // namespace candela

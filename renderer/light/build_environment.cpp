@@ -114,6 +114,31 @@ std::array<Vec3f, 3> orthonormal_rows(const Mat3d& world_from_map) {
   return {Vec3f(x), Vec3f(y), Vec3f(z)};
 }
 
+// Of one image, whose cells have `solid_angle(row, size)`.
+template <class Map, class SolidAngle>
+Environment build_map(const Map& map, EnvironmentMapping mapping, description::Wrap wrap,
+                      const SolidAngle& solid_angle, std::span<const description::Image> images,
+                      TextureStore& textures, Diagnostics& diagnostics, std::size_t max_cells) {
+  Environment environment;
+  environment.mapping = mapping;
+  environment.is_seen_by_camera = map.is_seen_by_camera;
+  environment.scale = Rgb(map.scale);
+  environment.map_from_world = orthonormal_rows(map.world_from_map);
+  const description::Image& image = images[map.image.index];
+  const Face face = add_face(image, wrap, textures, diagnostics);
+  environment.faces[0] = face.texture;
+  environment.half_texel[0] = face.half_texel();
+  const GridSize size = grid_size(face, textures, max_cells);
+  const auto cell_solid_angle = [&](std::uint32_t /*column*/, std::uint32_t row) {
+    return solid_angle(row, size);
+  };
+  GridDistributionBuilder grid(size.columns, size.rows);
+  const std::uint64_t invalid = set_rows(textures, face, size, 0, cell_solid_angle, grid);
+  warn_of_invalid(textures, face, image.span, invalid, diagnostics);
+  set_distribution(environment, std::move(grid));
+  return environment;
+}
+
 }  // namespace
 
 Environment build_environment(const description::ConstantEnvironment& constant) {
@@ -156,25 +181,22 @@ Environment build_environment(const description::CubeEnvironment& cube,
 Environment build_environment(const description::LatLongEnvironment& map,
                               std::span<const description::Image> images, TextureStore& textures,
                               Diagnostics& diagnostics, std::size_t max_cells) {
-  Environment environment;
-  environment.mapping = EnvironmentMapping::LatLong;
-  environment.is_seen_by_camera = map.is_seen_by_camera;
-  environment.scale = Rgb(map.scale);
-  environment.map_from_world = orthonormal_rows(map.world_from_map);
-  const description::Image& image = images[map.image.index];
-  const Face face = add_face(image, description::Wrap::Repeat, textures, diagnostics);
-  environment.faces[0] = face.texture;
-  environment.half_texel[0] = face.half_texel();
-  const GridSize size = grid_size(face, textures, max_cells);
-  const auto solid_angle = [&](std::uint32_t /*column*/, std::uint32_t row) {
+  const auto solid_angle = [](std::uint32_t row, GridSize size) {
     return 4 * pi_double / size.columns * std::sin(pi_double * (row + 0.5) / size.rows) *
            std::sin(0.5 * pi_double / size.rows);
   };
-  GridDistributionBuilder grid(size.columns, size.rows);
-  const std::uint64_t invalid = set_rows(textures, face, size, 0, solid_angle, grid);
-  warn_of_invalid(textures, face, image.span, invalid, diagnostics);
-  set_distribution(environment, std::move(grid));
-  return environment;
+  return build_map(map, EnvironmentMapping::LatLong, description::Wrap::Repeat, solid_angle, images,
+                   textures, diagnostics, max_cells);
+}
+
+Environment build_environment(const description::EqualAreaEnvironment& map,
+                              std::span<const description::Image> images, TextureStore& textures,
+                              Diagnostics& diagnostics, std::size_t max_cells) {
+  const auto solid_angle = [](std::uint32_t /*row*/, GridSize size) {
+    return 4 * pi_double / (static_cast<double>(size.columns) * size.rows);
+  };
+  return build_map(map, EnvironmentMapping::EqualArea, description::Wrap::Clamp, solid_angle,
+                   images, textures, diagnostics, max_cells);
 }
 
 }  // namespace candela

@@ -28,4 +28,9 @@ inline constexpr std::size_t default_environment_cells = std::size_t{2048} * 102
                                             TextureStore& textures, Diagnostics& diagnostics,
                                             std::size_t max_cells = default_environment_cells);
 
+[[nodiscard]] Environment build_environment(const description::EqualAreaEnvironment& map,
+                                            std::span<const description::Image> images,
+                                            TextureStore& textures, Diagnostics& diagnostics,
+                                            std::size_t max_cells = default_environment_cells);
+
 }  // namespace candela

@@ -1,4 +1,5 @@
-// Light from infinitely far away: a constant, six faces of a cube, or a latitude-longitude map.
+// Light from infinitely far away: a constant, six faces of a cube, a latitude-longitude map, or an
+// equal-area octahedral one (sampling/equal_area.h).
 //
 // Directions: unit, world space. Maps are looked up bilinearly, as their textures' encodings say;
 // stored values that are not finite or below 0 count as 0.
@@ -14,6 +15,7 @@
 #include <cstdint>
 
 #include "renderer/light/cube_map.h"
+#include "renderer/light/equal_area_map.h"
 #include "renderer/light/lat_long_map.h"
 #include "renderer/math/constants.h"
 #include "renderer/math/vec.h"
@@ -23,13 +25,13 @@
 
 namespace candela {
 
-enum class EnvironmentMapping : std::uint8_t { Constant, Cube, LatLong };
+enum class EnvironmentMapping : std::uint8_t { Constant, Cube, LatLong, EqualArea };
 
 struct Environment {
   EnvironmentMapping mapping = EnvironmentMapping::Constant;
   bool is_seen_by_camera = true;
   Rgb scale{0};                        // the constant's radiance; a factor of maps
-  std::array<TextureHandle, 6> faces;  // Cube: +X -X +Y -Y +Z -Z; LatLong: only [0]
+  std::array<TextureHandle, 6> faces;  // Cube: +X -X +Y -Y +Z -Z; else only [0]
   // Rows of an orthonormal matrix (a mirroring one is fine).
   std::array<Vec3f, 3> map_from_world{Vec3f{1, 0, 0}, Vec3f{0, 1, 0}, Vec3f{0, 0, 1}};
 
@@ -90,6 +92,11 @@ namespace environment_detail {
       const float inset = environment.half_texel[0].y;  // columns wrap, rows do not
       return look_up(environment, textures, 0, {st.x, glm::clamp(st.y, inset, 1 - inset)});
     }
+    case EnvironmentMapping::EqualArea: {
+      Vec2f st = equal_area_sphere_to_square(to_map(environment, direction));
+      Vec2f inset = environment.half_texel[0];
+      return look_up(environment, textures, 0, glm::clamp(st, inset, Vec2f(1) - inset));
+    }
   }
   return Rgb(0);
 }
@@ -105,6 +112,8 @@ namespace environment_detail {
       return cube_pdf(environment.distribution, to_map(environment, direction));
     case EnvironmentMapping::LatLong:
       return lat_long_pdf(environment.distribution, to_map(environment, direction));
+    case EnvironmentMapping::EqualArea:
+      return equal_area_pdf(environment.distribution, to_map(environment, direction));
   }
   return 0;
 }
@@ -121,6 +130,10 @@ namespace environment_detail {
     }
     case EnvironmentMapping::LatLong: {
       const MapSample s = sample_lat_long(environment.distribution, u);
+      return {to_world(environment, s.direction), s.pdf};
+    }
+    case EnvironmentMapping::EqualArea: {
+      const MapSample s = sample_equal_area(environment.distribution, u);
       return {to_world(environment, s.direction), s.pdf};
     }
   }

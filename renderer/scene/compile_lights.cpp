@@ -76,6 +76,9 @@ struct EnvironmentCompiler {
   std::optional<Environment> operator()(const description::LatLongEnvironment& light) const {
     return build_environment(light, description.images, textures, diagnostics);
   }
+  std::optional<Environment> operator()(const description::EqualAreaEnvironment& light) const {
+    return build_environment(light, description.images, textures, diagnostics);
+  }
   template <class Other>
   std::optional<Environment> operator()(const Other&) const {
     return std::nullopt;

@@ -130,6 +130,17 @@ struct ModelCompiler {
     out.transmittance = Rgb(m.transmittance);
   }
 
+  void operator()(const description::CoatedDiffuseMaterial& m) const {
+    (*this)(description::DiffuseMaterial{m.reflectance});
+  }
+  void operator()(const description::CoatedConductorMaterial& m) const {
+    (*this)(description::ConductorMaterial{.eta = m.eta, .k = m.k, .roughness = m.roughness});
+  }
+  void operator()(const description::DiffuseTransmissionMaterial& m) const {
+    (*this)(description::DiffuseMaterial{m.reflectance});
+  }
+  void operator()(const description::InterfaceMaterial&) const {}
+
  private:
   void set_conductor(const Vec3d& eta, const Vec3d& k) const {
     out.fresnel_is_conductor = true;

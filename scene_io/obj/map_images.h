@@ -36,6 +36,25 @@ void for_each_image(description::DielectricMaterial& m, const Visit& visit) {
   visit(m.roughness.map);
 }
 
+// Models that no MTL file makes.
+template <class Visit>
+void for_each_image(description::CoatedDiffuseMaterial& m, const Visit& visit) {
+  visit(m.reflectance.map);
+  visit(m.coat.roughness.map);
+}
+template <class Visit>
+void for_each_image(description::CoatedConductorMaterial& m, const Visit& visit) {
+  visit(m.roughness.map);
+  visit(m.coat.roughness.map);
+}
+template <class Visit>
+void for_each_image(description::DiffuseTransmissionMaterial& m, const Visit& visit) {
+  visit(m.reflectance.map);
+  visit(m.transmittance.map);
+}
+template <class Visit>
+void for_each_image(description::InterfaceMaterial&, const Visit&) {}
+
 // Calls visit(ImageHandle&) for each, valid or not.
 template <class Visit>
 void for_each_image(description::Material& material, const Visit& visit) {

@@ -204,7 +204,10 @@ TEST(Unit_Lint, FindsWhatIsProbablyNotMeant) {
   scene.materials.back().name = "spare";
   scene.materials.back().span.file = std::make_shared<const std::string>("room.yaml");
   test::add_light(scene, description::PointLight{{0, 0, 0}, Vec3d(0)});
-  scene.cameras.push_back({{}, {0, 0, 50}, {0, 0, 60}, {0, 1, 0}, 60, 0, 0});
+  description::Camera turned_away;
+  turned_away.eye = {0, 0, 50};
+  turned_away.target = {0, 0, 60};
+  scene.cameras.push_back(turned_away);
   const auto warnings = messages(lint(scene), Severity::Warning);
   ASSERT_EQ(warnings.size(), 3u);
   EXPECT_EQ(warnings[0], "material 'spare' is used by no model");

@@ -12,10 +12,14 @@
 namespace candela {
 namespace {
 
+constexpr FilterKind all_kinds[] = {FilterKind::Box, FilterKind::Gaussian,
+                                    FilterKind::BlackmanHarris, FilterKind::Triangle};
+
 // Not normalised, from its definition.
 double weight(FilterKind kind, double x, double r) {
   if (kind == FilterKind::Gaussian) return std::exp(-x * x / 0.5) - std::exp(-r * r / 0.5);
   if (kind == FilterKind::Box) return 1;
+  if (kind == FilterKind::Triangle) return std::max(0.0, r - std::abs(x));
   const double p = pi_double * (x / r + 1);
   return 0.35875 - 0.48829 * std::cos(p) + 0.14128 * std::cos(2 * p) - 0.01168 * std::cos(3 * p);
 }
@@ -34,8 +38,7 @@ double variance_of(FilterKind kind, double r) {
 }
 
 TEST(Unit_Filter, SamplesFollowTheFilter) {
-  for (const FilterKind kind :
-       {FilterKind::Box, FilterKind::Gaussian, FilterKind::BlackmanHarris}) {
+  for (const FilterKind kind : all_kinds) {
     const Filter filter(kind, default_radius(kind));
     double mean = 0, moment = 0;
     constexpr int count = 100000;
@@ -68,8 +71,7 @@ std::vector<double> quantiles(FilterKind kind, double r, int count) {
 TEST(Statistical_Filter, PlacesFollowTheFilter) {
   constexpr std::size_t parts = 32;
   constexpr int count = 1'000'000;
-  for (const FilterKind kind :
-       {FilterKind::Box, FilterKind::Gaussian, FilterKind::BlackmanHarris}) {
+  for (const FilterKind kind : all_kinds) {
     const Filter filter(kind, default_radius(kind));
     const std::vector<double> cuts = quantiles(kind, filter.radius(), parts);
     const auto part = [&](float x) {
@@ -84,8 +86,17 @@ TEST(Statistical_Filter, PlacesFollowTheFilter) {
     }
     const std::vector<double> expected(parts * parts, double{count} / (parts * parts));
     EXPECT_GT(statistics::chi_square_test(observed, expected).p_value,
-              statistics::sidak_level(0.01, 3))
+              statistics::sidak_level(0.01, 4))
         << static_cast<int>(kind);
+  }
+}
+
+// Of a radius other than its own, in closed form: its inverse distribution.
+TEST(Unit_Filter, TriangleOfAnyRadius) {
+  for (const float radius : {0.5f, 1.0f, 2.5f}) {
+    const Filter filter(FilterKind::Triangle, radius);
+    for (const float u : {0.02f, 0.125f, 0.3f, 0.5f})
+      EXPECT_NEAR(filter.sample({u, 0.5f}).x, radius * (std::sqrt(2 * u) - 1), 2e-3f * radius);
   }
 }
 

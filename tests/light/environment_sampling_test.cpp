@@ -13,6 +13,7 @@ namespace {
 
 using light_test::Cap;
 using light_test::cube;
+using light_test::equal_area;
 using light_test::lat_long;
 using light_test::MapEnvironment;
 using light_test::write_float_map;
@@ -37,6 +38,16 @@ MapEnvironment varied_lat_long(std::size_t max_cells = default_environment_cells
   return lat_long(write_float_map("varied", 16, 8, varied_texel), Mat3d(1.0), max_cells);
 }
 
+// A rotation with a mirror in it.
+Mat3d mirrored_turn() {
+  return {Vec3d(0.6, 0, 0.8), Vec3d(0, -1, 0), Vec3d(-0.8, 0, 0.6)};
+}
+
+MapEnvironment varied_equal_area(std::size_t max_cells = default_environment_cells) {
+  return equal_area(write_float_map("varied_square", 16, 16, varied_texel), mirrored_turn(),
+                    max_cells);
+}
+
 MapEnvironment constant(double radiance) {
   MapEnvironment result;
   description::ConstantEnvironment description;
@@ -56,6 +67,8 @@ std::vector<NamedMap> all_maps() {
   maps.push_back({"coarse lat-long", varied_lat_long(50)});
   maps.push_back({"cube", cube(varied_faces())});
   maps.push_back({"coarse cube", cube(varied_faces(), 100)});
+  maps.push_back({"equal-area", varied_equal_area()});
+  maps.push_back({"coarse equal-area", varied_equal_area(100)});
   return maps;
 }
 
@@ -180,6 +193,33 @@ double reference_irradiance(int width, int height, const light_test::TexelFuncti
     }
   }
   return sum * (pi_double / down) * (2 * pi_double / across);
+}
+
+// The square's convention in words: nearest texels of a fine map, summed over its equal areas.
+TEST(Statistical_Environment, EqualAreaGivesTheIrradianceOfItsTexels) {
+  constexpr int side = 64;
+  const auto texel = [](int x, int y) {
+    return Vec3f(1 + std::sin(0.2f * static_cast<float>(x)),
+                 0.02f * static_cast<float>(y) * static_cast<float>(y), 1);
+  };
+  const Mat3d turn = mirrored_turn();
+  const MapEnvironment map = equal_area(write_float_map("smooth_square", side, side, texel), turn);
+  for (const Vec3f n : {Vec3f(0, 1, 0), Vec3f(0.6f, 0, 0.8f), Vec3f(-0.48f, -0.64f, -0.6f)}) {
+    double exact = 0;
+    constexpr int fine = 8 * side;
+    for (int y = 0; y < fine; ++y)
+      for (int x = 0; x < fine; ++x) {
+        const Vec2f st{(static_cast<float>(x) + 0.5f) / fine,
+                       (static_cast<float>(y) + 0.5f) / fine};
+        const Vec3d d = turn * Vec3d(square_to_equal_area_sphere(st));
+        const Rgb radiance = map.radiance(Vec3f(d));
+        exact += static_cast<double>(average(radiance)) * std::max(0.0, dot(d, Vec3d(n))) * 4 *
+                 pi_double / (double{fine} * fine);
+      }
+    const statistics::Moments moments = irradiance(map, n, 500'000);
+    EXPECT_GT(moments.p_value(exact), 1e-4) << moments.mean() << ", exact " << exact;
+    EXPECT_LT(moments.standard_error(), 1e-2 * exact);
+  }
 }
 
 void expect_reference_irradiance(const char* name, int width, int height,

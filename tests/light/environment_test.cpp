@@ -16,6 +16,7 @@ namespace candela {
 namespace {
 
 using light_test::cube;
+using light_test::equal_area;
 using light_test::lat_long;
 using light_test::MapEnvironment;
 using light_test::write_byte_map;
@@ -70,6 +71,27 @@ TEST(Unit_CubeMap, FacesDoNotWrap) {
   const MapEnvironment map = cube(images);
   EXPECT_EQ(map.radiance(normalize(Vec3f(0.999f, 0, 1))), Rgb(0));
   EXPECT_EQ(map.radiance(normalize(Vec3f(-0.999f, 0, 1))), Rgb(1));
+}
+
+// 4 x 4 texels: red tells the column, green the row; the directions are those of their middles.
+TEST(Unit_EqualAreaMap, TexelsLieAsTheConventionSays) {
+  const description::Image image =
+      write_float_map("square", 4, 4, [](int x, int y) { return Vec3f(x + 1, y + 1, 0); });
+  const Mat3d turn{Vec3d(0, 1, 0), Vec3d(1, 0, 0), Vec3d(0, 0, 1)};  // mirrors
+  const MapEnvironment map = equal_area(image, turn);
+  EXPECT_NEAR(map.radiance({0, 0, 1}).x, 2.5, 1e-5);  // the centre, between four texels
+  EXPECT_NEAR(map.radiance({0, 0, 1}).y, 2.5, 1e-5);
+  EXPECT_NEAR(map.radiance({0, 1, 0}).x, 4, 1e-5);  // +x of the map: the middle of the right edge
+  EXPECT_NEAR(map.radiance({0, 1, 0}).y, 2.5, 1e-5);
+  EXPECT_NEAR(map.radiance({1, 0, 0}).y, 4, 1e-5);  // +y: the bottom's middle
+  for (int x = 0; x < 4; ++x)
+    for (int y = 0; y < 4; ++y) {
+      const Vec2f st{(static_cast<float>(x) + 0.5f) / 4, (static_cast<float>(y) + 0.5f) / 4};
+      const Vec3f d = square_to_equal_area_sphere(st);
+      const Rgb seen = map.radiance({d.y, d.x, d.z});
+      EXPECT_NEAR(seen.x, x + 1, 1e-4);
+      EXPECT_NEAR(seen.y, y + 1, 1e-4);
+    }
 }
 
 TEST(Unit_LatLongMap, ConventionIsThatOfAViewerLookingAlongMinusZ) {

@@ -53,15 +53,30 @@ description::Image write_byte_map(const std::string& name, int width, int height
   return image;
 }
 
-MapEnvironment lat_long(const description::Image& image, const Mat3d& world_from_map,
-                        std::size_t max_cells) {
+namespace {
+
+template <class Map>
+MapEnvironment map_of(const description::Image& image, const Mat3d& world_from_map,
+                      std::size_t max_cells) {
   MapEnvironment result;
-  description::LatLongEnvironment map;
+  Map map;
   map.image = description::ImageHandle(std::size_t{0});
   map.world_from_map = world_from_map;
   result.environment =
       build_environment(map, std::span(&image, 1), result.textures, result.diagnostics, max_cells);
   return result;
+}
+
+}  // namespace
+
+MapEnvironment lat_long(const description::Image& image, const Mat3d& world_from_map,
+                        std::size_t max_cells) {
+  return map_of<description::LatLongEnvironment>(image, world_from_map, max_cells);
+}
+
+MapEnvironment equal_area(const description::Image& image, const Mat3d& world_from_map,
+                          std::size_t max_cells) {
+  return map_of<description::EqualAreaEnvironment>(image, world_from_map, max_cells);
 }
 
 MapEnvironment cube(const std::array<description::Image, 6>& faces, std::size_t max_cells) {

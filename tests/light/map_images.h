@@ -36,6 +36,9 @@ struct MapEnvironment {
 [[nodiscard]] MapEnvironment lat_long(const description::Image& image,
                                       const Mat3d& world_from_map = Mat3d(1.0),
                                       std::size_t max_cells = default_environment_cells);
+[[nodiscard]] MapEnvironment equal_area(const description::Image& image,
+                                        const Mat3d& world_from_map = Mat3d(1.0),
+                                        std::size_t max_cells = default_environment_cells);
 [[nodiscard]] MapEnvironment cube(const std::array<description::Image, 6>& faces,
                                   std::size_t max_cells = default_environment_cells);
 

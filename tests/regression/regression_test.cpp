@@ -156,6 +156,7 @@ struct Dim {
   void operator()(description::TriangleLight& light) const { light.radiance *= factor; }
   void operator()(description::ConstantEnvironment& light) const { light.radiance *= factor; }
   void operator()(description::LatLongEnvironment& light) const { light.scale *= factor; }
+  void operator()(description::EqualAreaEnvironment& light) const { light.scale *= factor; }
   void operator()(description::CubeEnvironment&) const { ADD_FAILURE() << "cannot dim a skybox"; }
 };
 

@@ -32,7 +32,8 @@ constexpr Choice<GeometryModel> geometries[] = {{"schlick_ggx", GeometryModel::S
                                                 {"smith", GeometryModel::Smith}};
 constexpr Choice<FilterKind> filters[] = {{"box", FilterKind::Box},
                                           {"gaussian", FilterKind::Gaussian},
-                                          {"blackman_harris", FilterKind::BlackmanHarris}};
+                                          {"blackman_harris", FilterKind::BlackmanHarris},
+                                          {"triangle", FilterKind::Triangle}};
 constexpr Choice<AcceleratorKind> accelerators[] = {{"embree", AcceleratorKind::Embree},
                                                     {"bvh", AcceleratorKind::Bvh}};
 constexpr Choice<ToneMap> tone_maps[] = {

@@ -158,6 +158,8 @@ void settle_names(const RenderArguments& arguments, const description::RenderDef
     options.filter = *arguments.filter;
   else if (defaults.filter)
     options.filter = scene_choice("filter", *defaults.filter, filter_choices());
+  if (defaults.filter_radius && !arguments.filter)
+    options.filter_radius = static_cast<float>(*defaults.filter_radius);
 }
 
 void settle_depth(const RenderArguments& arguments, const description::RenderDefaults& defaults,
@@ -269,7 +271,10 @@ RenderSettings settled(const RenderArguments& arguments,
   options.heuristic = arguments.heuristic.value_or(options.heuristic);
   refuse_what_does_not_fit(arguments, options);
   refuse_sampling(arguments, options);
-  if (is_lab_shading(options.integrator)) options.filter = FilterKind::Box;
+  if (is_lab_shading(options.integrator)) {
+    options.filter = FilterKind::Box;
+    options.filter_radius.reset();
+  }
   refuse_giant(options);
   settings.display = {arguments.tone_map,
                       arguments.exposure.value_or(description.defaults.exposure.value_or(0))};

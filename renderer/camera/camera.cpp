@@ -1,0 +1,33 @@
+#include "renderer/camera/camera.h"
+
+#include "renderer/math/transcendental.h"
+#include "renderer/sampling/equal_area.h"
+
+namespace candela {
+namespace {
+
+// Up the picture to +y, its centre along +z, its right half towards +x.
+Vec3f lat_long_direction(Vec2f film) {
+  const SinCos polar = sin_cos(pi * film.y);
+  const SinCos azimuth = sin_cos(two_pi * (film.x - 0.5f));
+  return {polar.sin * azimuth.sin, polar.cos, polar.sin * azimuth.cos};
+}
+
+}  // namespace
+
+Ray Camera::generate_other_ray(Vec2f film, Vec2f lens) const {
+  if (kind == CameraKind::Orthographic) {
+    const Vec3f origin = eye + right * (2 * film.x - 1) + up * (1 - 2 * film.y);
+    if (lens_radius == 0) return {origin, look, infinity};
+    const Vec3f offset = lens_offset(lens);
+    return {origin + offset, normalize(look * focus_distance - offset), infinity};
+  }
+  if (kind == CameraKind::LatLong) {
+    const Vec3f d = lat_long_direction(film);
+    return {eye, normalize(right * d.x + up * d.y + look * d.z), infinity};
+  }
+  const Vec3f d = square_to_equal_area_sphere(film);
+  return {eye, normalize(right * d.x + look * d.y + up * d.z), infinity};
+}
+
+}  // namespace candela
