@@ -43,7 +43,8 @@ TEST(Unit_StopRules, TheErrorIsMetAndNotByFar) {
   const RenderResult result = noisy(settings);
   EXPECT_EQ(result.statistics.stop, StopReason::Error);
   ASSERT_TRUE(result.error);
-  EXPECT_LE(result.error->relmse, 1e-3);
+  // What is stated may understate just then: the upper half of its interval counts too.
+  EXPECT_LE((result.error->relmse + result.error->interval95.high) / 2, 1e-3);
   EXPECT_GT(result.error->relmse, 0.64e-3);   // an rMSE of at least 0.8 of what was asked for
   EXPECT_GT(result.film.min_samples(), 16u);  // it took more than one round
 }

@@ -1,6 +1,8 @@
 // `candela render` end to end on small pictures.
+#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstring>
 #include <filesystem>
 
@@ -47,6 +49,11 @@ TEST(Unit_RenderCommand, ACropHasThePixelsOfTheWhole) {
   ASSERT_EQ(crop.height, 6);
   for (int y = 0; y < crop.height; ++y)
     EXPECT_EQ(std::memcmp(crop.pixel(0, y), whole.pixel(3, y + 5), 14 * 3 * sizeof(float)), 0) << y;
+  const auto file = OIIO::ImageInput::open(folder + "/crop.exr");
+  ASSERT_TRUE(file);
+  const OIIO::ImageSpec& spec = file->spec();
+  EXPECT_EQ((std::array{spec.x, spec.y, spec.full_x, spec.full_y}), (std::array{3, 5, 0, 0}));
+  EXPECT_EQ((std::array{spec.full_width, spec.full_height}), (std::array{20, 14}));
 }
 
 TEST(Unit_RenderCommand, WritesSeveralOutputsAtOnce) {

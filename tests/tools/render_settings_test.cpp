@@ -89,6 +89,21 @@ TEST(Unit_RenderSettings, ScaleMultipliesTheScenesSizeAndKeepsAPixel) {
   EXPECT_EQ(settings(arguments, scene_with_wishes()).options.width, 1);
 }
 
+// --error is an rMSE, --relmse its square; the stricter of both counts.
+TEST(Unit_RenderSettings, ErrorsToReachAreRelmse) {
+  const auto target = [](std::optional<double> rmse, std::optional<double> relmse) {
+    RenderArguments arguments;
+    arguments.error_goal = rmse;
+    arguments.relmse_goal = relmse;
+    return settings(arguments, {}).options.target_relmse;
+  };
+  EXPECT_EQ(target({}, {}), std::nullopt);
+  EXPECT_EQ(target(0.25, {}), 0.0625);
+  EXPECT_EQ(target({}, 0.25), 0.25);
+  EXPECT_EQ(target(0.25, 0.25), 0.0625);
+  EXPECT_EQ(target(0.5, 0.125), 0.125);
+}
+
 TEST(Unit_RenderSettings, WhatDoesNotFitTheSceneIsRefused) {
   RenderArguments arguments;
   arguments.camera = 2;
