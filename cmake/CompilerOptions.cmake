@@ -38,6 +38,7 @@ if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=thread")
   # Embree's library calls back from its own threads, likewise unseen.
   set_source_files_properties(renderer/accel/embree_accel.cpp PROPERTIES
     COMPILE_DEFINITIONS CANDELA_THREAD_SANITIZER)
+  add_link_options("LINKER:--version-script=${CMAKE_CURRENT_SOURCE_DIR}/cmake/thread_sanitizer.map")
 endif()
 
 # Invalid operations and divisions by zero in our own code end the program
