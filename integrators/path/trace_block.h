@@ -74,7 +74,7 @@ inline void trace_block(const PathContext<A>& context, const SamplerBlock& sampl
     alive = traceable_lanes(alive, block);
     if (alive == 0) break;
     intersect_lanes(context.accelerator, block, alive, bounce, is_whole, hits);
-    constexpr int fewest_of_vectors = 3;
+    constexpr int fewest_of_vectors = 4;
     const bool is_drawn_together = std::popcount(alive) >= fewest_of_vectors;
     if (is_drawn_together) numbers.draw<F>(context.scene, samplers, bounce);
     LaneMask going_on = 0;

@@ -1,6 +1,7 @@
 // Invariants 1 and 2: one scene, one set of options, one seed, one image, bit by bit.
 #include <gtest/gtest.h>
 
+#include "integrators/path/kernels.h"
 #include "renderer/math/constants.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
@@ -86,6 +87,26 @@ TEST(Agreement_SameBits, SamplesArePrefixes) {
   for (std::size_t i = 0; i < whole.pixel_count(); ++i)
     lowest = std::min(lowest, 17.0 * whole.values[4 * i] - 16.0 * prefix.values[4 * i]);
   EXPECT_GT(lowest, -1e-4);  // the seventeenth sample itself is not negative
+}
+
+// Blocks of samples that are cut anywhere: their parts give the bits of the whole.
+TEST(Agreement_SameBits, OverSampleRanges) {
+  const RenderSettings settings = settings_of(24, 40);
+  const Scene scene = compiled(small_room(), settings.options);
+  const EmbreeAccel accelerator(scene);
+  const Filter filter = make_filter(settings.options);
+  const auto context = make_path_context(scene, accelerator, filter, settings.options);
+  const PixelRect all{0, 0, 24, 24};
+  const auto picture_of = [&](const std::vector<std::uint32_t>& cuts) {
+    Film film(24, 24, all, all_aovs, 4);
+    for (std::size_t i = 1; i < cuts.size(); ++i)
+      render_tile<general_features>(context, all, cuts[i - 1], cuts[i], film);
+    return film.to_image(true).values;
+  };
+  const std::vector<float> whole = picture_of({0, 40});
+  EXPECT_EQ(picture_of({0, 16, 32, 40}), whole);
+  EXPECT_EQ(picture_of({0, 1, 16, 17, 31, 32, 40}), whole);
+  EXPECT_EQ(picture_of({0, 5, 39, 40}), whole);
 }
 
 // Invariant 5: coordinates times a power of two give the same bits.

@@ -1,0 +1,123 @@
+// Blocks of rays: the answers of single rays, whatever the lanes and their neighbours.
+#include "renderer/accel/ray_block.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "renderer/accel/any_accel.h"
+#include "tests/accel/ray_sets.h"
+#include "tests/scenes/soups.h"
+
+namespace candela {
+namespace {
+
+bool are_equal(const Hit& a, const Hit& b) {
+  return a.t == b.t && a.u == b.u && a.v == b.v && a.geometry == b.geometry &&
+         a.triangle == b.triangle && a.instance == b.instance;
+}
+
+// Blocks of rays from one point in nearly one direction, as of a pixel.
+std::vector<RayBlock> pixel_blocks(std::size_t count, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::vector<RayBlock> blocks(count);
+  for (RayBlock& block : blocks) {
+    const Vec3f origin = test::uniform_in_cube(random) * 3.0f;
+    const Vec3f through = test::uniform_in_cube(random);
+    for (Ray& ray : block)
+      ray = {origin, normalize(through + test::uniform_in_cube(random) * 0.02f - origin), infinity};
+  }
+  return blocks;
+}
+
+// Blocks of rays that have nothing to do with each other, some of them short.
+std::vector<RayBlock> scattered_blocks(std::size_t count, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::vector<RayBlock> blocks(count);
+  for (RayBlock& block : blocks)
+    for (Ray& ray : block) {
+      const Vec3f origin = test::uniform_in_cube(random) * 3.0f;
+      ray = {origin, normalize(test::uniform_in_cube(random) - origin),
+             random() % 2 == 0 ? infinity : 2.0f};
+    }
+  return blocks;
+}
+
+// Triangles, cut-outs, and instances of both.
+Scene mixed_scene() {
+  Scene scene = test::scene_of(test::random_soup(500, 0.3f, 41));
+  test::add_cutout(scene, test::random_soup(2000, 0.5f, 42), 0.5f);
+  test::add_instances(scene, test::random_soup(1000, 0.4f, 43),
+                      {test::placement({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}),
+                       test::placement({0, 1, 0}, {1, 0, 0}, {0, 0, 0.5f}, {0, 1, 0})});
+  scene.geometries.back().has_cutouts = true;
+  scene.geometries.back().material = MaterialHandle(1);
+  return scene;
+}
+
+// Every lane's answer, for lanes at random, against the single ray's.
+template <Accelerator A>
+void expect_single_answers(const A& accelerator, const std::vector<RayBlock>& blocks,
+                           Coherence coherence) {
+  std::mt19937 random(7);
+  int hits = 0;
+  for (const RayBlock& rays : blocks) {
+    const LaneMask lanes = random() % 4 == 0 ? all_lanes : random() & all_lanes;
+    const HitBlock found = accelerator.intersect(rays, lanes, coherence);
+    const LaneMask occluded = accelerator.occluded(rays, lanes);
+    EXPECT_EQ(occluded & ~lanes, 0u);
+    for_each_lane(lanes, [&](std::uint32_t i) {
+      const Hit single = accelerator.intersect(rays[i]);
+      hits += single.is_hit();
+      ASSERT_TRUE(are_equal(found[i], single)) << "lane " << i << " of " << lanes;
+      ASSERT_EQ((occluded >> i & 1) != 0, single.is_hit()) << "lane " << i << " of " << lanes;
+    });
+    for_each_lane(all_lanes & ~lanes, [&](std::uint32_t i) { ASSERT_FALSE(found[i].is_hit()); });
+  }
+  EXPECT_GT(hits, 2000);
+}
+
+TEST(Unit_RayBlock, LanesAreVisitedFromTheLowest) {
+  std::vector<std::uint32_t> visited;
+  for_each_lane(0b1000000000010110u, [&](std::uint32_t i) { visited.push_back(i); });
+  EXPECT_EQ(visited, (std::vector<std::uint32_t>{1, 2, 4, 15}));
+  for_each_lane(0, [](std::uint32_t) { ADD_FAILURE(); });
+}
+
+TEST(Unit_RayBlock, EmbreeAnswersAsForSingleRays) {
+  const Scene scene = mixed_scene();
+  for (const bool robust : {false, true}) {
+    const EmbreeAccel embree(scene, {.robust = robust});
+    expect_single_answers(embree, pixel_blocks(2000, 1), Coherence::Coherent);
+    expect_single_answers(embree, scattered_blocks(2000, 2), Coherence::Incoherent);
+    expect_single_answers(embree, scattered_blocks(500, 3), Coherence::Coherent);
+  }
+}
+
+TEST(Unit_RayBlock, TheOwnTreeAnswersAsForSingleRays) {
+  const Scene scene = mixed_scene();
+  expect_single_answers(BvhAccel(scene), pixel_blocks(1000, 4), Coherence::Coherent);
+}
+
+// A lane that does not count may hold anything.
+TEST(Unit_RayBlock, LanesThatDoNotCountChangeNothing) {
+  const Scene scene = mixed_scene();
+  const EmbreeAccel embree(scene);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (RayBlock rays : scattered_blocks(200, 5)) {
+    constexpr LaneMask lanes = 0b0101010101010101u;
+    const HitBlock before = embree.intersect(rays, lanes, Coherence::Incoherent);
+    for_each_lane(all_lanes & ~lanes, [&](std::uint32_t i) {
+      rays[i] = {Vec3f(nan), Vec3f(1e20f), nan};
+    });
+    const HitBlock after = embree.intersect(rays, lanes, Coherence::Incoherent);
+    const LaneMask occluded = embree.occluded(rays, lanes);
+    for_each_lane(lanes, [&](std::uint32_t i) {
+      EXPECT_TRUE(are_equal(before[i], after[i]));
+      EXPECT_EQ((occluded >> i & 1) != 0, before[i].is_hit());
+    });
+  }
+}
+
+}  // namespace
+}  // namespace candela
