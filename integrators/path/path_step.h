@@ -15,10 +15,9 @@ namespace candela {
 
 // The state of a path between two hits.
 struct PathState {
-  Ray ray;
   Rgb throughput{1};
   Rgb radiance{0};
-  float bsdf_pdf = 0;     // solid angle, of the direction of `ray`
+  float bsdf_pdf = 0;     // solid angle, of the direction of its ray
   float eta_squared = 1;  // what refraction multiplied the throughput by: no loss of light
   bool is_delta = true;   // camera rays and delta lobes: only this strategy finds the light
 };
@@ -45,15 +44,15 @@ inline void add_met_light(const RenderOptions& options, const Rgb& radiance, flo
 // Light from a ray that left the scene.
 template <FeatureSet F>
 inline void add_environment(const Scene& scene, const RenderOptions& options, std::uint32_t bounce,
-                            PathState& path) {
+                            const Vec3f& wi, PathState& path) {
   if constexpr (F.environment) {
     if (!scene.environment) return;
     const Environment& environment = *scene.environment;
     if (bounce == 0 && (options.transparent || !environment.is_seen_by_camera)) return;
-    Rgb radiance = environment_radiance(environment, scene.textures, path.ray.direction);
+    Rgb radiance = environment_radiance(environment, scene.textures, wi);
     const bool is_unsampled = path.is_delta || scene.environment_light == Light::none;
     const float pdf = is_unsampled ? 0.0f
-                                   : environment_pdf(environment, path.ray.direction) *
+                                   : environment_pdf(environment, wi) *
                                          scene.light_sampler.probability(scene.environment_light);
     add_met_light<F>(options, radiance, pdf, path);
   }
@@ -62,10 +61,9 @@ inline void add_environment(const Scene& scene, const RenderOptions& options, st
 // Light that the surface itself sends back along the ray.
 template <FeatureSet F>
 inline void add_emission(const Scene& scene, const RenderOptions& options, const Geometry& geometry,
-                         const Hit& hit, PathState& path) {
+                         const Hit& hit, const Vec3f& wi, PathState& path) {
   const std::uint32_t index = geometry.first_light + hit.triangle;
   const Light& light = scene.lights[index];
-  const Vec3f& wi = path.ray.direction;
   const float pdf =
       path.is_delta ? 0.0f
                     : triangle_light_pdf(light, wi, hit.t) * scene.light_sampler.probability(index);
@@ -118,7 +116,7 @@ template <FeatureSet F>
 }
 
 // Continues the path in a direction of a sample; false where it ends.
-[[nodiscard]] inline bool scatter(const SurfacePoint& point, const BsdfSample& sample,
+[[nodiscard]] inline bool scatter(const SurfacePoint& point, const BsdfSample& sample, Ray& ray,
                                   PathState& path) {
   if (is_black(sample.weight)) return false;
   Vec3f wi = point.shading.to_world(sample.wi);
@@ -127,7 +125,7 @@ template <FeatureSet F>
   path.bsdf_pdf = sample.pdf;
   path.is_delta = sample.is_delta;
   path.eta_squared *= sample.eta * sample.eta;
-  path.ray = spawn_ray(point, wi);
+  ray = spawn_ray(point, wi);
   return true;
 }
 
@@ -152,8 +150,8 @@ inline constexpr std::uint32_t first_bounce_with_roulette = 2;
 template <FeatureSet F, class A>
 [[nodiscard]] inline bool leave_by_model(const PathContext<A>& context, const StepNumbers& numbers,
                                          std::uint32_t bounce, const SurfacePoint& point,
-                                         const Material& material, const Vec3f& wo, PathState& path,
-                                         DirectLight& picked, TileCounts& counts) {
+                                         const Material& material, const Vec3f& wo, Ray& ray,
+                                         PathState& path, DirectLight& picked, TileCounts& counts) {
   Bsdf bsdf =
       bsdf_at<F.models, F.textures>(material, context.scene.textures, point.uv, point.is_front);
   Vec3f wo_local = point.shading.to_local(wo);
@@ -165,49 +163,51 @@ template <FeatureSet F, class A>
     picked.contribution *= path.throughput;
   }
   BsdfSample next = sample_direction<F>(context.options, numbers, bsdf, wo_local);
-  return scatter(point, next, path) && survives_roulette(numbers.roulette, bounce, path);
+  return scatter(point, next, ray, path) && survives_roulette(numbers.roulette, bounce, path);
 }
 
 // In the plain kernel a body for each of the two models.
 template <FeatureSet F, class A>
 [[nodiscard]] inline bool leave_surface(const PathContext<A>& context, const StepNumbers& numbers,
                                         std::uint32_t bounce, const SurfacePoint& point,
-                                        const Material& material, const Vec3f& wo, PathState& path,
-                                        DirectLight& picked, TileCounts& counts) {
+                                        const Material& material, const Vec3f& wo, Ray& ray,
+                                        PathState& path, DirectLight& picked, TileCounts& counts) {
   if constexpr (F.models == plain_features.models) {
     constexpr FeatureSet glossy = F.with_models(model_bit(BsdfModel::CookTorrance));
     constexpr FeatureSet diffuse = F.with_models(model_bit(BsdfModel::Diffuse));
     if (material.model == MaterialModel::CookTorrance)
-      return leave_by_model<glossy>(context, numbers, bounce, point, material, wo, path, picked,
-                                    counts);
-    return leave_by_model<diffuse>(context, numbers, bounce, point, material, wo, path, picked,
+      return leave_by_model<glossy>(context, numbers, bounce, point, material, wo, ray, path,
+                                    picked, counts);
+    return leave_by_model<diffuse>(context, numbers, bounce, point, material, wo, ray, path, picked,
                                    counts);
   } else {
-    return leave_by_model<F>(context, numbers, bounce, point, material, wo, path, picked, counts);
+    return leave_by_model<F>(context, numbers, bounce, point, material, wo, ray, path, picked,
+                             counts);
   }
 }
 
-// From what the path's ray met to its next ray; false where the path ends. `first_hit`: what the
-// film's layers keep of the camera ray.
+// From what the path's ray met to its next ray, which takes its place; false where the path ends.
+// `first_hit`: what the film's layers keep of the camera ray.
 template <FeatureSet F, class A>
 [[nodiscard]] inline bool step(const PathContext<A>& context, const StepNumbers& numbers,
-                               std::uint32_t bounce, const Hit& hit, PathState& path,
+                               std::uint32_t bounce, const Hit& hit, Ray& ray, PathState& path,
                                DirectLight& picked, FilmSample& first_hit, TileCounts& counts) {
   const Scene& scene = context.scene;
   if (!hit.is_hit()) {
-    add_environment<F>(scene, context.options, bounce, path);
+    add_environment<F>(scene, context.options, bounce, ray.direction, path);
     if (bounce == 0) first_hit.alpha = 0;
     return false;
   }
   const Geometry& geometry = scene.geometries[hit.geometry];
   const Material& material = scene.materials[geometry.material.index];
-  Vec3f wo = -path.ray.direction;
+  Vec3f wo = -ray.direction;
   SurfacePoint point = surface_point_at<F>(scene, hit, material, wo);
-  if (geometry.is_emissive()) add_emission<F>(scene, context.options, geometry, hit, path);
+  if (geometry.is_emissive())
+    add_emission<F>(scene, context.options, geometry, hit, ray.direction, path);
   if (bounce == 0 && context.options.aovs != 0)
-    record_camera_hit<F>(scene, context.camera, path.ray, hit, first_hit);
+    record_camera_hit<F>(scene, context.camera, ray, hit, first_hit);
   if (bounce >= context.max_depth) return false;
-  return leave_surface<F>(context, numbers, bounce, point, material, wo, path, picked, counts);
+  return leave_surface<F>(context, numbers, bounce, point, material, wo, ray, path, picked, counts);
 }
 
 }  // namespace candela

@@ -26,14 +26,18 @@ inline void render_block(const PathContext<A>& context, const PixelSampler& pixe
   SobolPointLanes lens{};
   samplers.sample_2d(0, Dimension::Filter, filter);
   if (F.thin_lens && context.camera.lens_radius > 0) samplers.sample_2d(0, Dimension::Lens, lens);
+  LaneMask alive = 0;
   for_each_lane(lanes, [&](std::uint32_t i) {
-    block.paths[i] =
-        PathState{.ray = camera_ray<F>(context, unit_point(filter, i), unit_point(lens, i), x, y)};
+    block.paths[i] = PathState{};
     block.samples[i].alpha = 1;
     block.samples[i].has_hit = false;
+    Ray ray = camera_ray<F>(context, unit_point(filter, i), unit_point(lens, i), x, y);
+    if (set_ray(block, i, ray)) alive |= 1u << i;
   });
-  trace_block<F>(context, samplers, lanes, block, counts);
+  counts.rays.camera += static_cast<std::uint64_t>(std::popcount(lanes));
+  trace_block<F>(context, samplers, alive, lanes == all_lanes, block, counts);
   for_each_lane(lanes, [&](std::uint32_t i) {
+    block.samples[i].radiance = block.paths[i].radiance;
     add_or_count(block.samples[i], x, y, base + i, context.options.clamp, film, counts);
   });
 }
