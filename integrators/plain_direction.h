@@ -16,7 +16,10 @@ template <ModelSet models = all_models>
   const bool is_uniform = strategy == SamplingStrategy::Uniform;
   Vec3f wi = is_uniform ? square_to_uniform_hemisphere(u) : square_to_cosine_hemisphere(u);
   float pdf = is_uniform ? 0.5f * inverse_pi : cosine_hemisphere_pdf(wi.z);
-  if (bsdf.model == BsdfModel::Dielectric) {
+  const bool has_two_sides = bsdf.model == BsdfModel::Dielectric ||
+                             bsdf.model == BsdfModel::AnisotropicDielectric ||
+                             bsdf.model == BsdfModel::DiffuseTransmission;
+  if (has_two_sides) {
     pdf *= 0.5f;
     if (side < 0.5f) wi.z = -wi.z;
   }

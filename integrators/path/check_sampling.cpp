@@ -25,6 +25,12 @@ struct NameOfDeltaLobe {
   std::string_view operator()(const DielectricMaterial& m) const {
     return m.is_thin || is_smooth(m.roughness) ? "a smooth dielectric" : "";
   }
+  std::string_view operator()(const CoatedDiffuseMaterial& m) const {
+    return is_smooth(m.coat.roughness) ? "smoothly coated" : "";
+  }
+  std::string_view operator()(const CoatedConductorMaterial& m) const {
+    return is_smooth(m.coat.roughness) ? "smoothly coated" : "";
+  }
   template <class Rough>
   std::string_view operator()(const Rough&) const {
     return "";

@@ -87,6 +87,10 @@ template <FeatureSet F>
     }
   }
   set_shading_frame(point, wo);
+  if constexpr (F.textures) {
+    if (material.is_anisotropic)
+      point.shading = frame_from_normal_and_tangent(point.shading.z, point.dpdu);
+  }
   return point;
 }
 

@@ -90,6 +90,17 @@ struct LabSurface {
       const Rgb f0 = conductor_reflectance(bsdf.eta, bsdf.k);
       return bsdf.is_smooth ? smooth_surface(f0) : glossy_surface(Rgb{0}, f0, bsdf.alpha);
     }
+    case BsdfModel::DiffuseTransmission:
+      return {.kd = bsdf.diffuse};
+    case BsdfModel::CoatedDiffuse: {
+      const Rgb f0{normal_reflectance(bsdf.coat->eta())};
+      return glossy_surface(coated_diffuse_albedo(bsdf, 1), f0, ggx_width(bsdf.alpha));
+    }
+    case BsdfModel::CoatedConductor:
+      return {};
+    case BsdfModel::AnisotropicConductor:
+      return glossy_surface(Rgb{0}, conductor_reflectance(bsdf.eta, bsdf.k), bsdf.alpha);
+    case BsdfModel::AnisotropicDielectric:
     case BsdfModel::Dielectric:
     case BsdfModel::ThinDielectric:
       return glass_surface(material, bsdf);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "renderer/bsdf/bsdf.h"
+#include "renderer/bsdf/coated_diffuse.h"
 #include "renderer/bsdf/compensated_cook_torrance.h"
 #include "renderer/bsdf/conductor.h"
 #include "renderer/bsdf/cook_torrance.h"
@@ -61,6 +62,18 @@ namespace candela {
   return Rgb{reflectance} + bsdf.transmittance * (1 - reflectance);
 }
 
+// What the coat reflects, by a fit, and the rest exactly.
+[[nodiscard]] inline Rgb coated_diffuse_whole_albedo(const Bsdf& bsdf, float cos_o) {
+  const float eta = bsdf.coat->eta();
+  const Rgb at_angle{fresnel_dielectric(cos_o, eta).reflectance};
+  const Rgb below = coated_diffuse_albedo(bsdf, cos_o);
+  if (has_smooth_coat(bsdf)) return at_angle + below;
+  const float a = ggx_width(std::sqrt(bsdf.alpha * bsdf.alpha_across));
+  return rough_reflectance(Rgb{normal_reflectance(eta)}, at_angle, a) *
+             microfacet_albedo(GeometryTerm::Smith, a, cos_o) +
+         below;
+}
+
 [[nodiscard]] inline Rgb unclamped_albedo(const Bsdf& bsdf, float cos_o) {
   switch (bsdf.model) {
     case BsdfModel::Diffuse:
@@ -80,6 +93,19 @@ namespace candela {
     }
     case BsdfModel::CompensatedCookTorrance:
       return cook_torrance_albedo(bsdf, cos_o) + multiple_albedo(bsdf, cos_o);
+    case BsdfModel::DiffuseTransmission:
+      return bsdf.diffuse + bsdf.transmittance;
+    case BsdfModel::CoatedDiffuse:
+      return coated_diffuse_whole_albedo(bsdf, cos_o);
+    case BsdfModel::CoatedConductor:
+      return Rgb{0};
+    case BsdfModel::AnisotropicConductor: {
+      Bsdf mean = bsdf;
+      mean.alpha = std::sqrt(bsdf.alpha * bsdf.alpha_across);
+      return conductor_albedo(mean, cos_o);
+    }
+    case BsdfModel::AnisotropicDielectric:
+      return dielectric_albedo(bsdf, cos_o);
   }
   return Rgb{0};
 }

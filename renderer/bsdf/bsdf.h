@@ -17,7 +17,15 @@ enum class BsdfModel : std::uint8_t {
   Dielectric,
   ThinDielectric,
   CompensatedCookTorrance,  // with the light of multiple bounces; conductors, too
+  DiffuseTransmission,
+  CoatedDiffuse,
+  CoatedConductor,
+  AnisotropicConductor,
+  AnisotropicDielectric,
 };
+
+class CoatTable;
+class CoatedMetalTable;
 
 enum class FresnelTerm : std::uint8_t { Schlick, Dielectric, Conductor };
 enum class GeometryTerm : std::uint8_t { SchlickGgx, Smith };
@@ -35,6 +43,10 @@ struct Bsdf {
   Rgb eta{1.5f};  // relative index: below the surface over above it, seen from wo's side
   Rgb k{0};
   Rgb transmittance{1};
+  // Anisotropic models and coats: the width along the frame's y, `alpha` being that along x.
+  float alpha_across = 1;
+  const CoatTable* coat = nullptr;          // coated models
+  const CoatedMetalTable* metal = nullptr;  // CoatedConductor
 };
 
 // f(wo, wi) |cos(theta_i)| and the density with which sample_bsdf() would have chosen wi.
@@ -57,7 +69,7 @@ using ModelSet = std::uint32_t;
 constexpr ModelSet model_bit(BsdfModel model) {
   return 1u << static_cast<unsigned>(model);
 }
-inline constexpr ModelSet all_models = 0xff;
+inline constexpr ModelSet all_models = 0x1fff;
 
 // The functions over these are in renderer/bsdf/dispatch.h:
 //   is_only_delta, evaluate_bsdf, sample_bsdf, albedo_estimate.

@@ -9,13 +9,18 @@
 
 namespace candela {
 
+template <class Width>
+[[nodiscard]] inline BsdfEvaluation evaluate_rough_conductor(const Bsdf& bsdf, Width a,
+                                                             const Vec3f& wo, const Vec3f& wi) {
+  MicrofacetReflection reflection = reflect_microfacets(GeometryTerm::Smith, a, wo, wi);
+  return {fresnel_conductor(reflection.cos_half, bsdf.eta, bsdf.k) * reflection.value,
+          reflection.pdf};
+}
+
 [[nodiscard]] inline BsdfEvaluation evaluate_conductor(const Bsdf& bsdf, const Vec3f& wo,
                                                        const Vec3f& wi) {
   if (bsdf.is_smooth) return {};
-  MicrofacetReflection reflection =
-      reflect_microfacets(GeometryTerm::Smith, ggx_width(bsdf.alpha), wo, wi);
-  return {fresnel_conductor(reflection.cos_half, bsdf.eta, bsdf.k) * reflection.value,
-          reflection.pdf};
+  return evaluate_rough_conductor(bsdf, ggx_width(bsdf.alpha), wo, wi);
 }
 
 [[nodiscard]] inline BsdfSample sample_conductor(const Bsdf& bsdf, const Vec3f& wo,

@@ -48,9 +48,9 @@ inline constexpr float smallest_refraction_spread = 1e-5f;
   return refraction_sample(wi, bsdf.transmittance * weight, eta);
 }
 
-[[nodiscard]] inline BsdfEvaluation evaluate_rough_reflection(const Bsdf& bsdf, const Vec3f& wo,
-                                                              const Vec3f& wi) {
-  const float a = ggx_width(bsdf.alpha);
+template <class Width>
+[[nodiscard]] inline BsdfEvaluation evaluate_rough_reflection(const Bsdf& bsdf, Width a,
+                                                              const Vec3f& wo, const Vec3f& wi) {
   Vec3f sum = wo + wi;
   const float length2 = length_squared(sum);
   if (!(length2 > 0)) return {};
@@ -58,16 +58,16 @@ inline constexpr float smallest_refraction_spread = 1e-5f;
   const float distribution = ggx_distribution(sum, a);
   const float reflectance = fresnel_dielectric(cos_half, bsdf.eta.x).reflectance;
   const float value =
-      reflectance * distribution * masking_over_cosines(GeometryTerm::Smith, wo.z, wi.z, a);
+      reflectance * distribution * masking_over_cosines(GeometryTerm::Smith, wo, wi, a);
   // The normal's density over 4 (wo.h), by which (wo.h) cancels.
-  const float pdf = distribution / (2 * (wo.z + smith_root(wo.z, a)));
+  const float pdf = distribution / (2 * (wo.z + smith_root(wo, a)));
   return {Rgb{value}, reflection_probability(reflectance, bsdf.transmittance) * pdf};
 }
 
 // [Walter07, eqs. 16, 17 and 21], all divided by the squared index of wo's side.
-[[nodiscard]] inline BsdfEvaluation evaluate_rough_refraction(const Bsdf& bsdf, const Vec3f& wo,
-                                                              const Vec3f& wi) {
-  const float a = ggx_width(bsdf.alpha);
+template <class Width>
+[[nodiscard]] inline BsdfEvaluation evaluate_rough_refraction(const Bsdf& bsdf, Width a,
+                                                              const Vec3f& wo, const Vec3f& wi) {
   const float eta = bsdf.eta.x;
   Vec3f across = wo + wi * eta;
   Vec3f half = across.z < 0 ? -across : across;
@@ -82,23 +82,29 @@ inline constexpr float smallest_refraction_spread = 1e-5f;
   const float p_refract = tinted > 0 ? tinted / (1 - transmitted + tinted) : 0;
   const float distribution = ggx_distribution(h, a);
   const float solid_angles = cos_i / length2;  // dh / dwi over eta^2: |across| = |cos_o + eta wi.h|
-  const float normal_pdf = ggx_visible_normal_pdf(distribution, cos_o, wo.z, a);
-  const float value = transmitted * normal_pdf * smith_g1(-wi.z, a) * solid_angles;
+  const float normal_pdf = ggx_visible_normal_pdf(distribution, cos_o, wo, a);
+  const float value = transmitted * normal_pdf * smith_g1(wi, a) * solid_angles;
   return {bsdf.transmittance * value, p_refract * normal_pdf * solid_angles * square(eta)};
 }
 
+template <class Width>
+[[nodiscard]] inline BsdfEvaluation evaluate_rough_dielectric(const Bsdf& bsdf, Width a,
+                                                              const Vec3f& wo, const Vec3f& wi) {
+  if (wi.z > 0) return evaluate_rough_reflection(bsdf, a, wo, wi);
+  if (wi.z < 0) return evaluate_rough_refraction(bsdf, a, wo, wi);
+  return {};
+}
 [[nodiscard]] inline BsdfEvaluation evaluate_dielectric(const Bsdf& bsdf, const Vec3f& wo,
                                                         const Vec3f& wi) {
   if (bsdf.is_smooth) return {};
-  if (wi.z > 0) return evaluate_rough_reflection(bsdf, wo, wi);
-  if (wi.z < 0) return evaluate_rough_refraction(bsdf, wo, wi);
-  return {};
+  return evaluate_rough_dielectric(bsdf, ggx_width(bsdf.alpha), wo, wi);
 }
 
-[[nodiscard]] inline BsdfSample sample_rough_dielectric(const Bsdf& bsdf, const Vec3f& wo,
+template <class Width>
+[[nodiscard]] inline BsdfSample sample_rough_dielectric(const Bsdf& bsdf, Width a, const Vec3f& wo,
                                                         float lobe, Vec2f direction) {
   const float eta = bsdf.eta.x;
-  Vec3f m = sample_ggx_visible_normal(wo, ggx_width(bsdf.alpha), direction);
+  Vec3f m = sample_ggx_visible_normal(wo, a, direction);
   const float cos_half = dot(wo, m);
   if (!(cos_half > 0)) return {};
   DielectricFresnel fresnel = fresnel_dielectric(cos_half, eta);
@@ -106,7 +112,7 @@ inline constexpr float smallest_refraction_spread = 1e-5f;
   Vec3f wi =
       reflects ? m * (2 * cos_half) - wo : refract(wo, m, cos_half, fresnel.cos_transmitted, eta);
   if (reflects != (wi.z > 0)) return {};
-  BsdfEvaluation evaluation = evaluate_dielectric(bsdf, wo, wi);
+  BsdfEvaluation evaluation = evaluate_rough_dielectric(bsdf, a, wo, wi);
   if (!(evaluation.pdf > 0)) return {};
   return {.wi = wi,
           .weight = evaluation.value / evaluation.pdf,
@@ -118,7 +124,7 @@ inline constexpr float smallest_refraction_spread = 1e-5f;
 [[nodiscard]] inline BsdfSample sample_dielectric(const Bsdf& bsdf, const Vec3f& wo, float lobe,
                                                   Vec2f direction) {
   if (bsdf.is_smooth) return sample_smooth_dielectric(bsdf, wo, lobe);
-  return sample_rough_dielectric(bsdf, wo, lobe, direction);
+  return sample_rough_dielectric(bsdf, ggx_width(bsdf.alpha), wo, lobe, direction);
 }
 
 }  // namespace candela

@@ -7,12 +7,15 @@
 #include <bit>
 
 #include "renderer/bsdf/albedo.h"  // albedo_estimate
+#include "renderer/bsdf/anisotropic.h"
 #include "renderer/bsdf/bsdf.h"
+#include "renderer/bsdf/coated_diffuse.h"
 #include "renderer/bsdf/compensated_cook_torrance.h"
 #include "renderer/bsdf/conductor.h"
 #include "renderer/bsdf/cook_torrance.h"
 #include "renderer/bsdf/dielectric.h"
 #include "renderer/bsdf/diffuse.h"
+#include "renderer/bsdf/diffuse_transmission.h"
 #include "renderer/bsdf/lab.h"
 #include "renderer/bsdf/mirror.h"
 #include "renderer/bsdf/thin_dielectric.h"
@@ -71,6 +74,24 @@ template <ModelSet models = all_models>
       if constexpr (has_model<models>(BsdfModel::CompensatedCookTorrance))
         return evaluate_compensated(bsdf, wo, wi);
       break;
+    case BsdfModel::DiffuseTransmission:
+      if constexpr (has_model<models>(BsdfModel::DiffuseTransmission))
+        return evaluate_diffuse_transmission(bsdf, wi);
+      break;
+    case BsdfModel::CoatedDiffuse:
+      if constexpr (has_model<models>(BsdfModel::CoatedDiffuse))
+        return evaluate_coated_diffuse(bsdf, wo, wi);
+      break;
+    case BsdfModel::CoatedConductor:
+      break;
+    case BsdfModel::AnisotropicConductor:
+      if constexpr (has_model<models>(BsdfModel::AnisotropicConductor))
+        return evaluate_anisotropic_conductor(bsdf, wo, wi);
+      break;
+    case BsdfModel::AnisotropicDielectric:
+      if constexpr (has_model<models>(BsdfModel::AnisotropicDielectric))
+        return evaluate_anisotropic_dielectric(bsdf, wo, wi);
+      break;
     case BsdfModel::Mirror:
     case BsdfModel::ThinDielectric:
       break;
@@ -113,6 +134,24 @@ template <ModelSet models = all_models>
     case BsdfModel::CompensatedCookTorrance:
       if constexpr (has_model<models>(BsdfModel::CompensatedCookTorrance))
         return sample_compensated(bsdf, wo, lobe, direction);
+      break;
+    case BsdfModel::DiffuseTransmission:
+      if constexpr (has_model<models>(BsdfModel::DiffuseTransmission))
+        return sample_diffuse_transmission(bsdf, lobe, direction);
+      break;
+    case BsdfModel::CoatedDiffuse:
+      if constexpr (has_model<models>(BsdfModel::CoatedDiffuse))
+        return sample_coated_diffuse(bsdf, wo, lobe, direction);
+      break;
+    case BsdfModel::CoatedConductor:
+      break;
+    case BsdfModel::AnisotropicConductor:
+      if constexpr (has_model<models>(BsdfModel::AnisotropicConductor))
+        return sample_anisotropic_conductor(bsdf, wo, direction);
+      break;
+    case BsdfModel::AnisotropicDielectric:
+      if constexpr (has_model<models>(BsdfModel::AnisotropicDielectric))
+        return sample_anisotropic_dielectric(bsdf, wo, lobe, direction);
       break;
   }
   return {};

@@ -81,4 +81,70 @@ inline constexpr float smallest_ggx_width = 1e-4f;
   return distribution / (2 * (ggx_reflection_bound(wo, a) * wo.z + smith_root(wo.z, a)));
 }
 
+// --- of widths that differ: a.x along the frame's x, a.y along y ---
+//
+// Overloads by directions for both kinds, so that models are written once.
+
+[[nodiscard]] inline Vec2f ggx_width(Vec2f alpha) {
+  return {ggx_width(alpha.x), ggx_width(alpha.y)};
+}
+
+[[nodiscard]] inline float ggx_distribution(const Vec3f& h, Vec2f a) {
+  const float scaled = h.z * h.z + square(h.x / a.x) + square(h.y / a.y);
+  const float ratio = length_squared(h) / scaled;
+  return ratio * ratio / (pi * a.x * a.y);
+}
+
+// [Heitz14, eq. 86], of a unit direction on either side.
+[[nodiscard]] inline float smith_root(const Vec3f& w, float a) {
+  return smith_root(w.z, a);
+}
+[[nodiscard]] inline float smith_root(const Vec3f& w, Vec2f a) {
+  return std::sqrt(square(a.x * w.x) + square(a.y * w.y) + square(w.z));
+}
+[[nodiscard]] inline float smith_g1(const Vec3f& w, float a) {
+  return smith_g1(std::abs(w.z), a);
+}
+[[nodiscard]] inline float smith_g1(const Vec3f& w, Vec2f a) {
+  const float cos_theta = std::abs(w.z);
+  return 2 * cos_theta / (cos_theta + smith_root(w, a));
+}
+
+[[nodiscard]] inline Vec3f sample_ggx_cap(const Vec3f& stretched_wo, float bound, Vec2f a,
+                                          Vec2f u) {
+  const float z = (1 - u.y) * (1 + bound) - bound;
+  const float r = std::sqrt(std::max(0.0f, 1 - z * z));
+  SinCos phi = sin_cos_of_turns(u.x);
+  Vec3f m = stretched_wo + Vec3f{r * phi.cos, r * phi.sin, z};
+  Vec3f normal{a.x * m.x, a.y * m.y, m.z};
+  const float length2 = length_squared(normal);
+  if (!(length2 > 0) || !(normal.z > 0)) return Vec3f{0};
+  return normal / std::sqrt(length2);
+}
+[[nodiscard]] inline Vec3f sample_ggx_visible_normal(const Vec3f& wo, Vec2f a, Vec2f u) {
+  Vec3f stretched = normalize(Vec3f{a.x * wo.x, a.y * wo.y, wo.z});
+  return sample_ggx_cap(stretched, stretched.z, a, u);
+}
+[[nodiscard]] inline float ggx_visible_normal_pdf(float distribution, float cos_half,
+                                                  const Vec3f& wo, float a) {
+  return ggx_visible_normal_pdf(distribution, cos_half, wo.z, a);
+}
+[[nodiscard]] inline float ggx_visible_normal_pdf(float distribution, float cos_half,
+                                                  const Vec3f& wo, Vec2f a) {
+  return 2 * distribution * cos_half / (wo.z + smith_root(wo, a));
+}
+
+// By the smaller width [Eto23, listing 2].
+[[nodiscard]] inline float ggx_reflection_bound(const Vec3f& wo, Vec2f a) {
+  return ggx_reflection_bound(wo, std::min(a.x, a.y));
+}
+[[nodiscard]] inline Vec3f sample_ggx_reflection(const Vec3f& wo, Vec2f a, Vec2f u) {
+  Vec3f stretched = normalize(Vec3f{a.x * wo.x, a.y * wo.y, wo.z});
+  Vec3f m = sample_ggx_cap(stretched, ggx_reflection_bound(wo, a) * stretched.z, a, u);
+  return m * (2 * dot(wo, m)) - wo;
+}
+[[nodiscard]] inline float ggx_reflection_pdf(float distribution, const Vec3f& wo, Vec2f a) {
+  return distribution / (2 * (ggx_reflection_bound(wo, a) * wo.z + smith_root(wo, a)));
+}
+
 }  // namespace candela

@@ -26,19 +26,32 @@ struct MicrofacetReflection {
   return denominator > 0 ? cos_i / denominator : 0;
 }
 
+[[nodiscard]] inline float masking_over_cosines(GeometryTerm geometry, const Vec3f& wo,
+                                                const Vec3f& wi, float a) {
+  return masking_over_cosines(geometry, wo.z, wi.z, a);
+}
+// Smith's alone knows of two widths.
+[[nodiscard]] inline float masking_over_cosines(GeometryTerm /*geometry*/, const Vec3f& wo,
+                                                const Vec3f& wi, Vec2f a) {
+  const float denominator = 2 * (wo.z * smith_root(wi, a) + wi.z * smith_root(wo, a));
+  return denominator > 0 ? wi.z / denominator : 0;
+}
+
 // wo.h = wi.h = |wo + wi| / 2 of unit vectors: the same bits from both sides.
 [[nodiscard]] inline float cosine_to_half_vector(float length2_of_sum) {
   return std::min(1.0f, 0.5f * std::sqrt(length2_of_sum));
 }
 
-[[nodiscard]] inline MicrofacetReflection reflect_microfacets(GeometryTerm geometry, float a,
+// `Width`: one number, or two along the frame's x and y.
+template <class Width>
+[[nodiscard]] inline MicrofacetReflection reflect_microfacets(GeometryTerm geometry, Width a,
                                                               const Vec3f& wo, const Vec3f& wi) {
   if (!(wi.z > 0)) return {};
   Vec3f sum = wo + wi;
   const float length2 = length_squared(sum);
   if (!(length2 > 0)) return {};
   const float distribution = ggx_distribution(sum, a);
-  const float value = distribution * masking_over_cosines(geometry, wo.z, wi.z, a);
+  const float value = distribution * masking_over_cosines(geometry, wo, wi, a);
   return {value, ggx_reflection_pdf(distribution, wo, a), cosine_to_half_vector(length2)};
 }
 

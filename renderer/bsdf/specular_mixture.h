@@ -14,7 +14,8 @@ namespace candela {
   return specular_albedo / (specular_albedo + diffuse_albedo);
 }
 
-[[nodiscard]] inline Vec3f sample_specular_mixture(float probability_specular, float a,
+template <class Width>
+[[nodiscard]] inline Vec3f sample_specular_mixture(float probability_specular, Width a,
                                                    const Vec3f& wo, float lobe, Vec2f direction) {
   if (lobe < probability_specular) return sample_ggx_reflection(wo, a, direction);
   return square_to_cosine_hemisphere(direction);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "renderer/bsdf/bsdf.h"
+#include "renderer/bsdf/coated_diffuse.h"
 #include "renderer/bsdf/dielectric.h"
 #include "renderer/bsdf/fresnel.h"
 #include "renderer/bsdf/lab.h"
@@ -43,13 +44,23 @@ template <bool textured = true>
       return model_bit(BsdfModel::Mirror);
     case MaterialModel::Conductor: {
       const ModelSet plain = model_bit(BsdfModel::Conductor);
+      if (material.is_anisotropic) return plain | model_bit(BsdfModel::AnisotropicConductor);
       if (!material.energy_compensation) return plain;
       return plain | model_bit(BsdfModel::CompensatedCookTorrance);
     }
-    case MaterialModel::Dielectric:
-      return model_bit(BsdfModel::Dielectric);
+    case MaterialModel::Dielectric: {
+      const ModelSet plain = model_bit(BsdfModel::Dielectric);
+      if (material.is_anisotropic) return plain | model_bit(BsdfModel::AnisotropicDielectric);
+      return plain;
+    }
     case MaterialModel::ThinDielectric:
       return model_bit(BsdfModel::ThinDielectric);
+    case MaterialModel::DiffuseTransmission:
+      return model_bit(BsdfModel::DiffuseTransmission);
+    case MaterialModel::CoatedDiffuse:
+      return model_bit(BsdfModel::CoatedDiffuse);
+    case MaterialModel::CoatedConductor:
+      return model_bit(BsdfModel::CoatedConductor);
   }
   return 0;
 }
@@ -119,6 +130,80 @@ template <bool textured>
           .k = material.k};
 }
 
+// The smaller of two widths counts as at least the smallest where the larger one is rough.
+template <bool textured>
+[[nodiscard]] inline Vec2f widths_at(const Material& material, const TextureStore& textures,
+                                     Vec2f uv) {
+  const float along = scalar_at<textured>(material.roughness, textures, uv);
+  if (!material.is_anisotropic) return {along, along};
+  return {along, scalar_at<textured>(material.roughness_across, textures, uv)};
+}
+
+template <bool textured>
+[[nodiscard]] inline Bsdf anisotropic_conductor_at(const Material& material,
+                                                   const TextureStore& textures, Vec2f uv) {
+  const Vec2f widths = widths_at<textured>(material, textures, uv);
+  const bool is_smooth = !(std::max(widths.x, widths.y) >= smallest_ggx_width);
+  return {.model = is_smooth ? BsdfModel::Conductor : BsdfModel::AnisotropicConductor,
+          .is_smooth = is_smooth,
+          .alpha = ggx_width(widths.x),
+          .eta = material.eta,
+          .k = material.k,
+          .alpha_across = ggx_width(widths.y)};
+}
+
+template <bool textured>
+[[nodiscard]] inline Bsdf anisotropic_dielectric_at(const Material& material,
+                                                    const TextureStore& textures, Vec2f uv,
+                                                    bool is_front_side) {
+  const float eta = is_front_side ? material.eta.x : 1 / material.eta.x;
+  const Vec2f widths = widths_at<textured>(material, textures, uv);
+  const bool is_smooth = is_smooth_dielectric(std::max(widths.x, widths.y), eta);
+  // What float can tell from smooth (is_smooth_dielectric()).
+  const float least =
+      std::max(smallest_ggx_width, smallest_refraction_spread * std::max(1.0f, eta) /
+                                       std::max(smallest_refraction_spread, std::abs(eta - 1)));
+  return {.model = is_smooth ? BsdfModel::Dielectric : BsdfModel::AnisotropicDielectric,
+          .is_smooth = is_smooth,
+          .alpha = ggx_width(std::max(widths.x, least)),
+          .eta = Rgb{eta},
+          .transmittance = material.transmittance,
+          .alpha_across = ggx_width(std::max(widths.y, least))};
+}
+
+template <bool textured>
+[[nodiscard]] inline Bsdf sheet_at(const Material& material, const TextureStore& textures,
+                                   Vec2f uv) {
+  Bsdf bsdf{.model = BsdfModel::DiffuseTransmission,
+            .diffuse = colour_at<textured>(material.diffuse, textures, uv),
+            .eta = Rgb{1},
+            .transmittance = colour_at<textured>(material.specular, textures, uv)};
+  limit_reflectance(bsdf.diffuse, bsdf.transmittance);
+  return bsdf;
+}
+
+// Coats that float cannot tell from smooth are smooth: their width is 0.
+template <bool textured>
+[[nodiscard]] inline Vec2f coat_widths_at(const Material& material, const TextureStore& textures,
+                                          Vec2f uv) {
+  const Vec2f widths = widths_at<textured>(material, textures, uv);
+  if (!(std::max(widths.x, widths.y) >= smallest_ggx_width)) return {0, 0};
+  return ggx_width(widths);
+}
+
+template <bool textured>
+[[nodiscard]] inline Bsdf coated_diffuse_at(const Material& material, const TextureStore& textures,
+                                            Vec2f uv) {
+  const Vec2f widths = coat_widths_at<textured>(material, textures, uv);
+  return {.model = BsdfModel::CoatedDiffuse,
+          .alpha = widths.x,
+          .diffuse = coated_reflectance(*material.coat, std::sqrt(widths.x * widths.y),
+                                        colour_at<textured>(material.diffuse, textures, uv),
+                                        material.coat_bounces),
+          .alpha_across = widths.y,
+          .coat = material.coat.get()};
+}
+
 template <bool textured>
 [[nodiscard]] inline Bsdf dielectric_at(const Material& material, const TextureStore& textures,
                                         Vec2f uv, bool is_front_side) {
@@ -158,10 +243,18 @@ template <ModelSet models = all_models, bool textured = true>
                 .diffuse = colour_at<textured>(material.diffuse, textures, uv)};
       break;
     case MaterialModel::Conductor:
+      if constexpr (has(BsdfModel::AnisotropicConductor)) {
+        if (material.is_anisotropic)
+          return anisotropic_conductor_at<textured>(material, textures, uv);
+      }
       if constexpr (has(BsdfModel::Conductor) || has_compensated)
         return conductor_at<textured>(material, textures, uv);
       break;
     case MaterialModel::Dielectric:
+      if constexpr (has(BsdfModel::AnisotropicDielectric)) {
+        if (material.is_anisotropic)
+          return anisotropic_dielectric_at<textured>(material, textures, uv, is_front_side);
+      }
       if constexpr (has(BsdfModel::Dielectric))
         return dielectric_at<textured>(material, textures, uv, is_front_side);
       break;
@@ -170,6 +263,16 @@ template <ModelSet models = all_models, bool textured = true>
         return {.model = BsdfModel::ThinDielectric,
                 .eta = material.eta,
                 .transmittance = material.transmittance};
+      break;
+    case MaterialModel::DiffuseTransmission:
+      if constexpr (has(BsdfModel::DiffuseTransmission))
+        return sheet_at<textured>(material, textures, uv);
+      break;
+    case MaterialModel::CoatedDiffuse:
+      if constexpr (has(BsdfModel::CoatedDiffuse))
+        return coated_diffuse_at<textured>(material, textures, uv);
+      break;
+    case MaterialModel::CoatedConductor:
       break;
   }
   return {};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "renderer/geometry/geometry.h"
 #include "renderer/math/vec.h"
@@ -12,6 +13,8 @@ namespace candela {
 using description::FresnelModel;
 using description::GeometryModel;
 
+class CoatTable;
+class CoatedMetalTable;
 class CoverageGrid;
 
 enum class MaterialModel : std::uint8_t {
@@ -22,6 +25,9 @@ enum class MaterialModel : std::uint8_t {
   Conductor,       // smooth (delta) or rough GGX with eta and k
   Dielectric,      // smooth (delta) or rough GGX, reflection and refraction
   ThinDielectric,  // both interfaces at once, straight through
+  DiffuseTransmission,
+  CoatedDiffuse,
+  CoatedConductor,
 };
 
 // A texture replaces its constant.
@@ -46,11 +52,17 @@ struct Material {
   ColourParameter diffuse{Rgb{0}, {}};   // kd; Mirror: reflectance
   ColourParameter specular{Rgb{0}, {}};  // ks; Lab with a map: alpha * 256 is the exponent
   ScalarParameter roughness{0, {}, 0};   // GGX width a; Lab: from the exponent at compile time
-  float shininess = 0;                   // Lab: the exponent itself, for whitted
+  ScalarParameter roughness_across{0, {}, 0};  // along dp/dv, where is_anisotropic
+  bool is_anisotropic = false;                 // frames follow dp/du
+  float shininess = 0;                         // Lab: the exponent itself, for whitted
   Rgb f0{0.04f};
   Rgb eta{1.5f};  // Dielectric: all channels alike
   Rgb k{0};
   Rgb transmittance{1};
+  // Coated models; `roughness` is the coat's. Shared by materials that are coated alike.
+  std::shared_ptr<const CoatTable> coat;
+  std::shared_ptr<const CoatedMetalTable> metal;
+  int coat_bounces = 0;               // how often light may leave the surface below; 0: no limit
   Rgb emission{0};                    // radiance
   ScalarParameter opacity{1, {}, 3};  // in [0,1]
   bool lab_opacity = false;           // thresholds 0.2 and 0.9 of LAB3 section 8

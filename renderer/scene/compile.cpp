@@ -36,12 +36,13 @@ std::vector<bool> used_materials(const SceneDescription& description) {
 void compile_materials(const SceneDescription& description, const CompileOptions& options,
                        Scene& scene, DropCounts& dropped, Diagnostics& diagnostics) {
   const std::vector<bool> used = used_materials(description);
+  CoatTables coats;
   for (std::size_t i = 0; i < description.materials.size(); ++i) {
     const description::Material& material = description.materials[i];
     scene.material_names.push_back(material.name);
     if (used[i]) {
       scene.materials.push_back(
-          compile_material(description, material, options, scene.textures, diagnostics));
+          compile_material(description, material, options, scene.textures, coats, diagnostics));
     } else {
       scene.materials.emplace_back();
       ++dropped["materials that nothing wears"];

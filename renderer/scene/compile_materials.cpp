@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/bsdf/coat_table.h"
 #include "renderer/bsdf/energy_loss.h"
 #include "renderer/material/bsdf_at.h"
 
@@ -66,6 +67,7 @@ void set_lab_opacity(const description::LabMaterial& lab, const TextureStore& te
 struct ModelCompiler {
   const CompileOptions& options;
   const Registrar& texture;
+  CoatTables& coats;
   Material& out;
 
   void operator()(const description::LabMaterial& lab) const {
@@ -118,30 +120,55 @@ struct ModelCompiler {
 
   void operator()(const description::ConductorMaterial& m) const {
     out.model = MaterialModel::Conductor;
-    out.roughness = scalar(m.roughness, texture);
+    set_widths(m.roughness, m.roughness_across);
     out.energy_compensation = m.energy_compensation;
     set_conductor(m.eta, m.k);
   }
 
   void operator()(const description::DielectricMaterial& m) const {
     out.model = m.is_thin ? MaterialModel::ThinDielectric : MaterialModel::Dielectric;
-    out.roughness = scalar(m.roughness, texture);
+    set_widths(m.roughness, m.roughness_across);
     out.eta = Rgb(static_cast<float>(m.ior));
     out.transmittance = Rgb(m.transmittance);
   }
 
   void operator()(const description::CoatedDiffuseMaterial& m) const {
-    (*this)(description::DiffuseMaterial{m.reflectance});
+    out.model = MaterialModel::CoatedDiffuse;
+    out.diffuse = colour(m.reflectance, texture);
+    set_coat(m.coat);
   }
   void operator()(const description::CoatedConductorMaterial& m) const {
     (*this)(description::ConductorMaterial{.eta = m.eta, .k = m.k, .roughness = m.roughness});
   }
   void operator()(const description::DiffuseTransmissionMaterial& m) const {
-    (*this)(description::DiffuseMaterial{m.reflectance});
+    out.model = MaterialModel::DiffuseTransmission;
+    out.diffuse = colour(m.reflectance, texture);
+    out.specular = colour(m.transmittance, texture);
   }
-  void operator()(const description::InterfaceMaterial&) const {}
+  void operator()(const description::InterfaceMaterial&) const {
+    out.opacity.constant = 0;  // so that compile_geometry() leaves its triangles out
+  }
 
  private:
+  void set_widths(const ScalarInput& along, const std::optional<ScalarInput>& across) const {
+    out.roughness = scalar(along, texture);
+    if (!across) return;
+    out.roughness_across = scalar(*across, texture);
+    const ScalarParameter& a = out.roughness;
+    const ScalarParameter& b = out.roughness_across;
+    out.is_anisotropic = a.texture != b.texture || a.channel != b.channel ||
+                         (!a.texture && a.constant != b.constant);
+  }
+  void set_coat(const description::Coat& coat) const {
+    set_widths(coat.roughness, coat.roughness_across);
+    out.coat_bounces = (coat.max_depth + 1) / 2;
+    const bool varies =
+        out.roughness.texture || (out.is_anisotropic && out.roughness_across.texture);
+    const float across =
+        out.is_anisotropic ? out.roughness_across.constant : out.roughness.constant;
+    const float alpha = varies ? -1 : std::sqrt(out.roughness.constant * across);
+    out.coat = coats.table(static_cast<float>(coat.ior), static_cast<float>(coat.thickness), alpha);
+  }
   void set_conductor(const Vec3d& eta, const Vec3d& k) const {
     out.fresnel_is_conductor = true;
     out.eta = Rgb(eta);
@@ -153,12 +180,18 @@ struct ModelCompiler {
 
 }  // namespace
 
+std::shared_ptr<const CoatTable> CoatTables::table(float eta, float thickness, float alpha) {
+  std::shared_ptr<const CoatTable>& table = tables_[{eta, thickness, alpha}];
+  if (!table) table = std::make_shared<const CoatTable>(eta, thickness, alpha);
+  return table;
+}
+
 Material compile_material(const description::SceneDescription& scene,
                           const description::Material& material, const CompileOptions& options,
-                          TextureStore& textures, Diagnostics& diagnostics) {
+                          TextureStore& textures, CoatTables& coats, Diagnostics& diagnostics) {
   Material out;
   const Registrar texture{scene, textures, diagnostics};
-  std::visit(ModelCompiler{options, texture, out}, material.model);
+  std::visit(ModelCompiler{options, texture, coats, out}, material.model);
   if (out.energy_compensation) static_cast<void>(energy_loss_table());  // now, not while rendering
   out.emission = Rgb(material.emission);
   out.emits_both_sides = material.emits_both_sides;
@@ -176,8 +209,9 @@ void add_features(const Material& material, SceneFeatures& features) {
   features.bsdf_models |= bsdf_models(material);
   const bool bump = material.height.is_valid() || material.normal_map.is_valid();
   features.bump |= bump;
-  features.textures |=
-      bump || material.diffuse.texture || material.specular.texture || material.roughness.texture;
+  features.textures |= bump || material.diffuse.texture || material.specular.texture ||
+                       material.roughness.texture || material.roughness_across.texture ||
+                       material.is_anisotropic;
 }
 
 }  // namespace candela

@@ -2,16 +2,30 @@
 // reduced to the simplest that gives the same picture.
 #pragma once
 
+#include <array>
+#include <map>
+#include <memory>
+
 #include "renderer/description/scene_description.h"
 #include "renderer/scene/compile.h"
 #include "renderer/scene/scene.h"
 
 namespace candela {
 
+// Tables that materials share: made once for each coat.
+class CoatTables {
+ public:
+  // As the constructor of CoatTable takes it.
+  [[nodiscard]] std::shared_ptr<const CoatTable> table(float eta, float thickness, float alpha);
+
+ private:
+  std::map<std::array<float, 3>, std::shared_ptr<const CoatTable>> tables_;
+};
+
 [[nodiscard]] Material compile_material(const description::SceneDescription& scene,
                                         const description::Material& material,
                                         const CompileOptions& options, TextureStore& textures,
-                                        Diagnostics& diagnostics);
+                                        CoatTables& coats, Diagnostics& diagnostics);
 
 // Adds what the material needs of a kernel.
 void add_features(const Material& material, SceneFeatures& features);

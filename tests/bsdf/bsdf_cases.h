@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderer/bsdf/bsdf.h"
+#include "renderer/bsdf/coated_diffuse.h"
 #include "renderer/sampling/sobol.h"
 
 namespace candela::tests {
@@ -46,6 +47,34 @@ inline Bsdf dielectric(float alpha, float eta, Rgb transmittance = Rgb{1}) {
           .transmittance = transmittance};
 }
 
+inline Bsdf anisotropic_conductor(float along, float across) {
+  Bsdf bsdf = conductor(along);
+  bsdf.model = BsdfModel::AnisotropicConductor;
+  bsdf.alpha_across = across;
+  return bsdf;
+}
+inline Bsdf anisotropic_dielectric(float along, float across, float eta) {
+  Bsdf bsdf = dielectric(along, eta);
+  bsdf.model = BsdfModel::AnisotropicDielectric;
+  bsdf.alpha_across = across;
+  return bsdf;
+}
+inline Bsdf sheet(Rgb reflectance, Rgb transmittance) {
+  return {.model = BsdfModel::DiffuseTransmission,
+          .diffuse = reflectance,
+          .eta = Rgb{1},
+          .transmittance = transmittance};
+}
+// Rough coats alone: smooth ones have a delta lobe beside the other.
+inline Bsdf coated_diffuse(float along, float across, Rgb kd) {
+  static const CoatTable table(1.5f, 0.01f, -1);
+  return {.model = BsdfModel::CoatedDiffuse,
+          .alpha = along,
+          .diffuse = coated_reflectance(table, std::sqrt(along * across), kd, 0),
+          .alpha_across = across,
+          .coat = &table};
+}
+
 // The models with densities.
 inline std::vector<BsdfCase> rough_cases() {
   const Rgb steel{0.56f, 0.57f, 0.58f};
@@ -75,6 +104,12 @@ inline std::vector<BsdfCase> rough_cases() {
       {"dielectric_0.1_inside", dielectric(0.1f, 1 / 1.5f)},
       {"dielectric_0.6_tinted", dielectric(0.6f, 1.33f, {0.9f, 0.5f, 0.3f})},
       {"dielectric_0.4_inside", dielectric(0.4f, 0.5f)},
+      {"anisotropic_conductor", anisotropic_conductor(0.4f, 0.15f)},
+      {"anisotropic_dielectric", anisotropic_dielectric(0.2f, 0.6f, 1.5f)},
+      {"anisotropic_dielectric_inside", anisotropic_dielectric(0.8f, 0.4f, 1 / 1.5f)},
+      {"sheet", sheet({0.2f, 0.5f, 0.1f}, {0.7f, 0.4f, 0.1f})},
+      {"coated_diffuse_0.1", coated_diffuse(0.1f, 0.1f, {0.9f, 0.5f, 0.2f})},
+      {"coated_diffuse_0.5_0.2", coated_diffuse(0.5f, 0.2f, {0.9f, 0.5f, 0.2f})},
   };
 }
 

@@ -42,6 +42,16 @@ std::vector<Bsdf> extreme_bsdfs() {
       all.push_back({.model = BsdfModel::ThinDielectric, .eta = Rgb{eta}});
     }
   }
+  for (const float along : {1e-4f, 1e-2f, 1.0f})
+    for (const float across : {1e-4f, 0.3f}) {
+      all.push_back(tests::anisotropic_conductor(along, across));
+      all.push_back(tests::anisotropic_dielectric(along, across, 1.5f));
+      all.push_back(tests::anisotropic_dielectric(along, across, 0.6f));
+      all.push_back(tests::coated_diffuse(along, across, Rgb{1}));
+    }
+  all.push_back(tests::coated_diffuse(0, 0, Rgb{1}));
+  all.push_back(tests::sheet(Rgb{0}, Rgb{1}));
+  all.push_back(tests::sheet(Rgb{0}, Rgb{0}));
   all.push_back({.model = BsdfModel::Mirror, .diffuse = Rgb{1}});
   all.push_back({.model = BsdfModel::Diffuse, .diffuse = Rgb{0}});
   return all;

@@ -21,8 +21,9 @@ constexpr int sample_count = 1'000'000;
 statistics::DirectionGrid grid_for(const Bsdf& bsdf, const Vec3f& wo) {
   const bool has_narrow_lobe = bsdf.model != BsdfModel::Diffuse && bsdf.alpha < 0.15f;
   if (!has_narrow_lobe) return {};
-  if (bsdf.model != BsdfModel::Dielectric)
-    return {.axis = normalize(Vec3f{-wo.x, -wo.y, wo.z}), .power = 3};
+  const bool is_dielectric =
+      bsdf.model == BsdfModel::Dielectric || bsdf.model == BsdfModel::AnisotropicDielectric;
+  if (!is_dielectric) return {.axis = normalize(Vec3f{-wo.x, -wo.y, wo.z}), .power = 3};
   const DielectricFresnel fresnel = fresnel_dielectric(wo.z, bsdf.eta.x);
   if (fresnel.cos_transmitted == 0)
     return {.axis = normalize(Vec3f{-wo.x, -wo.y, wo.z}), .power = 3};

@@ -40,6 +40,11 @@ double fresnel_of(const Bsdf& bsdf, double cosine) {
       return exact_fresnel(c, {double{bsdf.eta.x}, 0});
     case BsdfModel::Diffuse:
     case BsdfModel::Mirror:
+    case BsdfModel::DiffuseTransmission:
+    case BsdfModel::CoatedDiffuse:
+    case BsdfModel::CoatedConductor:
+    case BsdfModel::AnisotropicConductor:
+    case BsdfModel::AnisotropicDielectric:
       return 0;
   }
   return 0;
