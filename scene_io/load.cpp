@@ -1,6 +1,8 @@
 #include "scene_io/load.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -9,6 +11,7 @@
 #include "scene_io/lab3/mesh_files.h"
 #include "scene_io/lab3/read_lab3.h"
 #include "scene_io/override_materials.h"
+#include "scene_io/pbrt/read_pbrt.h"
 #include "scene_io/text/cursor.h"
 #include "scene_io/text/file.h"
 #include "scene_io/text/source.h"
@@ -18,13 +21,15 @@ namespace {
 
 using description::SceneDescription;
 
-bool is_yaml(std::string_view path) {
+// Whether it ends in one of the extensions, with .gz behind it or not.
+bool has_extension(std::string_view path, std::initializer_list<std::string_view> extensions) {
   if (text::has_gzip_name(path)) path.remove_suffix(3);
   const std::size_t dot = path.find_last_of("./");
   if (dot == std::string_view::npos) return false;
   const std::string_view extension = path.substr(dot);
-  return text::equal_ignoring_case(extension, ".yaml") ||
-         text::equal_ignoring_case(extension, ".yml");
+  return std::any_of(extensions.begin(), extensions.end(), [&](std::string_view known) {
+    return text::equal_ignoring_case(extension, known);
+  });
 }
 
 std::string describe_extension(const std::string& path) {
@@ -73,12 +78,13 @@ Result<SceneDescription> load_mesh(const std::string& path, lab3::MeshFormat for
 namespace {
 
 Result<SceneDescription> load_file(const std::string& path, const LoadOptions& options) {
-  if (is_yaml(path)) return lab3::read_lab3(path, options);
+  if (has_extension(path, {".yaml", ".yml"})) return lab3::read_lab3(path, options);
+  if (has_extension(path, {".pbrt"})) return pbrt::read_pbrt(path, options);
   const lab3::MeshFormat format = lab3::mesh_format_of(path);
   if (format != lab3::MeshFormat::Unknown) return load_mesh(path, format, options);
   return failure(
-      fmt::format("{}: found {}, expected a scene: .yaml, .yml, .obj or .ply (each also "
-                  "with .gz)",
+      fmt::format("{}: found {}, expected a scene: .yaml, .yml, .pbrt, .obj or .ply "
+                  "(each also with .gz)",
                   text::quoted_path(path), describe_extension(path)));
 }
 

@@ -69,13 +69,14 @@ TEST(Errors_Load, LongPathsKeepTheirEnd) {
 TEST(Errors_Load, WhatIsNoScene) {
   EXPECT_EQ(only_error("scene.blend"),
             "error: 'scene.blend': found the extension '.blend', expected a scene: .yaml, .yml, "
-            ".obj or .ply (each also with .gz)");
+            ".pbrt, .obj or .ply (each also with .gz)");
   EXPECT_EQ(only_error("scene"),
             "error: 'scene': found a name without an extension, expected a scene: .yaml, .yml, "
-            ".obj or .ply (each also with .gz)");
+            ".pbrt, .obj or .ply (each also with .gz)");
   EXPECT_EQ(only_error(CANDELA_SOURCE_DIR),
             "error: '" CANDELA_SOURCE_DIR
-            "': found a folder, expected a scene: .yaml, .yml, .obj or .ply (each also with .gz)");
+            "': found a folder, expected a scene: .yaml, .yml, .pbrt, .obj or .ply (each also "
+            "with .gz)");
 }
 
 TEST(Errors_Load, FilesThatCannotBeRead) {

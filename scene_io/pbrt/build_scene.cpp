@@ -1,0 +1,324 @@
+#include "scene_io/pbrt/build_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "renderer/base/parallel.h"
+#include "scene_io/pbrt/camera.h"
+#include "scene_io/pbrt/lights.h"
+#include "scene_io/pbrt/materials.h"
+#include "scene_io/pbrt/shape.h"
+#include "scene_io/pbrt/textures.h"
+
+namespace candela::pbrt {
+namespace {
+
+using description::Material;
+using description::MaterialHandle;
+using description::Mesh;
+using description::MeshHandle;
+
+constexpr std::size_t most_instances = std::size_t{1} << 22;
+
+// One mesh of the scene, shared by all shapes with its key.
+struct MeshJob {
+  ShapeStatement* shape = nullptr;  // the first of them
+  bool needs_uvs = false;
+  Diagnostics diagnostics;
+  MeshHandle handle;  // invalid: in error or left out
+};
+
+struct PlacedShape {
+  ShapeStatement* shape = nullptr;
+  std::size_t job = none;
+};
+
+bool has_texture(const Program& program, const MaterialUse& use) {
+  std::size_t index = use.index;
+  if (!use.name.empty()) {
+    const auto found = program.material_named.find(use.name);
+    index = found == program.material_named.end() ? none : found->second;
+  }
+  if (index == none) return false;
+  const ParameterList& parameters = program.materials[index].statement.parameters;
+  return std::any_of(parameters.begin(), parameters.end(), [](const Parameter& parameter) {
+    return parameter.type == ParameterType::Texture || parameter.name == "materials" ||
+           parameter.name == "normalmap" || parameter.name.ends_with("vroughness");
+  });
+}
+
+bool has_texture(const ShapeStatement& shape) {
+  const ParameterList& parameters = shape.statement.parameters;
+  return std::any_of(parameters.begin(), parameters.end(), [](const Parameter& parameter) {
+    return parameter.type == ParameterType::Texture;
+  });
+}
+
+// All shapes' meshes, made in parallel, in the scene in the order of the shapes.
+class Meshes {
+ public:
+  explicit Meshes(Context& context) : context_(context) {}
+
+  // The shapes in the order in which they are added.
+  void add(ShapeStatement& shape) {
+    const bool needs_uvs = has_texture(context_.program, shape.material) || has_texture(shape);
+    const std::string key = mesh_key(shape, {context_.scene.path, needs_uvs}, context_.report);
+    std::size_t job = jobs_.size();
+    if (!key.empty()) job = job_of_.try_emplace(key, job).first->second;
+    if (job == jobs_.size()) jobs_.push_back({&shape, needs_uvs, {}, {}});
+    shapes_.push_back({&shape, job});
+  }
+
+  void make() {
+    std::vector<std::optional<Mesh>> meshes(jobs_.size());
+    parallel_for(jobs_.size(), [&](std::size_t i) {
+      MeshJob& job = jobs_[i];
+      const Report report(job.diagnostics);
+      meshes[i] = make_mesh(*job.shape, {context_.scene.path, job.needs_uvs}, report);
+    });
+    for (std::size_t i = 0; i < jobs_.size(); ++i) {
+      context_.report.diagnostics().append(jobs_[i].diagnostics);
+      if (!meshes[i]) continue;
+      jobs_[i].handle = MeshHandle(context_.scene.meshes.size());
+      note_file(*jobs_[i].shape, *meshes[i]);
+      context_.scene.meshes.push_back(std::move(*meshes[i]));
+    }
+  }
+
+  [[nodiscard]] MeshHandle of(std::size_t shape) const { return jobs_[shapes_[shape].job].handle; }
+
+ private:
+  // A PLY file's mesh is named by it.
+  void note_file(const ShapeStatement& shape, const Mesh& mesh) {
+    auto& files = context_.scene.files;
+    if (shape.statement.type == "plymesh") files.push_back(mesh.name);
+  }
+
+  Context& context_;
+  std::vector<MeshJob> jobs_;
+  std::vector<PlacedShape> shapes_;
+  std::map<std::string, std::size_t> job_of_;
+};
+
+// Areas of a mesh in the world and of its texture coordinates.
+struct Areas {
+  double surface = 0, uv = 0;
+  std::size_t triangle_count = 0;
+};
+
+Areas areas_of(const Mesh& mesh, const Transform& world_from_object) {
+  Areas areas;
+  areas.triangle_count = mesh.triangles.size();
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec3d edge1 = world_from_object.vector(mesh.positions[b] - mesh.positions[a]);
+    const Vec3d edge2 = world_from_object.vector(mesh.positions[c] - mesh.positions[a]);
+    areas.surface += length(cross(edge1, edge2)) / 2;
+    if (mesh.uvs.empty()) continue;
+    const Vec2d uv1 = Vec2d(mesh.uvs[b]) - Vec2d(mesh.uvs[a]);
+    const Vec2d uv2 = Vec2d(mesh.uvs[c]) - Vec2d(mesh.uvs[a]);
+    areas.uv += std::abs(uv1.x * uv2.y - uv1.y * uv2.x) / 2;
+  }
+  return areas;
+}
+
+// A material with all that its shapes add to it. Shapes that add the same share it.
+class ShapeMaterials {
+ public:
+  ShapeMaterials(Context& context, Textures& textures, Materials& materials)
+      : context_(context), textures_(textures), materials_(materials) {}
+
+  MaterialHandle of(ShapeStatement& shape, const Mesh& mesh) {
+    Key key;
+    key.base = &materials_.of(shape.material);
+    read_alpha(shape, key);
+    const bool is_bumped = key.base->height || key.base->height_texture;
+    if (shape.area_light != none || is_bumped) {
+      const Areas areas = areas_of(mesh, shape.world_from_object);
+      if (is_bumped) key.height_scale = height_scale(areas);
+      if (shape.area_light != none) read_emission_of(shape, areas, key);
+    }
+    const auto known = made_.find(key);
+    if (known != made_.end()) return known->second;
+    return made_[key] = add(key);
+  }
+
+ private:
+  struct Key {
+    const Material* base = nullptr;
+    std::array<double, 3> emission{};
+    bool emits_both_sides = false;
+    double height_scale = 1;
+    // Of the shape's alpha.
+    double opacity = 1;
+    std::uint32_t opacity_map = Handle<int>::none, opacity_texture = Handle<int>::none;
+    auto operator<=>(const Key&) const = default;
+  };
+
+  void read_alpha(ShapeStatement& shape, Key& key) {
+    Arguments arguments(shape.statement, context_.report);
+    const auto alpha = textures_.scalar(arguments, "alpha");
+    if (!alpha) return;
+    key.opacity = std::clamp(alpha->factor, 0.0, 1.0);
+    key.opacity_map = alpha->map.index;
+    key.opacity_texture = alpha->texture.index;
+  }
+
+  // pbrt's heights are lengths in the world; candela's are in the uv square's edge on the surface.
+  static double height_scale(const Areas& areas) {
+    const double scale = areas.surface > 0 ? std::sqrt(areas.uv / areas.surface) : 0;
+    return scale > 0 && std::isfinite(scale) ? scale : 1;
+  }
+
+  void read_emission_of(const ShapeStatement& shape, const Areas& areas, Key& key) {
+    const auto [at, is_new] = emissions_.try_emplace(shape.area_light);
+    if (is_new)
+      at->second = read_emission(context_, context_.program.area_lights[shape.area_light]);
+    const double count = static_cast<double>(std::max<std::size_t>(areas.triangle_count, 1));
+    const Vec3d radiance = at->second.radiance_on(areas.surface / count);
+    key.emission = {radiance.x, radiance.y, radiance.z};
+    key.emits_both_sides = at->second.emits_both_sides;
+  }
+
+  MaterialHandle add(const Key& key) {
+    Material material = *key.base;
+    material.emission = {key.emission[0], key.emission[1], key.emission[2]};
+    material.emits_both_sides = key.emits_both_sides;
+    material.height_scale = key.height_scale;
+    material.opacity.factor = key.opacity;
+    material.opacity.map.index = key.opacity_map;
+    material.opacity.texture.index = key.opacity_texture;
+    material.opacity.channel = material.opacity.map ? description::alpha_or_first : 0;
+    context_.scene.materials.push_back(std::move(material));
+    return MaterialHandle(context_.scene.materials.size() - 1);
+  }
+
+  Context& context_;
+  Textures& textures_;
+  Materials& materials_;
+  std::map<Key, MaterialHandle> made_;
+  std::map<std::size_t, Emission> emissions_;
+};
+
+class SceneBuilder {
+ public:
+  explicit SceneBuilder(Context& context)
+      : context_(context),
+        textures_(context),
+        materials_(context, textures_),
+        shape_materials_(context, textures_, materials_),
+        meshes_(context) {}
+
+  void build() {
+    Program& program = context_.program;
+    imaging_ratio_ = read_film(context_);
+    read_camera(context_);
+    read_lights(context_);
+    materials_.read_all();
+    for (ShapeStatement& shape : program.shapes) meshes_.add(shape);
+    for (auto& [name, shapes] : program.objects)
+      for (ShapeStatement& shape : shapes) meshes_.add(shape);
+    meshes_.make();
+    place_all();
+    expose();
+  }
+
+ private:
+  struct Part {
+    MeshHandle mesh;
+    MaterialHandle material;
+    const ShapeStatement* shape = nullptr;
+  };
+
+  // The next of the shapes as they were added.
+  std::optional<Part> next_part(ShapeStatement& shape) {
+    const MeshHandle handle = meshes_.of(next_shape_++);
+    if (!handle) return std::nullopt;
+    Mesh& mesh = context_.scene.meshes[handle.index];
+    const MaterialHandle material = shape_materials_.of(shape, mesh);
+    if (mesh.materials.empty()) mesh.materials = {material};
+    return Part{handle, material, &shape};
+  }
+
+  void place(const Part& part, const Transform& world_from_object, const SourceSpan& span) {
+    const Mesh& mesh = context_.scene.meshes[part.mesh.index];
+    const MaterialHandle override =
+        mesh.materials[0] == part.material ? MaterialHandle() : part.material;
+    context_.scene.instances.push_back({part.mesh, world_from_object, override, span});
+  }
+
+  void place_all() {
+    for (ShapeStatement& shape : context_.program.shapes)
+      if (const auto part = next_part(shape))
+        place(*part, shape.world_from_object, shape.statement.place.span());
+    std::map<std::string, std::vector<Part>> objects;
+    for (auto& [name, shapes] : context_.program.objects)
+      for (ShapeStatement& shape : shapes) {
+        auto& parts = objects[name];
+        if (const auto part = next_part(shape)) parts.push_back(*part);
+      }
+    for (const ObjectUse& use : context_.program.object_uses) place_object(use, objects);
+  }
+
+  void place_object(const ObjectUse& use, const std::map<std::string, std::vector<Part>>& objects) {
+    if (!context_.program.objects.contains(use.name)) {
+      std::vector<std::string_view> names;
+      for (const auto& [name, shapes] : context_.program.objects) names.push_back(name);
+      return context_.report.error(
+          use.place, fmt::format("there is no object {}{}", text::quoted(use.name),
+                                 did_you_mean(std::string_view(use.name).substr(0, 100), names)));
+    }
+    const auto found = objects.find(use.name);
+    if (found == objects.end()) return;  // without shapes
+    if (context_.scene.instances.size() + found->second.size() > most_instances) {
+      if (context_.warned.insert("instances").second)
+        context_.report.error(use.place, fmt::format("more than {} instances", most_instances));
+      return;
+    }
+    const SourceSpan span = use.place.span();
+    for (const Part& part : found->second)
+      place(part, use.world_from_instance * part.shape->world_from_object, span);
+  }
+
+  // The film multiplies all light.
+  void expose() {
+    const double ratio = imaging_ratio_;
+    if (ratio == 1) return;
+    for (Material& material : context_.scene.materials) material.emission *= ratio;
+    for (description::Light& light : context_.scene.lights)
+      std::visit([&](auto& kind) { expose(kind, ratio); }, light.kind);
+  }
+  static void expose(description::PointLight& light, double ratio) { light.intensity *= ratio; }
+  static void expose(description::SpotLight& light, double ratio) { light.intensity *= ratio; }
+  static void expose(description::DirectionalLight& light, double ratio) {
+    light.irradiance *= ratio;
+  }
+  static void expose(description::ConstantEnvironment& light, double ratio) {
+    light.radiance *= ratio;
+  }
+  static void expose(description::LatLongEnvironment& light, double ratio) { light.scale *= ratio; }
+  static void expose(description::EqualAreaEnvironment& light, double ratio) {
+    light.scale *= ratio;
+  }
+  static void expose(description::TriangleLight&, double) {}
+  static void expose(description::CubeEnvironment&, double) {}
+
+  Context& context_;
+  Textures textures_;
+  Materials materials_;
+  ShapeMaterials shape_materials_;
+  Meshes meshes_;
+  std::size_t next_shape_ = 0;
+  double imaging_ratio_ = 1;
+};
+
+}  // namespace
+
+void build_scene(Context& context) {
+  SceneBuilder(context).build();
+}
+
+}  // namespace candela::pbrt

@@ -1,0 +1,121 @@
+#include "scene_io/pbrt/camera.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "scene_io/pbrt/transforms.h"
+
+namespace candela::pbrt {
+namespace {
+
+using description::Camera;
+using description::CameraKind;
+using description::ScreenWindow;
+
+// Camera space is left-handed: x is right, y up, z the line of sight.
+void set_frame(const Transform& world_from_camera, const Vec3d& look, const Vec3d& up,
+               bool is_mirrored, Camera& camera) {
+  camera.eye = world_from_camera.translation;
+  const Vec3d along = world_from_camera.vector(look);
+  camera.target = camera.eye + along;
+  // Rounding must not lose the direction where the eye is far out.
+  const double far = max_component(glm::abs(camera.eye));
+  const double near = max_component(glm::abs(along));
+  if (near < far) camera.target = camera.eye + along * (far / near);
+  camera.up = world_from_camera.vector(up);
+  camera.is_mirrored = is_mirrored;
+}
+
+std::optional<ScreenWindow> screen_window(Arguments& arguments) {
+  const Parameter* parameter = arguments.find("screenwindow", {ParameterType::Float});
+  arguments.ignore("frameaspectratio", "the picture's own is used");
+  if (!parameter) return std::nullopt;
+  const auto& n = parameter->numbers;
+  if (n.size() == 4 && n[0] != n[1] && n[2] != n[3]) return ScreenWindow{n[0], n[1], n[2], n[3]};
+  arguments.error(*parameter, "expected 4 numbers: left, right, bottom, top");
+  return std::nullopt;
+}
+
+void set_lens(Arguments& arguments, double scale, Camera& camera) {
+  camera.lens_radius = std::max(arguments.number("lensradius").value_or(0), 0.0) * scale;
+  const double focus = arguments.number("focaldistance").value_or(1e6);
+  camera.focus_distance = (focus > 0 ? focus : 1e6) * scale;
+}
+
+// The angle of view is of the shorter side.
+void read_perspective(Arguments& arguments, Camera& camera) {
+  double fov = arguments.number("fov").value_or(90);
+  if (const auto half = arguments.number("halffov")) fov = 2 * *half;  // pbrt-v3
+  camera.fovy_degrees = fov;
+  camera.fov_is_of_shorter_side = true;
+  camera.screen_window = screen_window(arguments);
+}
+
+// A window in the camera's own unit.
+void read_orthographic(Arguments& arguments, double scale, const Context& context, Camera& camera) {
+  camera.kind = CameraKind::Orthographic;
+  camera.fov_is_of_shorter_side = true;
+  ScreenWindow window;
+  const double width = context.scene.defaults.width.value_or(1280);
+  const double height = context.scene.defaults.height.value_or(720);
+  const double x = std::max(width / height, 1.0);
+  const double y = std::max(height / width, 1.0);
+  window = screen_window(arguments).value_or(ScreenWindow{-x, x, -y, y});
+  camera.screen_window = ScreenWindow{window.left * scale, window.right * scale,
+                                      window.bottom * scale, window.top * scale};
+}
+
+// pbrt's latitudes and longitudes have -x in their middle, and z to the left of it.
+void read_spherical(Arguments& arguments, const Transform& world_from_camera, bool is_mirrored,
+                    Camera& camera) {
+  const std::string mapping = arguments.string("mapping").value_or("equalarea");
+  if (mapping == "equirectangular") {
+    camera.kind = CameraKind::LatLong;
+    set_frame(world_from_camera, {-1, 0, 0}, {0, 1, 0}, !is_mirrored, camera);
+    return;
+  }
+  if (mapping != "equalarea")
+    arguments.error(*arguments.find("mapping"), "expected equalarea or equirectangular");
+  camera.kind = CameraKind::EqualArea;
+}
+
+}  // namespace
+
+void read_camera(Context& context) {
+  Statement otherwise{"Camera", "perspective", {}, {}};
+  Statement& statement = context.program.camera ? *context.program.camera : otherwise;
+  Arguments arguments(statement, context.report);
+  const Transform world_from_camera = inverse(context.program.camera_from_world);
+  const double determinant = world_from_camera.determinant();
+  const double scale = std::cbrt(std::abs(determinant));  // of the camera's unit in the world
+  Camera camera;
+  camera.span = statement.place.span();
+  set_frame(world_from_camera, {0, 0, 1}, {0, 1, 0}, determinant > 0, camera);
+  arguments.accept({"shutteropen", "shutterclose"});
+  set_lens(arguments, scale, camera);
+  if (statement.type == "orthographic") {
+    read_orthographic(arguments, scale, context, camera);
+  } else if (statement.type == "spherical" || statement.type == "environment") {
+    read_spherical(arguments, world_from_camera, determinant > 0, camera);
+    arguments.accept({"screenwindow", "frameaspectratio"});
+  } else {
+    if (statement.type == "realistic")
+      context.warn_once("realistic", statement.place,
+                        "cameras of type 'realistic' are not supported: 'perspective' is used");
+    else if (statement.type != "perspective")
+      context.report.error(
+          statement.place,
+          fmt::format("{} is no camera{}", text::quoted(statement.type),
+                      did_you_mean(std::string_view(statement.type).substr(0, 100),
+                                   {"perspective", "orthographic", "spherical", "realistic"})));
+    read_perspective(arguments, camera);
+    if (statement.type == "realistic")
+      arguments.accept(
+          {"lensfile", "aperturediameter", "aperture", "focusdistance", "simpleweighting"});
+  }
+  arguments.warn_of_unknown();
+  context.scene.cameras.push_back(camera);
+}
+
+}  // namespace candela::pbrt

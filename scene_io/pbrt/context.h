@@ -1,0 +1,24 @@
+// What the steps that make a SceneDescription of a Program share.
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "renderer/description/scene_description.h"
+#include "scene_io/pbrt/program.h"
+
+namespace candela::pbrt {
+
+struct Context {
+  Program& program;
+  description::SceneDescription& scene;
+  const Report& report;
+  std::set<std::string> warned = {};
+
+  // Of several like it the first is enough.
+  void warn_once(const std::string& key, const Place& place, std::string message) {
+    if (warned.insert(key).second) report.warning(place, std::move(message));
+  }
+};
+
+}  // namespace candela::pbrt

@@ -1,0 +1,230 @@
+#include "scene_io/pbrt/lights.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "renderer/math/constants.h"
+#include "scene_io/pbrt/spectrum.h"
+#include "scene_io/pbrt/textures.h"
+
+namespace candela::pbrt {
+namespace {
+
+using description::ConstantEnvironment;
+
+Vec3d unit_or(const Vec3d& v, const Vec3d& otherwise) {
+  const double largest = max_component(glm::abs(v));
+  return largest > 0 && std::isfinite(largest) ? normalize(v / largest) : otherwise;
+}
+
+// One light being read.
+class LightReader {
+ public:
+  LightReader(Context& context, LightStatement& light)
+      : context_(context), light_(light), arguments_(light.statement, context.report) {}
+
+  void read() {
+    const std::string& type = light_.statement.type;
+    if (type == "point")
+      point();
+    else if (type == "spot")
+      spot();
+    else if (type == "distant")
+      distant();
+    else if (type == "infinite" || type == "exinfinite")
+      infinite();
+    else if (type == "goniometric" || type == "projection")
+      return leave_out();
+    else
+      return refuse();
+    arguments_.warn_of_unknown();
+  }
+
+ private:
+  void leave_out() {
+    context_.report.warning(light_.statement.place,
+                            fmt::format("lights of type {} are not supported: it is left out",
+                                        text::quoted(light_.statement.type)));
+  }
+  void refuse() {
+    const std::string& type = light_.statement.type;
+    context_.report.error(light_.statement.place,
+                          fmt::format("{} is no light{}", text::quoted(type),
+                                      did_you_mean(std::string_view(type).substr(0, 100),
+                                                   {"point", "spot", "distant", "infinite",
+                                                    "goniometric", "projection"})));
+  }
+
+  template <class Kind>
+  void add(Kind kind) {
+    context_.scene.lights.push_back({light_.statement.place.span(), std::move(kind)});
+  }
+
+  // The light's colour times `scale`.
+  Vec3d colour(std::string_view name) {
+    Vec3d colour =
+        light_colour(arguments_, name, context_.scene.path).value_or(Vec3d(1.0)) * scale();
+    return colour;
+  }
+  double scale() {
+    double factor = 1;
+    if (const Parameter* given = arguments_.find("scale")) {
+      // pbrt-v3 gives a colour.
+      if (given->type == ParameterType::Rgb && given->numbers.size() == 3)
+        factor = (given->numbers[0] + given->numbers[1] + given->numbers[2]) / 3;
+      else
+        factor = arguments_.number("scale").value_or(1);
+    }
+    return std::max(factor, 0.0);
+  }
+  // A positive number, or nothing.
+  std::optional<double> positive(std::string_view name) {
+    const auto number = arguments_.number(name);
+    return number && *number > 0 ? number : std::nullopt;
+  }
+  Vec3d place(const Vec3d& p) const { return light_.world_from_light.point(p); }
+  // From -> to.
+  Vec3d axis(const Vec3d& from, const Vec3d& to) {
+    const Vec3d along = light_.world_from_light.vector(to - from);
+    if (along == Vec3d(0.0))
+      context_.report.error(light_.statement.place, "\"from\" and \"to\" are the same point");
+    return unit_or(along, Vec3d(0, 0, 1));
+  }
+
+  void point() {
+    Vec3d intensity = colour("I");
+    if (const auto power = positive("power")) intensity *= *power / (4 * pi_double);
+    add(description::PointLight{place(arguments_.point("from").value_or(Vec3d(0.0))), intensity});
+  }
+
+  void spot() {
+    const Vec3d from = arguments_.point("from").value_or(Vec3d(0.0));
+    const Vec3d to = arguments_.point("to").value_or(Vec3d(0, 0, 1));
+    const double outer = std::clamp(arguments_.number("coneangle").value_or(30), 0.0, 180.0);
+    const double delta = arguments_.number("conedeltaangle").value_or(5);
+    description::SpotLight light{place(from), axis(from, to), colour("I"), 0, 0};
+    light.outer_angle_radians = outer * (pi_double / 180);
+    light.inner_angle_radians = std::clamp(outer - delta, 0.0, outer) * (pi_double / 180);
+    // Between the angles the intensity is half of the whole in the mean over cosines.
+    const double start = std::cos(light.inner_angle_radians);
+    const double end = std::cos(light.outer_angle_radians);
+    if (const auto power = positive("power"))
+      light.intensity *= *power / (2 * pi_double * ((1 - start) + (start - end) / 2));
+    add(light);
+  }
+
+  void distant() {
+    const Vec3d from = arguments_.point("from").value_or(Vec3d(0.0));
+    const Vec3d to = arguments_.point("to").value_or(Vec3d(0, 0, 1));
+    Vec3d irradiance = colour("L");
+    if (const auto illuminance = positive("illuminance")) irradiance *= *illuminance;
+    add(description::DirectionalLight{-axis(from, to), irradiance});
+  }
+
+  void infinite() {
+    arguments_.ignore("portal", "light comes from all of the sky");
+    arguments_.accept({"samples", "nsamples"});
+    const auto illuminance = positive("illuminance");
+    const Parameter* file = arguments_.find("filename", {ParameterType::String});
+    const Parameter* v3_file = arguments_.find("mapname", {ParameterType::String});
+    const Vec3d colour_and_scale = colour("L");
+    if (file || v3_file) {
+      if (illuminance)
+        arguments_.warning(*arguments_.find("illuminance"),
+                           "is ignored: the image's own radiance counts");
+      return v3_file && !file ? add_map<description::LatLongEnvironment>(*v3_file, colour_and_scale)
+                              : add_map<description::EqualAreaEnvironment>(*file, colour_and_scale);
+    }
+    const Vec3d radiance = colour_and_scale * (illuminance ? *illuminance / pi_double : 1.0);
+    add(ConstantEnvironment{radiance, true});
+  }
+
+  // pbrt-v3's maps are latitude-longitude with z up: their centre column looks along -x.
+  template <class Map>
+  void add_map(const Parameter& file, const Vec3d& factor) {
+    Map environment;
+    environment.image =
+        add_image(context_, file, encoding_of_file(file.strings.size() == 1 ? file.strings[0] : ""),
+                  description::Wrap::Clamp);
+    if (!environment.image) return;
+    environment.scale = factor;
+    const bool is_lat_long = std::is_same_v<Map, description::LatLongEnvironment>;
+    const Mat3d light_from_map = is_lat_long ? Mat3d(0, -1, 0, 0, 0, 1, 1, 0, 0) : Mat3d(1.0);
+    const Mat3d linear = light_.world_from_light.linear * light_from_map;
+    for (int c = 0; c < 3; ++c) environment.world_from_map[c] = unit_or(linear[c], Vec3d(0, 0, 1));
+    const Mat3d gram = glm::transpose(environment.world_from_map) * environment.world_from_map;
+    if (std::max({std::abs(gram[0][1]), std::abs(gram[0][2]), std::abs(gram[1][2])}) > 1e-4)
+      context_.report.warning(light_.statement.place,
+                              "the light's transform is no rotation: its axes are not at right "
+                              "angles");
+    add(environment);
+  }
+
+  Context& context_;
+  LightStatement& light_;
+  Arguments arguments_;
+};
+
+// pbrt adds the lights of all skies; candela has one.
+void merge_environments(Context& context) {
+  auto& lights = context.scene.lights;
+  const auto is_constant = [](const description::Light& light) {
+    return std::holds_alternative<ConstantEnvironment>(light.kind);
+  };
+  const auto is_map = [](const description::Light& light) {
+    return std::holds_alternative<description::EqualAreaEnvironment>(light.kind) ||
+           std::holds_alternative<description::LatLongEnvironment>(light.kind);
+  };
+  const bool has_map = std::any_of(lights.begin(), lights.end(), is_map);
+  description::Light* first = nullptr;
+  std::vector<description::Light> kept;
+  kept.reserve(lights.size());
+  for (description::Light& light : lights) {
+    if (!is_constant(light) && !is_map(light)) {
+      kept.push_back(std::move(light));
+    } else if (has_map ? is_map(light) && !first : !first) {
+      kept.push_back(std::move(light));
+      first = &kept.back();
+    } else if (!has_map) {
+      std::get<ConstantEnvironment>(first->kind).radiance +=
+          std::get<ConstantEnvironment>(light.kind).radiance;
+    } else {
+      context.report.diagnostics().warning(light.span,
+                                           "more than one sky: only the first image is used");
+    }
+  }
+  lights = std::move(kept);
+}
+
+}  // namespace
+
+void read_lights(Context& context) {
+  for (LightStatement& light : context.program.lights) LightReader(context, light).read();
+  merge_environments(context);
+}
+
+Emission read_emission(Context& context, Statement& statement) {
+  Arguments arguments(statement, context.report);
+  if (statement.type != "diffuse" && statement.type != "area")  // pbrt-v2 says area
+    context.report.error(statement.place, fmt::format("{} is no area light, expected diffuse",
+                                                      text::quoted(statement.type)));
+  Emission emission;
+  emission.radiance = light_colour(arguments, "L", context.scene.path).value_or(Vec3d(1.0));
+  emission.radiance *= std::max(arguments.number("scale").value_or(1), 0.0);
+  emission.emits_both_sides = arguments.flag("twosided", false);
+  arguments.accept({"samples", "nsamples"});
+  arguments.ignore("filename", "area lights emit evenly");
+  emission.power = arguments.number("power");
+  if (emission.power && !(*emission.power > 0)) emission.power.reset();
+  arguments.warn_of_unknown();
+  return emission;
+}
+
+Vec3d Emission::radiance_on(double triangle_area) const {
+  if (!power || !(triangle_area > 0)) return radiance;
+  return radiance * (*power / (triangle_area * pi_double * (emits_both_sides ? 2 : 1)));
+}
+
+}  // namespace candela::pbrt

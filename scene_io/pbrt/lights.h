@@ -1,0 +1,26 @@
+// Lights, and what surfaces emit.
+#pragma once
+
+#include <optional>
+
+#include "scene_io/pbrt/context.h"
+
+namespace candela::pbrt {
+
+// All LightSource directives.
+void read_lights(Context& context);
+
+struct Emission {
+  Vec3d radiance{0.0};
+  bool emits_both_sides = false;
+  std::optional<double> power;  // of each triangle, in place of its radiance
+
+  // `triangle_area` is that of the shape's mean triangle in the world: pbrt gives each triangle of
+  // a mesh the whole power.
+  [[nodiscard]] Vec3d radiance_on(double triangle_area) const;
+};
+
+// Of an AreaLightSource.
+[[nodiscard]] Emission read_emission(Context& context, Statement& statement);
+
+}  // namespace candela::pbrt

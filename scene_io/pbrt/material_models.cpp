@@ -1,0 +1,154 @@
+// The materials of pbrt-v4.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "scene_io/pbrt/materials.h"
+
+namespace candela::pbrt {
+namespace {
+
+using description::Coat;
+using description::CoatedConductorMaterial;
+using description::CoatedDiffuseMaterial;
+using description::ColourInput;
+using description::ConductorMaterial;
+using description::DielectricMaterial;
+using description::DiffuseMaterial;
+using description::DiffuseTransmissionMaterial;
+using description::Material;
+
+double read_ior(MaterialReader& reader, std::string_view name) {
+  const double ior = reader.scalar(name, 1.5);
+  if (ior >= 1) return ior;
+  reader.arguments.warning(*reader.arguments.find(name),
+                           fmt::format("is {}, below 1: 1 is used", ior));
+  return 1;
+}
+
+DiffuseMaterial diffuse(MaterialReader& reader) {
+  reader.arguments.accept({"sigma"});
+  return {reader.reflectance("reflectance", 0.5)};
+}
+
+ConductorMaterial conductor(MaterialReader& reader) {
+  ConductorMaterial metal;
+  const auto [eta, k] = read_metal(reader, "");
+  const Widths widths = read_widths(reader);
+  metal.eta = eta;
+  metal.k = k;
+  metal.roughness = widths.along;
+  metal.roughness_across = widths.across;
+  return metal;
+}
+
+DielectricMaterial dielectric(MaterialReader& reader) {
+  DielectricMaterial glass;
+  glass.ior = read_ior(reader, "eta");
+  const Widths widths = read_widths(reader);
+  glass.roughness = widths.along;
+  glass.roughness_across = widths.across;
+  return glass;
+}
+
+DielectricMaterial thin_dielectric(MaterialReader& reader) {
+  DielectricMaterial glass;
+  glass.ior = read_ior(reader, "eta");
+  glass.is_thin = true;
+  return glass;
+}
+
+// pbrt walks through the layers at random, up to `maxdepth` interfaces. What scatters between them
+// is not there here.
+Coat read_coat(MaterialReader& reader, std::string_view prefix) {
+  Coat coat;
+  const Widths widths = read_widths(reader, prefix);
+  coat.roughness = widths.along;
+  coat.roughness_across = widths.across;
+  coat.ior = read_ior(reader, fmt::format("{}eta", prefix));
+  coat.thickness = std::max(reader.scalar("thickness", 0.01), 0.0);
+  const auto depth = reader.arguments.integer("maxdepth").value_or(10);
+  coat.max_depth = static_cast<int>(std::clamp<std::int64_t>(depth, 1, 1000));
+  reader.arguments.accept({"nsamples", "g", "twosided"});
+  const auto albedo = reader.textures.colour(reader.arguments, "albedo");
+  if (albedo && (albedo->map || albedo->texture || albedo->factor != Vec3d(0.0)))
+    reader.context.warn_once("albedo", reader.arguments.statement().place,
+                             "coats scatter no light: \"albedo\" is ignored");
+  return coat;
+}
+
+CoatedDiffuseMaterial coated_diffuse(MaterialReader& reader) {
+  return {reader.reflectance("reflectance", 0.5), read_coat(reader, "")};
+}
+
+CoatedConductorMaterial coated_conductor(MaterialReader& reader) {
+  CoatedConductorMaterial metal;
+  const auto [eta, k] = read_metal(reader, "conductor.");
+  const Widths widths = read_widths(reader, "conductor.");
+  metal.eta = eta;
+  metal.k = k;
+  metal.roughness = widths.along;
+  metal.roughness_across = widths.across;
+  metal.coat = read_coat(reader, "interface.");
+  return metal;
+}
+
+// Where both are constant, no more light leaves than arrives.
+DiffuseTransmissionMaterial diffuse_transmission(MaterialReader& reader) {
+  const double scale = reader.arguments.number("scale").value_or(1);
+  ColourInput reflectance = reader.reflectance("reflectance", 0.25);
+  ColourInput transmittance = reader.reflectance("transmittance", 0.25);
+  const auto is_constant = [](const ColourInput& input) { return !input.map && !input.texture; };
+  if (scale != 1 && !(is_constant(reflectance) && is_constant(transmittance)))
+    reader.context.warn_once("transmission scale", reader.arguments.statement().place,
+                             "\"scale\" is ignored where colours are textures");
+  if (is_constant(reflectance)) reflectance.factor *= std::clamp(scale, 0.0, 1.0);
+  if (is_constant(transmittance)) transmittance.factor *= std::clamp(scale, 0.0, 1.0);
+  const Vec3d sum = reflectance.factor + transmittance.factor;
+  if (is_constant(reflectance) && is_constant(transmittance) && max_component(sum) > 1) {
+    reflectance.factor /= glm::max(sum, Vec3d(1.0));
+    transmittance.factor /= glm::max(sum, Vec3d(1.0));
+  }
+  return {reflectance, transmittance};
+}
+
+// What stands in for materials that candela has not.
+bool set_stand_in(MaterialReader& reader, std::string_view type, Material& material) {
+  if (type != "subsurface" && type != "hair" && type != "measured") return false;
+  reader.context.warn_once(
+      "material " + std::string(type), reader.arguments.statement().place,
+      fmt::format("materials of type {} are not supported: {} is used", text::quoted(type),
+                  type == "subsurface" ? "a coated diffuse one" : "a diffuse one"));
+  if (type == "subsurface")
+    material.model = coated_diffuse(reader);
+  else
+    material.model = DiffuseMaterial{reader.reflectance("color", 0.5)};
+  for (Parameter& parameter : reader.arguments.statement().parameters) parameter.is_used = true;
+  return true;
+}
+
+}  // namespace
+
+bool set_model(MaterialReader& reader, std::string_view type, Material& material) {
+  if (type == "diffuse")
+    material.model = diffuse(reader);
+  else if (type == "coateddiffuse")
+    material.model = coated_diffuse(reader);
+  else if (type == "conductor")
+    material.model = conductor(reader);
+  else if (type == "coatedconductor")
+    material.model = coated_conductor(reader);
+  else if (type == "dielectric")
+    material.model = dielectric(reader);
+  else if (type == "thindielectric")
+    material.model = thin_dielectric(reader);
+  else if (type == "diffusetransmission")
+    material.model = diffuse_transmission(reader);
+  else if (type == "interface" || type.empty() || type == "none")
+    material.model = description::InterfaceMaterial{};
+  else
+    return set_stand_in(reader, type, material);
+  return true;
+}
+
+}  // namespace candela::pbrt

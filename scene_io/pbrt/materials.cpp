@@ -1,0 +1,219 @@
+#include "scene_io/pbrt/materials.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "scene_io/pbrt/spectrum.h"
+
+namespace candela::pbrt {
+namespace {
+
+using description::ColourInput;
+using description::Material;
+using description::ScalarInput;
+
+constexpr int deepest = 16;  // mixtures of mixtures
+
+// Of types that candela knows; those of pbrt-v3 are not suggested.
+constexpr std::string_view type_names[] = {
+    "diffuse",    "coateddiffuse",  "conductor",           "coatedconductor",
+    "dielectric", "thindielectric", "diffusetransmission", "interface",
+    "mix"};
+
+bool is_constant(const ScalarInput& input) {
+  return !input.map && !input.texture;
+}
+
+// [Pharr23, section 9.6]: the square root of what the author writes.
+ScalarInput width_of(MaterialReader& reader, ScalarInput input, bool remaps) {
+  if (!is_constant(input)) {
+    if (remaps)
+      reader.context.warn_once("remap", reader.arguments.statement().place,
+                               "roughness by a texture is not remapped: its values are the GGX "
+                               "width itself, and not their squares");
+    return input;
+  }
+  const double x = std::max(input.factor, 0.0);
+  input.factor = std::min(remaps ? std::sqrt(x) : x, 1.0);
+  return input;
+}
+
+// pbrt takes what is smoother than this for smooth.
+constexpr double smooth = 1e-3;
+
+}  // namespace
+
+ColourInput MaterialReader::reflectance(std::string_view name, double otherwise) {
+  ColourInput input =
+      textures.colour(arguments, name).value_or(ColourInput{Vec3d(otherwise), {}, {}});
+  if (input.map || input.texture || max_component(input.factor) <= 1) return input;
+  arguments.warning(*arguments.find(name), "is above 1: surfaces reflect at most all light");
+  input.factor = glm::min(input.factor, Vec3d(1.0));
+  return input;
+}
+
+double MaterialReader::scalar(std::string_view name, double otherwise) {
+  const Parameter* parameter =
+      arguments.find(name, {ParameterType::Float, ParameterType::Spectrum, ParameterType::Texture});
+  if (!parameter) return otherwise;
+  if (parameter->type == ParameterType::Texture) {
+    const auto input = textures.scalar_texture(*parameter);
+    if (input && is_constant(*input)) return input->factor;
+    if (input)
+      arguments.warning(*parameter, fmt::format("must be a number here: {} is used", otherwise));
+    return otherwise;
+  }
+  if (parameter->type == ParameterType::Spectrum)
+    context.warn_once("dispersion", parameter->place,
+                      "a spectrum here counts by its mean: light is not dispersed");
+  return mean_value(*parameter, context.scene.path, context.report).value_or(otherwise);
+}
+
+Widths read_widths(MaterialReader& reader, std::string_view prefix) {
+  const auto read = [&](std::string_view name) {
+    return reader.textures.scalar(reader.arguments, fmt::format("{}{}", prefix, name));
+  };
+  const ScalarInput both = read("roughness").value_or(ScalarInput{0.0, {}, 0, {}});
+  const ScalarInput u = read("uroughness").value_or(both);
+  const ScalarInput v = read("vroughness").value_or(both);
+  const bool remaps = reader.arguments.flag("remaproughness", true);
+  Widths widths{width_of(reader, u, remaps), {}};
+  const ScalarInput across = width_of(reader, v, remaps);
+  const bool is_same =
+      is_constant(widths.along) && is_constant(across)
+          ? widths.along.factor == across.factor
+          : widths.along.map == across.map && widths.along.texture == across.texture;
+  if (!is_same) widths.across = across;
+  const bool is_smooth = is_constant(widths.along) && is_constant(across) &&
+                         std::max(widths.along.factor, across.factor) < smooth;
+  if (is_smooth) widths = {ScalarInput{0.0, {}, 0, {}}, {}};
+  return widths;
+}
+
+// By a reflectance r: n = 1 and k = 2 sqrt(r) / sqrt(1 - r), as pbrt has it.
+std::array<Vec3d, 2> read_metal(MaterialReader& reader, std::string_view prefix) {
+  const auto colour = [&](std::string_view name) -> std::optional<ColourInput> {
+    return reader.textures.colour(reader.arguments, fmt::format("{}{}", prefix, name));
+  };
+  const auto copper = *metal_named("metal-Cu-eta");
+  const auto constant = [&](const std::optional<ColourInput>& input, const Vec3d& otherwise) {
+    if (!input) return otherwise;
+    if (!input->map && !input->texture) return input->factor;
+    reader.context.warn_once("metal texture", reader.arguments.statement().place,
+                             "metals of a colour by a texture are not supported: one colour is "
+                             "used");
+    return otherwise;
+  };
+  const auto eta = colour("eta");
+  const auto k = colour("k");
+  const auto reflectance = reader.textures.colour(reader.arguments, "reflectance");
+  if (!reflectance) return {constant(eta, copper[0]), constant(k, copper[1])};
+  const Vec3d r = glm::clamp(constant(reflectance, Vec3d(0.5)), Vec3d(0.0), Vec3d(0.9999));
+  Vec3d extinction;
+  for (int c = 0; c < 3; ++c) extinction[c] = 2 * std::sqrt(r[c]) / std::sqrt(1 - r[c]);
+  return {Vec3d(1.0), extinction};
+}
+
+std::size_t Materials::index_of(const MaterialUse& use) {
+  if (use.name.empty()) return use.index;
+  const auto& named = context_.program.material_named;
+  const auto found = named.find(use.name);
+  if (found != named.end()) return found->second;
+  std::vector<std::string_view> names;
+  for (const auto& [name, index] : named) names.push_back(name);
+  if (context_.warned.insert("material " + use.name).second)
+    context_.report.error(
+        use.place, fmt::format("there is no material {}{}", text::quoted(use.name),
+                               did_you_mean(std::string_view(use.name).substr(0, 100), names)));
+  return grey;
+}
+
+const Material& Materials::of(const MaterialUse& use) {
+  return at(index_of(use));
+}
+
+const Material& Materials::at(std::size_t index) {
+  const auto known = made_.find(index);
+  if (known != made_.end()) return known->second;
+  Material material;
+  material.model = description::DiffuseMaterial{};
+  material.name = "grey";
+  if (index != grey) material = make(context_.program.materials[index]);
+  return made_[index] = std::move(material);
+}
+
+void Materials::read_all() {
+  for (std::size_t i = 0; i < context_.program.materials.size(); ++i) (void)at(i);
+}
+
+// The type of a named material is a parameter.
+Material Materials::make(MaterialStatement& statement) {
+  Arguments arguments(statement.statement, context_.report);
+  if (const auto type = arguments.string("type")) {
+    if (statement.statement.type.empty()) statement.statement.type = *type;
+  } else if (!statement.name.empty()) {
+    context_.report.error(statement.statement.place,
+                          fmt::format("the material {} has no type: expected \"string type\"",
+                                      text::quoted(statement.name)));
+  }
+  const std::string& type = statement.statement.type;
+  Material material;
+  material.name = statement.name.empty() ? type : statement.name;
+  material.span = statement.statement.place.span();
+  material.model = description::DiffuseMaterial{};
+  if (type == "mix") {
+    if (auto mixed = mix(arguments)) material = std::move(*mixed);
+    return material;
+  }
+  MaterialReader reader{arguments, context_, textures_};
+  if (!set_model(reader, type, material) && !set_v3_model(reader, type, material)) {
+    const std::string_view word = std::string_view(type).substr(0, 100);
+    if (!type.empty())
+      context_.report.error(
+          statement.statement.place,
+          fmt::format("{} is no material{}", text::quoted(type),
+                      did_you_mean(word, {std::begin(type_names), std::end(type_names)})));
+    return material;
+  }
+  textures_.set_heights(arguments, material);
+  if (const auto normals = textures_.normal_map(arguments)) material.normal_map = normals;
+  arguments.warn_of_unknown();
+  return material;
+}
+
+// The one that is there in the greater part.
+std::optional<Material> Materials::mix(Arguments& arguments) {
+  const auto amount = textures_.scalar(arguments, "amount");
+  const Parameter* names = arguments.find("materials", {ParameterType::String});
+  arguments.accept({"namedmaterial1", "namedmaterial2"});  // pbrt-v3
+  arguments.warn_of_unknown();
+  const Statement& statement = arguments.statement();
+  MaterialUse use{none, {}, statement.place};
+  const bool is_second = amount && amount->factor > 0.5 && is_constant(*amount);
+  if (names && names->strings.size() == 2) {
+    use.name = names->strings[is_second ? 1 : 0];
+  } else if (const auto v3 = arguments.string(is_second ? "namedmaterial2" : "namedmaterial1")) {
+    use.name = *v3;
+  } else {
+    context_.report.error(statement.place,
+                          "a mix without its two materials: expected \"string materials\"");
+    return std::nullopt;
+  }
+  if (depth_ >= deepest) {
+    context_.report.error(
+        statement.place,
+        fmt::format("mixtures of mixtures more than {} deep, perhaps of itself", deepest));
+    return std::nullopt;
+  }
+  context_.warn_once("mix", statement.place,
+                     "mixtures of materials are not supported: the one that is there in the "
+                     "greater part is used alone");
+  ++depth_;
+  Material material = of(use);
+  --depth_;
+  return material;
+}
+
+}  // namespace candela::pbrt

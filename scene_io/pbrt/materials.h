@@ -1,0 +1,66 @@
+// Materials of pbrt-v4, and the spellings of pbrt-v3 that still occur.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene_io/pbrt/context.h"
+#include "scene_io/pbrt/textures.h"
+
+namespace candela::pbrt {
+
+class Materials {
+ public:
+  Materials(Context& context, Textures& textures) : context_(context), textures_(textures) {}
+
+  // The material of a shape, not in the scene yet. Made once. After an error a grey one.
+  [[nodiscard]] const description::Material& of(const MaterialUse& use);
+  // Those that no shape uses, for their errors.
+  void read_all();
+
+ private:
+  static constexpr std::size_t grey = none;
+
+  [[nodiscard]] std::size_t index_of(const MaterialUse& use);
+  [[nodiscard]] const description::Material& at(std::size_t index);
+  description::Material make(MaterialStatement& statement);
+  std::optional<description::Material> mix(Arguments& arguments);
+
+  Context& context_;
+  Textures& textures_;
+  std::map<std::size_t, description::Material> made_;
+  int depth_ = 0;  // mixtures of mixtures
+};
+
+// What a material function reads with.
+struct MaterialReader {
+  Arguments& arguments;
+  Context& context;
+  Textures& textures;
+
+  // A colour that reflects: at most 1 a channel, with a warning above.
+  description::ColourInput reflectance(std::string_view name, double otherwise);
+  // Plain number of any type that pbrt takes there.
+  double scalar(std::string_view name, double otherwise);
+};
+
+// GGX widths along dp/du and, where it differs, along dp/dv.
+struct Widths {
+  description::ScalarInput along;
+  std::optional<description::ScalarInput> across;
+};
+// `prefix`uroughness, `prefix`vroughness and `prefix`roughness, remapped where asked for.
+[[nodiscard]] Widths read_widths(MaterialReader& reader, std::string_view prefix = "");
+
+// The model of a material type of pbrt-v4, or of pbrt-v3; nothing where there is none.
+[[nodiscard]] bool set_model(MaterialReader& reader, std::string_view type,
+                             description::Material& material);
+[[nodiscard]] bool set_v3_model(MaterialReader& reader, std::string_view type,
+                                description::Material& material);
+
+// eta and k by `prefix`eta and `prefix`k, or by a reflectance; copper where there is neither.
+[[nodiscard]] std::array<Vec3d, 2> read_metal(MaterialReader& reader, std::string_view prefix);
+
+}  // namespace candela::pbrt

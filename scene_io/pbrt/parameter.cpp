@@ -1,0 +1,219 @@
+#include "scene_io/pbrt/parameter.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "scene_io/text/number.h"
+
+namespace candela::pbrt {
+namespace {
+
+struct NamedType {
+  std::string_view name;
+  ParameterType type;
+};
+
+// The first name of a type is what name_of() gives.
+constexpr std::array<NamedType, 19> named_types{{{"float", ParameterType::Float},
+                                                 {"integer", ParameterType::Integer},
+                                                 {"bool", ParameterType::Bool},
+                                                 {"string", ParameterType::String},
+                                                 {"texture", ParameterType::Texture},
+                                                 {"point2", ParameterType::Point2},
+                                                 {"vector2", ParameterType::Vector2},
+                                                 {"point3", ParameterType::Point3},
+                                                 {"vector3", ParameterType::Vector3},
+                                                 {"normal", ParameterType::Normal},
+                                                 {"rgb", ParameterType::Rgb},
+                                                 {"xyz", ParameterType::Xyz},
+                                                 {"spectrum", ParameterType::Spectrum},
+                                                 {"blackbody", ParameterType::Blackbody},
+                                                 {"point", ParameterType::Point3},
+                                                 {"vector", ParameterType::Vector3},
+                                                 {"normal3", ParameterType::Normal},
+                                                 {"color", ParameterType::Rgb},
+                                                 {"int", ParameterType::Integer}}};
+
+std::vector<std::string_view> type_names() {
+  std::vector<std::string_view> names;
+  for (const NamedType& named : named_types) names.push_back(named.name);
+  return names;
+}
+
+bool takes_strings(ParameterType type) {
+  return type == ParameterType::String || type == ParameterType::Texture ||
+         type == ParameterType::Spectrum;
+}
+bool takes_numbers(ParameterType type) {
+  return type != ParameterType::String && type != ParameterType::Texture;
+}
+
+std::string_view expected_value(ParameterType type) {
+  switch (type) {
+    case ParameterType::Bool:
+      return "true or false";
+    case ParameterType::String:
+      return "a string in quotes";
+    case ParameterType::Texture:
+      return "the name of a texture in quotes";
+    case ParameterType::Spectrum:
+      return "a number, or a name in quotes";
+    case ParameterType::Integer:
+      return "an integer";
+    default:
+      return "a number";
+  }
+}
+
+class ListReader {
+ public:
+  ListReader(Tokenizer& tokens, const SourceFile& file, const Report& report)
+      : tokens_(tokens), file_(file), report_(report) {}
+
+  ParameterList read() {
+    ParameterList list;
+    while (tokens_.peek().kind != TokenKind::End && tokens_.peek().kind != TokenKind::Word) {
+      Parameter parameter;
+      if (!read_parameter(parameter)) {
+        skip_to_directive();
+      } else if (has(list, parameter.name)) {
+        report_.warning(parameter.place, fmt::format("{} is given twice; the first one counts",
+                                                     text::quoted(parameter.name)));
+      } else {
+        list.push_back(std::move(parameter));
+      }
+    }
+    return list;
+  }
+
+ private:
+  static bool has(const ParameterList& list, const std::string& name) {
+    return std::any_of(list.begin(), list.end(),
+                       [&](const Parameter& other) { return other.name == name; });
+  }
+
+  bool fail(std::size_t offset, std::string message) {
+    report_.error({&file_, offset}, std::move(message));
+    return false;
+  }
+
+  bool read_parameter(Parameter& parameter) {
+    const Token declaration = tokens_.next();
+    if (declaration.kind == TokenKind::Broken)
+      return fail(declaration.offset, "a quote that is not closed on its line");
+    if (declaration.kind != TokenKind::String)
+      return fail(declaration.offset,
+                  fmt::format("found {}, expected a parameter like \"float radius\" or a directive",
+                              text::quoted(declaration.text)));
+    return read_declaration(declaration, parameter) && read_values(parameter);
+  }
+
+  bool read_declaration(const Token& declaration, Parameter& parameter) {
+    text::Cursor words(declaration.text);
+    const std::string_view type_name = words.next_word();
+    const std::string_view name = words.next_word();
+    parameter.place = {&file_, declaration.offset};
+    if (type_name.empty() || name.empty() || !words.next_word().empty())
+      return fail(declaration.offset,
+                  fmt::format("found \"{}\", expected a type and a name, like \"float radius\"",
+                              unquoted(declaration.text)));
+    const auto type = parameter_type_named(type_name);
+    if (!type)
+      return fail(declaration.offset,
+                  fmt::format("{} is not a type of parameters{}", text::quoted(type_name),
+                              did_you_mean(type_name.substr(0, 100), type_names())));
+    parameter.type = *type;
+    parameter.name = unescaped(name);
+    return true;
+  }
+
+  static std::string unquoted(std::string_view word) {
+    const std::string quoted = text::quoted(word);
+    return quoted.substr(1, quoted.size() - 2);
+  }
+
+  bool read_values(Parameter& parameter) {
+    const Token first = tokens_.next();
+    if (first.kind != TokenKind::Open) return read_value(first, parameter);
+    while (true) {
+      const Token token = tokens_.next();
+      if (token.kind == TokenKind::Close) return true;
+      if (token.kind == TokenKind::End)
+        return fail(first.offset, "a [ that no ] closes before the end of the file");
+      if (!read_value(token, parameter)) return false;
+    }
+  }
+
+  bool read_value(const Token& token, Parameter& parameter) {
+    if (token.kind == TokenKind::Broken)
+      return fail(token.offset, "a quote that is not closed on its line");
+    if (parameter.type == ParameterType::Bool && is_truth(token)) {
+      parameter.numbers.push_back(token.text == "true" ? 1 : 0);
+      return true;
+    }
+    if (token.kind == TokenKind::String && takes_strings(parameter.type)) {
+      parameter.strings.push_back(unescaped(token.text));
+      return true;
+    }
+    if (token.kind == TokenKind::Word && takes_numbers(parameter.type) &&
+        parameter.type != ParameterType::Bool)
+      return read_number(token, parameter);
+    return fail(
+        token.offset,
+        fmt::format("\"{} {}\": found {}, expected {}", name_of(parameter.type), parameter.name,
+                    token.kind == TokenKind::End ? "the end of the file" : text::quoted(token.text),
+                    expected_value(parameter.type)));
+  }
+
+  // pbrt-v3 puts quotes around them.
+  static bool is_truth(const Token& token) {
+    return (token.kind == TokenKind::Word || token.kind == TokenKind::String) &&
+           (token.text == "true" || token.text == "false");
+  }
+
+  bool read_number(const Token& token, Parameter& parameter) {
+    const text::Number<double> number = text::parse_double(token.text);
+    if (!number)
+      return fail(token.offset,
+                  fmt::format("\"{} {}\": {} {}, expected {}", name_of(parameter.type),
+                              parameter.name, text::quoted(token.text), describe(number.fault),
+                              expected_value(parameter.type)));
+    parameter.numbers.push_back(number.value);
+    return true;
+  }
+
+  // A word with a capital letter: no value begins with one.
+  void skip_to_directive() {
+    const auto is_directive = [](const Token& token) {
+      return token.kind == TokenKind::Word && token.text[0] >= 'A' && token.text[0] <= 'Z';
+    };
+    while (tokens_.peek().kind != TokenKind::End && !is_directive(tokens_.peek())) tokens_.next();
+  }
+
+  Tokenizer& tokens_;
+  const SourceFile& file_;
+  const Report& report_;
+};
+
+}  // namespace
+
+std::optional<ParameterType> parameter_type_named(std::string_view name) {
+  for (const NamedType& named : named_types)
+    if (named.name == name) return named.type;
+  return std::nullopt;
+}
+
+std::string_view name_of(ParameterType type) {
+  return std::find_if(named_types.begin(), named_types.end(),
+                      [&](const NamedType& named) { return named.type == type; })
+      ->name;
+}
+
+ParameterList read_parameters(Tokenizer& tokens, const SourceFile& file, const Report& report) {
+  return ListReader(tokens, file, report).read();
+}
+
+}  // namespace candela::pbrt

@@ -1,0 +1,173 @@
+// The directives that declare something.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "scene_io/pbrt/parser.h"
+#include "scene_io/pbrt/transforms.h"
+
+namespace candela::pbrt {
+
+void Parser::camera() {
+  auto statement = read_statement();
+  if (!statement) return;
+  if (is_singular(state_.transform))
+    return report_.error(statement->place, "the camera's transform is singular");
+  program_.camera = std::move(*statement);
+  program_.camera_from_world = state_.transform;
+  systems_["camera"] = inverse(state_.transform);
+}
+
+void Parser::film() {
+  if (auto statement = read_statement()) program_.film = std::move(*statement);
+}
+void Parser::sampler() {
+  if (auto statement = read_statement()) program_.sampler = std::move(*statement);
+}
+void Parser::integrator() {
+  if (auto statement = read_statement()) program_.integrator = std::move(*statement);
+}
+void Parser::pixel_filter() {
+  if (auto statement = read_statement()) program_.filter = std::move(*statement);
+}
+
+// How pbrt finds its way to the picture changes nothing in it.
+void Parser::accelerator() {
+  (void)read_statement();
+}
+void Parser::option() {
+  const ParameterList options = read_list();
+  for (const Parameter& option : options)
+    warn_once("Option " + option.name, option.place,
+              fmt::format("the option {} is ignored", text::quoted(option.name)));
+}
+
+void Parser::color_space() {
+  const Place place = here();
+  const auto name = read_string("the name of a colour space");
+  if (name && *name != "srgb")
+    warn_once("ColorSpace", place,
+              fmt::format("the colour space {} is not supported: colours count as srgb",
+                          text::quoted(*name)));
+}
+
+void Parser::attribute() {
+  const Token token = tokens_->peek();
+  const auto target = read_string("a target");
+  if (!target) return;
+  ParameterList list = read_list();
+  const auto* const found = std::find(attribute_targets.begin(), attribute_targets.end(), *target);
+  if (found == attribute_targets.end())
+    return error(token.offset,
+                 fmt::format("Attribute: found {}, expected shape, light, material, medium or "
+                             "texture",
+                             text::quoted(*target)));
+  auto& defaults = state_.defaults[static_cast<std::size_t>(found - attribute_targets.begin())];
+  for (Parameter& parameter : list) parameter.is_default = true;
+  if (defaults) {
+    const auto is_new = [&](const Parameter& old) {
+      return std::none_of(list.begin(), list.end(),
+                          [&](const Parameter& own) { return own.name == old.name; });
+    };
+    std::copy_if(defaults->begin(), defaults->end(), std::back_inserter(list), is_new);
+  }
+  defaults = std::make_shared<const ParameterList>(std::move(list));
+}
+
+void Parser::light_source() {
+  auto statement = read_statement(AttributeTarget::Light);
+  if (statement) program_.lights.push_back({std::move(*statement), state_.transform});
+}
+
+void Parser::area_light_source() {
+  auto statement = read_statement(AttributeTarget::Light);
+  if (!statement) return;
+  state_.area_light = program_.area_lights.size();
+  program_.area_lights.push_back(std::move(*statement));
+}
+
+MaterialUse Parser::add_material(std::string name, Statement statement) {
+  MaterialUse use{program_.materials.size(), {}, statement.place};
+  program_.materials.push_back({std::move(name), std::move(statement)});
+  return use;
+}
+
+void Parser::material() {
+  auto statement = read_statement(AttributeTarget::Material);
+  if (statement) state_.material = add_material({}, std::move(*statement));
+}
+
+void Parser::make_named_material() {
+  auto statement = read_statement(AttributeTarget::Material);
+  if (!statement) return;
+  std::string name = std::exchange(statement->type, {});
+  if (program_.material_named.contains(name))
+    return report_.error(statement->place,
+                         fmt::format("the material {} is defined twice", text::quoted(name)));
+  program_.material_named[name] = program_.materials.size();
+  (void)add_material(std::move(name), std::move(*statement));
+}
+
+void Parser::named_material() {
+  const Place place{file_, tokens_->peek().offset};
+  const auto name = read_string("the name of a material");
+  if (name) state_.material = {none, *name, place};
+}
+
+void Parser::make_named_medium() {
+  const auto statement = read_statement(AttributeTarget::Medium);
+  if (statement)
+    warn_once("medium", statement->place,
+              "media are not rendered: what is within them is as clear as air");
+}
+
+void Parser::medium_interface() {
+  const auto inside = read_string("the name of a medium");
+  if (!inside) return;
+  state_.has_medium = !inside->empty();
+  if (tokens_->peek().kind == TokenKind::String) (void)read_string("the name of a medium");
+}
+
+void Parser::reverse_orientation() {
+  state_.is_reversed = !state_.is_reversed;
+}
+
+void Parser::texture() {
+  const Place place = here();
+  const auto name = read_string("the name of a texture");
+  if (!name) return;
+  const Token kind_token = tokens_->peek();
+  const auto kind = read_string("float or spectrum");
+  if (!kind) return;
+  auto statement = read_statement(AttributeTarget::Texture);
+  if (!statement) return;
+  // pbrt-v3 says color.
+  const bool is_float = *kind == "float";
+  if (!is_float && *kind != "spectrum" && *kind != "color")
+    return error(kind_token.offset,
+                 fmt::format("Texture: found {}, expected float or spectrum", text::quoted(*kind)));
+  auto& textures = is_float ? program_.float_textures : program_.spectrum_textures;
+  const bool is_new =
+      textures.try_emplace(*name, TextureStatement{std::move(*statement), state_.transform}).second;
+  if (!is_new)
+    report_.error(place,
+                  fmt::format("the {} texture {} is defined twice", *kind, text::quoted(*name)));
+}
+
+void Parser::shape() {
+  auto statement = read_statement(AttributeTarget::Shape);
+  if (!statement) return;
+  ShapeStatement shape{std::move(*statement), state_.transform,  state_.is_reversed,
+                       state_.material,       state_.area_light, state_.has_medium};
+  if (is_singular(shape.world_from_object))
+    return report_.error(shape.statement.place,
+                         "the current transform is singular and flattens this shape");
+  if (is_in_object() && shape.area_light != none) {
+    warn_once("instanced light", shape.statement.place,
+              "area lights in objects do not shine, as in pbrt");
+    shape.area_light = none;
+  }
+  (object_ ? *object_ : program_.shapes).push_back(std::move(shape));
+}
+
+}  // namespace candela::pbrt

@@ -1,0 +1,43 @@
+#include "scene_io/pbrt/read_pbrt.h"
+
+#include "scene_io/pbrt/build_scene.h"
+#include "scene_io/pbrt/parse.h"
+#include "scene_io/text/file.h"
+
+namespace candela::pbrt {
+namespace {
+
+void drop_byte_order_mark(std::string& text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+}
+
+}  // namespace
+
+Result<description::SceneDescription> read_pbrt(const std::string& path,
+                                                const LoadOptions& options) {
+  Result<std::string> bytes = text::read_file(path);
+  if (!bytes) return std::move(bytes.diagnostics);
+  return parse_pbrt(path, std::move(*bytes), options);
+}
+
+Result<description::SceneDescription> parse_pbrt(const std::string& path, std::string text,
+                                                 const LoadOptions& options) {
+  Diagnostics diagnostics;
+  const Report report(diagnostics);
+  description::SceneDescription scene;
+  scene.path = path;
+  drop_byte_order_mark(text);
+  SourceFiles files(scene.path, report);
+  files.open(path, std::move(text));
+  Program program = parse(files, report);
+  // What was misread would only bring more errors, but other faults are worth to be known.
+  if (diagnostics.has_errors()) return diagnostics;
+  scene.files = program.files;
+  Context context{program, scene, report};
+  build_scene(context);
+  if (options.ambient) diagnostics.warning({}, "--ambient counts for lab3 scenes only");
+  if (diagnostics.has_errors()) return diagnostics;
+  return {std::move(scene), std::move(diagnostics)};
+}
+
+}  // namespace candela::pbrt

@@ -1,0 +1,40 @@
+#include "scene_io/pbrt/report.h"
+
+#include <algorithm>
+
+namespace candela::pbrt {
+namespace {
+
+constexpr std::size_t longest_counted = 4096;
+
+}  // namespace
+
+SourceFile::SourceFile(const std::string& path, std::string bytes)
+    : bytes_(std::move(bytes)), source_(text::make_source(path, bytes_)), line_begins_{0} {
+  for (std::size_t at = bytes_.find('\n'); at != std::string::npos; at = bytes_.find('\n', at + 1))
+    line_begins_.push_back(at + 1);
+}
+
+SourceSpan SourceFile::span(std::size_t offset) const {
+  const auto above = std::upper_bound(line_begins_.begin(), line_begins_.end(), offset);
+  const std::size_t begin = *(above - 1);
+  const std::string_view line = source_.text.substr(begin, offset - begin);
+  const auto number = static_cast<std::uint32_t>(above - line_begins_.begin());
+  // Far into a line bytes are counted: whole scenes stand on one.
+  if (line.size() > longest_counted)
+    return {source_.name, number, static_cast<std::uint32_t>(line.size() + 1)};
+  return {source_.name, number, text::span_at({source_.name, line}, line.size()).column};
+}
+
+void Report::add(Severity severity, const Place& place, std::string message) const {
+  if (!place.file) {
+    diagnostics_.add({severity, {}, std::move(message), {}});
+  } else if (!text::is_kept(diagnostics_, severity)) {
+    diagnostics_.add({severity, {}, {}, {}});  // counted only
+  } else {
+    diagnostics_.add({severity, place.span(), std::move(message),
+                      text::excerpt_at(place.file->source(), place.offset)});
+  }
+}
+
+}  // namespace candela::pbrt

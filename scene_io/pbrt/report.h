@@ -1,0 +1,62 @@
+// Places in the files of a pbrt scene, and what is said about them.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "renderer/base/diagnostic.h"
+#include "scene_io/text/source.h"
+
+namespace candela::pbrt {
+
+// One file's text, which stays where it is as long as the scene is being read.
+class SourceFile {
+ public:
+  SourceFile(const std::string& path, std::string bytes);
+  SourceFile(const SourceFile&) = delete;
+  SourceFile& operator=(const SourceFile&) = delete;
+
+  [[nodiscard]] const text::Source& source() const { return source_; }
+  [[nodiscard]] const std::string& path() const { return *source_.name; }
+  // Line and column of a byte, by a table.
+  [[nodiscard]] SourceSpan span(std::size_t offset) const;
+
+ private:
+  std::string bytes_;
+  text::Source source_;
+  std::vector<std::size_t> line_begins_;
+};
+
+struct Place {
+  const SourceFile* file = nullptr;
+  std::size_t offset = 0;
+
+  [[nodiscard]] SourceSpan span() const { return file ? file->span(offset) : SourceSpan{}; }
+};
+
+// Collects what is wrong, with the line's text and a caret. One a thread.
+class Report {
+ public:
+  explicit Report(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  void error(const Place& place, std::string message) const {
+    add(Severity::Error, place, std::move(message));
+  }
+  void warning(const Place& place, std::string message) const {
+    add(Severity::Warning, place, std::move(message));
+  }
+  // False: further warnings are only counted, so their sentences need not be made.
+  [[nodiscard]] bool wants_warnings() const {
+    return text::is_kept(diagnostics_, Severity::Warning);
+  }
+  [[nodiscard]] bool is_full() const { return diagnostics_.is_full(); }
+  [[nodiscard]] Diagnostics& diagnostics() const { return diagnostics_; }
+
+ private:
+  void add(Severity severity, const Place& place, std::string message) const;
+
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace candela::pbrt

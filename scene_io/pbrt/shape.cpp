@@ -1,0 +1,126 @@
+#include "scene_io/pbrt/shape.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "scene_io/pbrt/shape_kinds.h"
+#include "scene_io/pbrt/source_files.h"
+
+namespace candela::pbrt {
+namespace {
+
+using description::Mesh;
+
+constexpr std::array<std::string_view, 7> kinds{"trianglemesh", "plymesh",      "sphere",    "disk",
+                                                "cylinder",     "bilinearmesh", "loopsubdiv"};
+
+MaybeMesh mesh_of(Arguments& arguments, const ShapeOptions& options) {
+  const std::string& type = arguments.statement().type;
+  if (type == "trianglemesh") return triangle_mesh(arguments);
+  if (type == "plymesh") return ply_mesh(arguments, options);
+  if (type == "sphere") return sphere(arguments);
+  if (type == "disk") return disk(arguments);
+  if (type == "cylinder") return cylinder(arguments);
+  if (type == "bilinearmesh") return bilinear_mesh(arguments);
+  if (type == "loopsubdiv") return loop_subdivision(arguments);
+  return std::nullopt;
+}
+
+bool is_known_to_pbrt(std::string_view type) {
+  static constexpr std::array<std::string_view, 7> others{
+      "curve", "cone", "paraboloid", "hyperboloid", "heightfield", "heightfield2", "nurbs"};
+  return std::find(others.begin(), others.end(), type) != others.end();
+}
+
+bool is_finite_mesh(const Mesh& mesh) {
+  return std::all_of(mesh.positions.begin(), mesh.positions.end(),
+                     [](const Vec3d& p) { return is_finite(p); });
+}
+
+void refuse(const ShapeStatement& shape, const Report& report) {
+  const std::string& type = shape.statement.type;
+  if (is_known_to_pbrt(type))
+    return report.warning(
+        shape.statement.place,
+        fmt::format("shapes of type {} are not supported: it is left out", text::quoted(type)));
+  const std::string_view word = std::string_view(type).substr(0, 100);
+  report.error(shape.statement.place,
+               fmt::format("{} is no shape{}", text::quoted(type),
+                           did_you_mean(word, {kinds.begin(), kinds.end()})));
+}
+
+}  // namespace
+
+std::string mesh_key(const ShapeStatement& shape, const ShapeOptions& options,
+                     const Report& report) {
+  const Statement& statement = shape.statement;
+  std::string key = fmt::format("{} {} {}", statement.type, shape.is_reversed, options.needs_uvs);
+  for (const Parameter& parameter : statement.parameters) {
+    if (parameter.name == "alpha") continue;
+    if (parameter.numbers.size() > 4) return "";  // a mesh written out
+    key += '\0' + parameter.name;
+    for (const double number : parameter.numbers) key += fmt::format(" {}", number);
+    for (const std::string& string : parameter.strings)
+      key += ' ' + (parameter.name == "filename"
+                        ? resolve_file(options.scene_path, parameter.place, string, report)
+                        : string);
+  }
+  return key;
+}
+
+MaybeMesh make_mesh(ShapeStatement& shape, const ShapeOptions& options, const Report& report) {
+  Arguments arguments(shape.statement, report);
+  if (std::find(kinds.begin(), kinds.end(), shape.statement.type) == kinds.end()) {
+    refuse(shape, report);
+    return std::nullopt;
+  }
+  arguments.accept({"alpha"});
+  MaybeMesh mesh = mesh_of(arguments, options);
+  arguments.warn_of_unknown();
+  if (!mesh) return std::nullopt;
+  if (mesh->name.empty()) mesh->name = shape.statement.type;
+  mesh->span = shape.statement.place.span();
+  if (!is_finite_mesh(*mesh)) {
+    report.error(shape.statement.place, "this shape has positions that are not finite");
+    return std::nullopt;
+  }
+  orient(*mesh, shape.is_reversed);
+  if (options.needs_uvs && mesh->uvs.empty()) add_default_uvs(*mesh);
+  return mesh;
+}
+
+void orient(Mesh& mesh, bool is_reversed) {
+  if (is_reversed)
+    for (Vec3f& normal : mesh.normals) normal = -normal;
+  for (auto& [a, b, c] : mesh.triangles) {
+    bool is_against = is_reversed;
+    if (!mesh.normals.empty()) {
+      const Vec3d face =
+          cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
+      const double side =
+          dot(face, Vec3d(mesh.normals[a]) + Vec3d(mesh.normals[b]) + Vec3d(mesh.normals[c]));
+      if (side != 0) is_against = side < 0;
+    }
+    if (is_against) std::swap(b, c);
+  }
+}
+
+void add_default_uvs(Mesh& mesh) {
+  static constexpr std::array<Vec2f, 3> corner_uvs{Vec2f(0, 0), Vec2f(1, 0), Vec2f(1, 1)};
+  Mesh split;
+  split.name = mesh.name;
+  split.span = mesh.span;
+  for (const auto& triangle : mesh.triangles) {
+    const auto first = static_cast<std::uint32_t>(split.positions.size());
+    for (std::size_t k = 0; k < 3; ++k) {
+      split.positions.push_back(mesh.positions[triangle[k]]);
+      if (!mesh.normals.empty()) split.normals.push_back(mesh.normals[triangle[k]]);
+      split.uvs.push_back(corner_uvs[k]);
+    }
+    split.triangles.push_back({first, first + 1, first + 2});
+  }
+  mesh = std::move(split);
+}
+
+}  // namespace candela::pbrt

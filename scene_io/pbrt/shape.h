@@ -1,0 +1,37 @@
+// Shapes -> meshes in the shape's own space.
+//
+// Triangles are oriented as pbrt orients surfaces: along the vertex normals where there are some,
+// else by the winding (dp/du x dp/dv of curved shapes), and turned by ReverseOrientation. Curved
+// shapes become meshes with the exact normals and texture coordinates, enlarged so that the mesh
+// has the area of the shape: a convex body's mean projected area is a quarter of it [Cauchy1850].
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "renderer/description/scene_description.h"
+#include "scene_io/pbrt/program.h"
+
+namespace candela::pbrt {
+
+struct ShapeOptions {
+  const std::string& scene_path;
+  bool needs_uvs = false;  // the material is textured: meshes without get pbrt's
+};
+
+// What tells one mesh from another: shapes with equal keys have equal meshes. Empty: it is alone.
+[[nodiscard]] std::string mesh_key(const ShapeStatement& shape, const ShapeOptions& options,
+                                   const Report& report);
+
+// No value: it is in error or, with a warning, no shape that candela has. `materials` is left
+// empty. Touches nothing but the shape, so several may be made in parallel.
+[[nodiscard]] std::optional<description::Mesh> make_mesh(ShapeStatement& shape,
+                                                         const ShapeOptions& options,
+                                                         const Report& report);
+
+// Reverses triangles that lie against their normals, and all with is_reversed.
+void orient(description::Mesh& mesh, bool is_reversed);
+// pbrt's for triangles without: (0, 0), (1, 0), (1, 1). Vertices are no longer shared.
+void add_default_uvs(description::Mesh& mesh);
+
+}  // namespace candela::pbrt

@@ -1,0 +1,197 @@
+#include "scene_io/pbrt/spectrum.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "scene_io/pbrt/cie.h"
+#include "scene_io/pbrt/named_spectra.h"
+#include "scene_io/pbrt/source_files.h"
+#include "scene_io/text/cursor.h"
+#include "scene_io/text/file.h"
+#include "scene_io/text/number.h"
+
+namespace candela::pbrt {
+namespace {
+
+constexpr std::size_t most_samples = 100000;
+
+void error(const Parameter& parameter, const Report& report, std::string_view message) {
+  report.error(parameter.place, fmt::format("{} {}", text::quoted(parameter.name), message));
+}
+
+// Pairs of wavelength and value.
+std::optional<SampledSpectrum> spectrum_of_pairs(const std::vector<double>& numbers,
+                                                 const Parameter& parameter, const Report& report) {
+  if (numbers.size() < 2 || numbers.size() % 2 != 0 || numbers.size() > 2 * most_samples) {
+    error(parameter, report,
+          fmt::format("has {} numbers, expected pairs of a wavelength and a "
+                      "value",
+                      numbers.size()));
+    return std::nullopt;
+  }
+  SampledSpectrum spectrum;
+  for (std::size_t i = 0; i < numbers.size(); i += 2) {
+    const bool rises = spectrum.wavelengths.empty() || numbers[i] > spectrum.wavelengths.back();
+    if (!rises || !std::isfinite(numbers[i + 1])) {
+      error(parameter, report,
+            fmt::format("has the wavelength {} in place {}: expected rising ones", numbers[i],
+                        i / 2 + 1));
+      return std::nullopt;
+    }
+    spectrum.wavelengths.push_back(numbers[i]);
+    spectrum.values.push_back(numbers[i + 1]);
+  }
+  return spectrum;
+}
+
+// A .spd file: pairs line by line, comments from '#'.
+std::optional<SampledSpectrum> spectrum_of_file(const Parameter& parameter,
+                                                const std::string& scene_path,
+                                                const Report& report) {
+  const std::string path = resolve_file(scene_path, parameter.place, parameter.strings[0], report);
+  const auto bytes = text::read_file(path, {.bytes = 1 << 24, .inflated_bytes = 1 << 24});
+  if (!bytes) {
+    error(parameter, report,
+          fmt::format("{} is no named spectrum, and as a file it {}{}", text::quoted(path),
+                      bytes.diagnostics.list()[0].message,
+                      did_you_mean(std::string_view(parameter.strings[0]).substr(0, 100),
+                                   spectrum_names())));
+    return std::nullopt;
+  }
+  std::vector<double> numbers;
+  Tokenizer tokens(*bytes);
+  for (Token token = tokens.next(); token.kind == TokenKind::Word; token = tokens.next()) {
+    const auto number = text::parse_double(token.text);
+    if (!number || numbers.size() > 2 * most_samples) {
+      error(parameter, report,
+            fmt::format("{} holds {}, expected pairs of numbers", text::quoted(path),
+                        text::quoted(token.text)));
+      return std::nullopt;
+    }
+    numbers.push_back(number.value);
+  }
+  return spectrum_of_pairs(numbers, parameter, report);
+}
+
+std::optional<SampledSpectrum> sampled(const Parameter& parameter, const std::string& scene_path,
+                                       const Report& report) {
+  if (parameter.strings.empty()) return spectrum_of_pairs(parameter.numbers, parameter, report);
+  return spectrum_of_file(parameter, scene_path, report);
+}
+
+template <class Table>
+auto* find_named(const Table& table, std::string_view name) {
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [&](const auto& entry) { return entry.name == name; });
+  return found == table.end() ? nullptr : &*found;
+}
+
+std::optional<Vec3d> triple(const Parameter& parameter, const Report& report) {
+  if (parameter.numbers.size() != 3) {
+    error(parameter, report, fmt::format("has {} numbers, expected 3", parameter.numbers.size()));
+    return std::nullopt;
+  }
+  const Vec3d numbers(parameter.numbers[0], parameter.numbers[1], parameter.numbers[2]);
+  const Vec3d colour = parameter.type == ParameterType::Xyz ? xyz_to_rgb(numbers) : numbers;
+  if (parameter.type == ParameterType::Xyz) return glm::max(colour, Vec3d(0.0));
+  if (colour.x >= 0 && colour.y >= 0 && colour.z >= 0) return colour;
+  error(parameter, report, "has a number below 0");
+  return std::nullopt;
+}
+
+std::optional<Vec3d> black_body_colour(const Parameter& parameter, const Report& report) {
+  if (parameter.numbers.empty() || parameter.numbers.size() > 2 || !(parameter.numbers[0] > 0)) {
+    error(parameter, report, "expected a temperature in kelvins, above 0");
+    return std::nullopt;
+  }
+  const double kelvin = std::clamp(parameter.numbers[0], 100.0, 1e9);
+  const double scale = parameter.numbers.size() == 2 ? std::max(parameter.numbers[1], 0.0) : 1.0;
+  return scale * colour_of_light([&](double nm) { return black_body(nm, kelvin); });
+}
+
+std::optional<Vec3d> spectrum_light(const Parameter& parameter, const std::string& scene_path,
+                                    const Report& report) {
+  if (!parameter.strings.empty())
+    if (const auto* illuminant = find_named(named_illuminants(), parameter.strings[0]))
+      return colour_of_chromaticity(illuminant->x, illuminant->y);
+  const auto spectrum = sampled(parameter, scene_path, report);
+  if (!spectrum) return std::nullopt;
+  return colour_of_light(*spectrum);
+}
+
+// The part of a metal's pair that a name asks for.
+std::optional<Vec3d> metal_part(std::string_view name) {
+  for (const NamedMetal& metal : named_metals()) {
+    if (metal.eta_name == name) return metal.eta;
+    if (metal.k_name == name) return metal.k;
+  }
+  return std::nullopt;
+}
+
+std::optional<Vec3d> spectrum_factor(const Parameter& parameter, const std::string& scene_path,
+                                     const Report& report) {
+  if (!parameter.strings.empty()) {
+    if (const auto part = metal_part(parameter.strings[0])) return part;
+    if (const auto* glass = find_named(named_glasses(), parameter.strings[0]))
+      return Vec3d(glass->ior);
+  }
+  const auto spectrum = sampled(parameter, scene_path, report);
+  if (!spectrum) return std::nullopt;
+  return colour_of_factor(*spectrum);
+}
+
+}  // namespace
+
+std::optional<Vec3d> light_colour(Arguments& arguments, std::string_view name,
+                                  const std::string& scene_path) {
+  const Parameter* parameter = arguments.find(
+      name,
+      {ParameterType::Rgb, ParameterType::Xyz, ParameterType::Blackbody, ParameterType::Spectrum});
+  if (!parameter) return std::nullopt;
+  const Report& report = arguments.report();
+  if (parameter->type == ParameterType::Blackbody) return black_body_colour(*parameter, report);
+  if (parameter->type == ParameterType::Spectrum)
+    return spectrum_light(*parameter, scene_path, report);
+  return triple(*parameter, report);
+}
+
+std::optional<Vec3d> factor_colour(const Parameter& parameter, const std::string& scene_path,
+                                   const Report& report) {
+  if (parameter.type == ParameterType::Spectrum)
+    return spectrum_factor(parameter, scene_path, report);
+  if (parameter.type == ParameterType::Blackbody) return black_body_colour(parameter, report);
+  if (parameter.type == ParameterType::Float || parameter.type == ParameterType::Integer) {
+    if (parameter.numbers.size() == 1 && parameter.numbers[0] >= 0)
+      return Vec3d(parameter.numbers[0]);
+    error(parameter, report, "expected one number of at least 0");
+    return std::nullopt;
+  }
+  return triple(parameter, report);
+}
+
+std::optional<double> mean_value(const Parameter& parameter, const std::string& scene_path,
+                                 const Report& report) {
+  if (parameter.type == ParameterType::Float || parameter.type == ParameterType::Integer) {
+    if (parameter.numbers.size() == 1) return parameter.numbers[0];
+    error(parameter, report, "expected one number");
+    return std::nullopt;
+  }
+  if (!parameter.strings.empty()) {
+    if (const auto* glass = find_named(named_glasses(), parameter.strings[0])) return glass->ior;
+    if (const auto part = metal_part(parameter.strings[0])) return part->y;
+  }
+  const auto spectrum = sampled(parameter, scene_path, report);
+  if (!spectrum) return std::nullopt;
+  return luminous_mean(*spectrum);
+}
+
+std::optional<std::array<Vec3d, 2>> metal_named(std::string_view spectrum) {
+  for (const NamedMetal& metal : named_metals())
+    if (metal.eta_name == spectrum || metal.k_name == spectrum)
+      return std::array<Vec3d, 2>{metal.eta, metal.k};
+  return std::nullopt;
+}
+
+}  // namespace candela::pbrt

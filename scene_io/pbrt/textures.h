@@ -1,0 +1,62 @@
+// Textures, and parameters that may be one.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "scene_io/pbrt/context.h"
+
+namespace candela::pbrt {
+
+class Textures {
+ public:
+  explicit Textures(Context& context) : context_(context) {}
+
+  // A colour: rgb, spectrum or the name of a spectrum texture. Nothing where it is absent or, after
+  // an error, none.
+  std::optional<description::ColourInput> colour(Arguments& arguments, std::string_view name);
+  // A number or the name of a float texture.
+  std::optional<description::ScalarInput> scalar(Arguments& arguments, std::string_view name);
+  // The float texture of a parameter of that type.
+  std::optional<description::ScalarInput> scalar_texture(const Parameter& parameter);
+  // Heights: an image or a texture.
+  void set_heights(Arguments& arguments, description::Material& material);
+  // A file of normals.
+  description::ImageHandle normal_map(Arguments& arguments);
+
+ private:
+  enum class Kind : std::uint8_t { Float, Spectrum };
+
+  // Absent: in error.
+  using Value = std::optional<description::ColourInput>;
+  Value named(Kind kind, const Parameter& parameter);
+  Value make(Kind kind, TextureStatement& texture, const std::string& name);
+  Value image(Arguments& arguments, const std::string& name);
+  Value product(Kind kind, Arguments& arguments, const std::string& name);
+  Value mix(Kind kind, Arguments& arguments, const std::string& name);
+  Value checkerboard(Kind kind, Arguments& arguments, const std::string& name);
+  Value dots(Kind kind, Arguments& arguments, const std::string& name);
+  Value bilerp(Kind kind, Arguments& arguments, const std::string& name);
+  Value stand_in(Arguments& arguments);
+  description::ColourInput input(Kind kind, Arguments& arguments, std::string_view name,
+                                 const Vec3d& otherwise);
+  Vec3d corner(Kind kind, Arguments& arguments, std::string_view name, double otherwise);
+  description::UvMapping mapping(Arguments& arguments);
+  template <class Texture>
+  description::ColourInput add(Texture kind, const std::string& name, const Place& place);
+
+  Context& context_;
+  std::map<std::string, Value> made_[2];  // by kind
+  int depth_ = 0;
+};
+
+// As pbrt reads image files: EXR, HDR and PFM are linear, all others sRGB.
+[[nodiscard]] description::Encoding encoding_of_file(std::string_view name);
+
+// Adds an image of the scene, or finds the equal one that is there. Invalid after an error.
+[[nodiscard]] description::ImageHandle add_image(Context& context, const Parameter& file,
+                                                 description::Encoding encoding,
+                                                 description::Wrap wrap);
+
+}  // namespace candela::pbrt
