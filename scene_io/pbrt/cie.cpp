@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "renderer/math/colour.h"
+
 namespace candela::pbrt {
 namespace {
 
@@ -68,6 +70,11 @@ Vec3d clamped(const Vec3d& colour) {
   return glm::max(colour, Vec3d(0.0));
 }
 
+Vec3d of_luminance_one(const Vec3d& xyz) {
+  const Vec3d colour = clamped(xyz_to_rgb(xyz / xyz.y));
+  return colour / luminance(colour);
+}
+
 }  // namespace
 
 double SampledSpectrum::operator()(double wavelength) const {
@@ -100,11 +107,11 @@ Vec3d xyz_to_rgb(const Vec3d& c) {
 
 Vec3d colour_of_light(const SpectrumFunction& spectrum) {
   const Vec3d xyz = integrate(spectrum, false).xyz;
-  return xyz.y > 0 ? clamped(xyz_to_rgb(xyz / xyz.y)) : Vec3d(1.0);
+  return xyz.y > 0 ? of_luminance_one(xyz) : Vec3d(1.0);
 }
 
 Vec3d colour_of_chromaticity(double x, double y) {
-  return clamped(xyz_to_rgb({x / y, 1, (1 - x - y) / y}));
+  return of_luminance_one({x, y, 1 - x - y});
 }
 
 Vec3d colour_of_factor(const SpectrumFunction& spectrum) {

@@ -74,7 +74,10 @@ std::optional<IndexedFaces> indexed_faces(Arguments& arguments, std::size_t corn
     arguments.report().error(arguments.statement().place, std::move(message));
     return std::nullopt;
   };
-  if (count == 0) return fail("a mesh without positions: expected \"point3 P\"");
+  if (count == 0) {
+    if (arguments.has("P")) return std::nullopt;  // said
+    return fail("a mesh without positions: expected \"point3 P\"");
+  }
   if (faces.indices.empty() && !arguments.has("indices") && count == corners)
     for (std::uint32_t i = 0; i < corners; ++i) faces.indices.push_back(i);
   if (faces.indices.empty() || faces.indices.size() % corners != 0)

@@ -89,7 +89,7 @@ void move_vertices(std::vector<Vec3d>& positions, const EdgeTable& table, bool t
   for (std::size_t i = 0; i < rings.size(); ++i) {
     const std::uint32_t n = rings[i].valence;
     const double inner = n == 0 ? 0 : to_limit ? 1 / (n + 3 / (8 * beta(n))) : beta(n);
-    positions[i] = moved(positions[i], rings[i], to_limit ? 1.0 / 5 : 1.0 / 8, inner);
+    positions[i] = moved(positions[i], rings[i], to_limit ? 1.0 / 6 : 1.0 / 8, inner);
   }
 }
 

@@ -1,0 +1,308 @@
+// Cameras, films, lights, materials and textures of pbrt scenes as candela describes them.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "renderer/description/validate.h"
+#include "renderer/math/colour.h"
+#include "renderer/math/constants.h"
+#include "tests/scene_io/pbrt/pbrt_text.h"
+
+namespace candela {
+namespace {
+
+using namespace description;
+using test::pbrt_error;
+using test::pbrt_scene;
+using test::pbrt_warning;
+using test::pbrt_world;
+using test::pbrt_world_error;
+using test::pbrt_world_warning;
+
+void expect_near(const Vec3d& vector, const Vec3d& expected) {
+  EXPECT_LT(length(vector - expected), 1e-9) << vector.x << " " << vector.y << " " << vector.z;
+}
+
+Camera camera_of(const std::string& text) {
+  const auto scene = pbrt_scene(text + "\nWorldBegin");
+  EXPECT_EQ(scene.cameras.size(), 1u);
+  return scene.cameras.empty() ? Camera{} : scene.cameras[0];
+}
+
+TEST(Unit_PbrtCamera, LooksAlongZAndIsLeftHanded) {
+  const Camera plain = camera_of("");
+  expect_near(plain.target - plain.eye, {0, 0, 1});
+  expect_near(plain.up, {0, 1, 0});
+  EXPECT_TRUE(plain.is_mirrored);  // x is right, where a right-handed camera has -x
+  EXPECT_FALSE(camera_of("Scale -1 1 1\nCamera \"perspective\"").is_mirrored);
+  const Camera looking = camera_of("LookAt 3 4 5  3 4 0  0 1 0\nCamera \"perspective\"");
+  expect_near(looking.eye, {3, 4, 5});
+  expect_near(normalize(looking.target - looking.eye), {0, 0, -1});
+  EXPECT_TRUE(looking.is_mirrored);
+}
+
+TEST(Unit_PbrtCamera, LensesAndWindowsAreInTheCamerasUnit) {
+  const Camera camera = camera_of(
+      "Scale .5 .5 .5\nCamera \"perspective\" \"float fov\" 40 \"float lensradius\" 3 \"float "
+      "focaldistance\" 7 \"float screenwindow\" [ -1 2 -3 4 ]");
+  EXPECT_EQ(camera.fovy_degrees, 40);
+  EXPECT_TRUE(camera.fov_is_of_shorter_side);
+  EXPECT_NEAR(camera.lens_radius, 6, 1e-9);
+  EXPECT_NEAR(camera.focus_distance, 14, 1e-9);
+  ASSERT_TRUE(camera.screen_window);
+  EXPECT_EQ(camera.screen_window->top, 4);
+  const Camera flat = camera_of(
+      "Scale .5 .5 .5\nCamera \"orthographic\"\nFilm \"rgb\" \"integer xresolution\" 200 \"integer "
+      "yresolution\" 100");
+  EXPECT_EQ(flat.kind, CameraKind::Orthographic);
+  EXPECT_NEAR(flat.screen_window->right, 4, 1e-9);
+  EXPECT_NEAR(flat.screen_window->top, 2, 1e-9);
+}
+
+TEST(Unit_PbrtFilm, DefaultsArePbrts) {
+  const RenderDefaults defaults = pbrt_world("").defaults;
+  EXPECT_EQ(defaults.width, 1280);
+  EXPECT_EQ(defaults.height, 720);
+  EXPECT_EQ(defaults.samples_per_pixel, 16);
+  EXPECT_EQ(defaults.max_depth, 5);
+  EXPECT_EQ(defaults.filter, "gaussian");
+  EXPECT_EQ(defaults.filter_radius, 1.5);
+  EXPECT_EQ(
+      pbrt_scene("Integrator \"volpath\" \"integer maxdepth\" 0\nWorldBegin").defaults.max_depth,
+      0);
+  const RenderDefaults stratified =
+      pbrt_scene(
+          "Sampler \"stratified\" \"integer xsamples\" 3\nPixelFilter \"triangle\"\nWorldBegin")
+          .defaults;
+  EXPECT_EQ(stratified.samples_per_pixel, 12);
+  EXPECT_EQ(stratified.filter_radius, 2);
+}
+
+TEST(Unit_PbrtFilm, TheImagingRatioIsInTheLight) {
+  const auto scene = pbrt_scene(R"(Camera "perspective" "float shutterclose" .25
+    Film "rgb" "float iso" 200
+    WorldBegin
+    LightSource "point" "rgb I" [ 1 2 3 ]
+    LightSource "distant" "rgb L" [ 1 1 1 ]
+    LightSource "infinite" "rgb L" [ 4 4 4 ]
+    AreaLightSource "diffuse" "rgb L" [ 2 2 2 ]
+    Shape "disk")");
+  expect_near(std::get<PointLight>(scene.lights.at(0).kind).intensity, Vec3d(1, 2, 3) * 0.5);
+  expect_near(std::get<DirectionalLight>(scene.lights.at(1).kind).irradiance, Vec3d(0.5));
+  expect_near(std::get<ConstantEnvironment>(scene.lights.at(2).kind).radiance, Vec3d(2.0));
+  expect_near(scene.materials.at(0).emission, Vec3d(1.0));
+}
+
+TEST(Errors_PbrtFilm, WhatCannotBeHonouredIsNamed) {
+  EXPECT_EQ(pbrt_warning("Integrator \"bdpt\" \"bool visualizestrategies\" true\nWorldBegin"),
+            "1:12: the integrator 'bdpt' is rendered by 'path'");
+  EXPECT_EQ(pbrt_warning("Camera \"realistic\" \"string lensfile\" \"x\"\nWorldBegin"),
+            "1:8: cameras of type 'realistic' are not supported: 'perspective' is used");
+  EXPECT_EQ(pbrt_warning("Film \"rgb\" \"float cropwindow\" [ 0 .5 0 1 ]\nWorldBegin"),
+            "1:12: 'cropwindow' is ignored: use --crop");
+  EXPECT_EQ(pbrt_error("Film \"rgb\" \"integer xresolution\" 0\nWorldBegin"),
+            "1:12: 'xresolution' is 0, expected 1 to 65536");
+  EXPECT_EQ(pbrt_error("Scale 1 1 0\nCamera \"perspective\"\nWorldBegin"),
+            "2:8: the camera's transform is singular");
+}
+
+TEST(Unit_PbrtLights, PlacesAndDirections) {
+  const auto scene = pbrt_world(R"(Translate 0 0 10
+    Rotate 90 1 0 0
+    LightSource "point" "point3 from" [ 0 1 0 ] "float power" 100
+    LightSource "distant" "point3 from" [ 0 5 0 ] "point3 to" [ 0 0 0 ] "float illuminance" 3
+    LightSource "spot" "point3 to" [ 0 1 0 ] "float coneangle" 40 "float conedeltaangle" 10)");
+  const auto& point = std::get<PointLight>(scene.lights.at(0).kind);
+  expect_near(point.position, {0, 0, 11});
+  expect_near(point.intensity, Vec3d(100 / (4 * pi_double)));
+  const auto& distant = std::get<DirectionalLight>(scene.lights.at(1).kind);
+  expect_near(distant.to_light, {0, 0, 1});
+  expect_near(distant.irradiance, Vec3d(3.0));
+  const auto& spot = std::get<SpotLight>(scene.lights.at(2).kind);
+  expect_near(spot.axis, {0, 0, 1});
+  EXPECT_NEAR(spot.inner_angle_radians, 30 * pi_double / 180, 1e-12);
+  EXPECT_NEAR(spot.outer_angle_radians, 40 * pi_double / 180, 1e-12);
+}
+
+TEST(Unit_PbrtLights, SkiesAddUp) {
+  const auto plain = pbrt_world(
+      "LightSource \"infinite\" \"rgb L\" [ 1 2 3 ]\nLightSource \"infinite\" \"rgb L\" [ 1 1 1 ]");
+  ASSERT_EQ(plain.lights.size(), 1u);
+  expect_near(std::get<ConstantEnvironment>(plain.lights[0].kind).radiance, {2, 3, 4});
+  const auto turned = pbrt_world(
+      "Rotate 90 0 0 1\nLightSource \"infinite\" \"string filename\" \"picture.exr\" \"float "
+      "scale\" 2");
+  const auto& map = std::get<EqualAreaEnvironment>(turned.lights.at(0).kind);
+  expect_near(map.world_from_map[0], {0, 1, 0});
+  expect_near(map.world_from_map[2], {0, 0, 1});
+  EXPECT_EQ(map.scale, Vec3d(2.0));
+  EXPECT_EQ(turned.images.at(0).encoding, Encoding::Linear);
+}
+
+// 2 pi r^2 of a disk: pbrt gives each of a mesh's triangles the whole power.
+TEST(Unit_PbrtLights, AreaLightsOfAPower) {
+  const std::string disk = "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  2 0 0  0 2 0 ]";
+  const auto emission = [&](const std::string& parameters) {
+    const auto scene = pbrt_world("AreaLightSource \"diffuse\" " + parameters + disk);
+    return scene.materials.at(0).emission;
+  };
+  expect_near(emission("\"rgb L\" [ 1 2 3 ] \"float scale\" 2 "), {2, 4, 6});
+  expect_near(emission("\"float power\" 10 "), Vec3d(10 / (2 * pi_double)));
+  expect_near(emission("\"float power\" 10 \"bool twosided\" true "), Vec3d(10 / (4 * pi_double)));
+}
+
+TEST(Unit_PbrtLights, ShapesOfOneMaterialAndLightShareIt) {
+  const auto scene = pbrt_world(R"(Material "diffuse"
+    Shape "disk"
+    AreaLightSource "diffuse" "rgb L" [ 1 1 1 ]
+    Shape "sphere"
+    Shape "cylinder"
+    AreaLightSource "diffuse" "rgb L" [ 2 1 1 ]
+    Shape "sphere" "float radius" 2)");
+  EXPECT_EQ(scene.materials.size(), 3u);
+}
+
+Material material_of(const std::string& text) {
+  const auto scene = pbrt_world("Material " + text + " Shape \"disk\"");
+  EXPECT_EQ(scene.materials.size(), 1u);
+  EXPECT_FALSE(validate(scene).has_errors()) << text;
+  return scene.materials.empty() ? Material{} : scene.materials[0];
+}
+
+TEST(Unit_PbrtMaterials, RoughnessIsSquaredUnlessItSaysNo) {
+  const auto width = [](const std::string& parameters) {
+    return std::get<ConductorMaterial>(material_of("\"conductor\" " + parameters).model);
+  };
+  EXPECT_EQ(width("").roughness.factor, 0);
+  EXPECT_NEAR(width("\"float roughness\" .25").roughness.factor, 0.5, 1e-12);
+  EXPECT_EQ(width("\"float roughness\" .25 \"bool remaproughness\" false").roughness.factor, 0.25);
+  EXPECT_EQ(width("\"float roughness\" 5e-7").roughness.factor, 0);  // smooth, as pbrt takes it
+  const auto two = width("\"float uroughness\" .01 \"float vroughness\" .04");
+  EXPECT_NEAR(two.roughness.factor, 0.1, 1e-12);
+  ASSERT_TRUE(two.roughness_across);
+  EXPECT_NEAR(two.roughness_across->factor, 0.2, 1e-12);
+}
+
+TEST(Unit_PbrtMaterials, MetalsByTheirReflectance) {
+  const auto metal = std::get<ConductorMaterial>(
+      material_of("\"conductor\" \"rgb reflectance\" [ .9 .5 0 ]").model);
+  const Vec3d below = metal.eta - 1.0;
+  const Vec3d above = metal.eta + 1.0;
+  const Vec3d k2 = metal.k * metal.k;
+  expect_near((below * below + k2) / (above * above + k2), {0.9, 0.5, 0});
+}
+
+TEST(Unit_PbrtMaterials, Types) {
+  const auto coated = std::get<CoatedDiffuseMaterial>(
+      material_of(
+          "\"coateddiffuse\" \"float roughness\" .04 \"float eta\" 1.3 \"integer maxdepth\" 4")
+          .model);
+  EXPECT_EQ(coated.coat.ior, 1.3);
+  EXPECT_NEAR(coated.coat.roughness.factor, 0.2, 1e-12);
+  EXPECT_EQ(coated.coat.max_depth, 4);
+  EXPECT_EQ(coated.coat.thickness, 0.01);
+  const auto metal = std::get<CoatedConductorMaterial>(
+      material_of(
+          "\"coatedconductor\" \"float interface.roughness\" .01 \"float conductor.roughness\" "
+          ".09 \"rgb conductor.eta\" [ 1 2 3 ]")
+          .model);
+  EXPECT_NEAR(metal.coat.roughness.factor, 0.1, 1e-12);
+  EXPECT_NEAR(metal.roughness.factor, 0.3, 1e-12);
+  EXPECT_EQ(metal.eta, Vec3d(1, 2, 3));
+  EXPECT_EQ(std::get<DielectricMaterial>(
+                material_of("\"dielectric\" \"spectrum eta\" \"glass-SF11\"").model)
+                .ior,
+            1.78472);
+  EXPECT_TRUE(std::get<DielectricMaterial>(material_of("\"thindielectric\"").model).is_thin);
+  EXPECT_TRUE(std::holds_alternative<InterfaceMaterial>(material_of("\"interface\"").model));
+  const auto leaf = std::get<DiffuseTransmissionMaterial>(
+      material_of(
+          "\"diffusetransmission\" \"rgb reflectance\" [ 1 .5 0 ] \"rgb transmittance\" [ 1 0 0 ]")
+          .model);
+  EXPECT_EQ(leaf.reflectance.factor, Vec3d(0.5, 0.5, 0));
+  EXPECT_TRUE(std::holds_alternative<DiffuseMaterial>(material_of("\"matte\"").model));
+  EXPECT_TRUE(std::holds_alternative<CookTorranceMaterial>(material_of("\"plastic\"").model));
+  EXPECT_TRUE(std::holds_alternative<MirrorMaterial>(material_of("\"mirror\"").model));
+}
+
+TEST(Unit_PbrtMaterials, MaterialsAndTexturesMayFollow) {
+  const auto scene = pbrt_world(R"(NamedMaterial "later"
+    Shape "disk"
+    MakeNamedMaterial "later" "string type" "diffuse" "texture reflectance" "last"
+    Texture "last" "spectrum" "scale" "rgb tex" [ .5 .25 .125 ] "float scale" .5)");
+  EXPECT_EQ(std::get<DiffuseMaterial>(scene.materials.at(0).model).reflectance.factor,
+            Vec3d(0.25, 0.125, 0.0625));
+}
+
+TEST(Unit_PbrtMaterials, HeightsAreLengthsInTheWorld) {
+  const auto scale_of = [](const std::string& transform) {
+    const auto scene = pbrt_world(
+        "Texture \"h\" \"float\" \"imagemap\" \"string filename\" \"picture.png\"\n"
+        "Material \"diffuse\" \"texture displacement\" \"h\"\n" +
+        transform + "Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  2 0 0  0 2 0  2 2 0 ]");
+    EXPECT_TRUE(scene.materials.at(0).height.is_valid());
+    return scene.materials.at(0).height_scale;
+  };
+  // The uv square's edge is 2 long, then 6.
+  EXPECT_NEAR(scale_of(""), 1.0 / 2, 1e-12);
+  EXPECT_NEAR(scale_of("Scale 3 3 3\n"), 1.0 / 6, 1e-12);
+}
+
+TEST(Unit_PbrtTextures, KindsAndTheirInputs) {
+  const auto scene = pbrt_world(R"(
+    Texture "map" "spectrum" "imagemap" "string filename" "picture.png" "string wrap" "clamp"
+    Texture "twice" "spectrum" "imagemap" "string filename" "picture.png" "float uscale" 2
+      "float vdelta" .5 "bool invert" true "string encoding" "linear"
+    Texture "board" "spectrum" "checkerboard" "texture tex1" "map" "texture tex2" "twice"
+    Texture "alpha" "float" "imagemap" "string filename" "picture.png"
+    Material "diffuse" "texture reflectance" "board"
+    Shape "disk" "texture alpha" "alpha")");
+  const auto& material = scene.materials.at(0);
+  const auto& reflectance = std::get<DiffuseMaterial>(material.model).reflectance;
+  ASSERT_EQ(reflectance.texture.index, 1u);
+  const auto& board = std::get<CheckerboardTexture>(scene.textures.at(1).kind);
+  EXPECT_EQ(scene.images.at(board.even.map.index).wrap, Wrap::Clamp);
+  EXPECT_EQ(scene.images.at(board.even.map.index).encoding, Encoding::Srgb);
+  ASSERT_EQ(board.odd.texture.index, 0u);
+  const auto& twice = std::get<ImageTexture>(scene.textures.at(0).kind);
+  EXPECT_EQ(twice.mapping.scale, Vec2d(2, 1));
+  EXPECT_EQ(twice.mapping.offset, Vec2d(0, 0.5));
+  EXPECT_TRUE(twice.is_inverted);
+  EXPECT_EQ(scene.images.at(twice.image.index).encoding, Encoding::Linear);
+  EXPECT_TRUE(material.opacity.map.is_valid());
+  EXPECT_EQ(material.opacity.channel, alpha_or_first);
+}
+
+TEST(Errors_PbrtTextures, NamesThatAreNotThere) {
+  EXPECT_EQ(pbrt_world_error("Texture \"wood\" \"spectrum\" \"constant\"\nMaterial \"diffuse\" "
+                             "\"texture reflectance\" \"wodo\""),
+            "3:20: there is no spectrum texture 'wodo', did you mean 'wood'?");
+  EXPECT_EQ(pbrt_world_error("Texture \"t\" \"spectrum\" \"scale\" \"texture tex\" \"t\"\nMaterial "
+                             "\"diffuse\" \"texture reflectance\" \"t\""),
+            "2:32: textures are made of each other more than 64 deep: 't' perhaps of itself");
+  EXPECT_EQ(pbrt_world_error("Texture \"t\" \"flaot\" \"constant\""),
+            "2:13: Texture: found 'flaot', expected float or spectrum");
+  EXPECT_EQ(pbrt_world_error(
+                "Texture \"t\" \"float\" \"constant\"\nTexture \"t\" \"float\" \"constant\""),
+            "3:1: the float texture 't' is defined twice");
+}
+
+TEST(Errors_PbrtMaterials, WhatIsWrongWithThem) {
+  EXPECT_EQ(pbrt_world_error("MakeNamedMaterial \"a\" \"rgb reflectance\" [ 1 1 1 ]"),
+            "2:19: the material 'a' has no type: expected \"string type\"");
+  EXPECT_EQ(pbrt_world_error("Material \"difuse\""),
+            "2:10: 'difuse' is no material, did you mean 'diffuse'?");
+  EXPECT_EQ(pbrt_world_warning("Material \"diffuse\" \"rgb reflectance\" [ 2 1 1 ]"),
+            "2:20: 'reflectance' is above 1: surfaces reflect at most all light");
+  EXPECT_EQ(
+      pbrt_world_warning("Material \"diffuse\" \"rgb reflectence\" [ 1 1 1 ]"),
+      "2:20: 'reflectence' is not a parameter of Material \"diffuse\" and is ignored, did you "
+      "mean 'reflectance'?");
+  EXPECT_EQ(
+      pbrt_world_error("MakeNamedMaterial \"m\" \"string type\" \"mix\" \"string materials\" [ "
+                       "\"m\" \"m\" ]"),
+      "2:19: mixtures of mixtures more than 16 deep, perhaps of itself");
+}
+
+}  // namespace
+}  // namespace candela

@@ -1,0 +1,173 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "renderer/math/constants.h"
+#include "tests/scene_io/pbrt/pbrt_text.h"
+
+namespace candela {
+namespace {
+
+using description::Mesh;
+using test::pbrt_world;
+using test::pbrt_world_error;
+using test::pbrt_world_warning;
+
+Mesh mesh_of(const std::string& text) {
+  const auto scene = pbrt_world(text);
+  EXPECT_EQ(scene.meshes.size(), 1u) << text;
+  return scene.meshes.empty() ? Mesh{} : scene.meshes[0];
+}
+
+Vec3d face_of(const Mesh& mesh, std::size_t triangle) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  return cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
+}
+
+double area_of(const Mesh& mesh) {
+  double area = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) area += length(face_of(mesh, i)) / 2;
+  return area;
+}
+
+// The least cosine between a triangle and the normals at its corners.
+double agreement_of(const Mesh& mesh) {
+  double least = 1;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    for (const std::uint32_t corner : mesh.triangles[i])
+      least = std::min(least, dot(normalize(face_of(mesh, i)), Vec3d(mesh.normals[corner])));
+  return least;
+}
+
+TEST(Unit_PbrtShapes, SpheresHaveTheirAreaAndPointOutwards) {
+  const Mesh mesh = mesh_of("Shape \"sphere\" \"float radius\" 3");
+  EXPECT_NEAR(area_of(mesh), 4 * pi_double * 9, 1e-9);
+  EXPECT_GT(agreement_of(mesh), 0.999);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    ASSERT_LT(length(normalize(mesh.positions[i]) - Vec3d(mesh.normals[i])), 1e-6);
+  // u goes around from +x over +y, v from the lower pole to the upper one.
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Vec3d p = normalize(mesh.positions[i]);
+    ASSERT_NEAR(p.z, -std::cos(pi_double * mesh.uvs[i].y), 1e-6);
+    ASSERT_NEAR(p.x, std::sqrt(1 - p.z * p.z) * std::cos(2 * pi_double * mesh.uvs[i].x), 1e-5);
+  }
+}
+
+TEST(Unit_PbrtShapes, PartsOfSpheres) {
+  const Mesh mesh =
+      mesh_of("Shape \"sphere\" \"float radius\" 2 \"float zmin\" 0 \"float phimax\" 90");
+  EXPECT_NEAR(area_of(mesh), 4 * pi_double * 4 / 8, 1e-9);
+  for (const Vec3d& p : mesh.positions) {
+    ASSERT_GT(p.x, -1e-9);
+    ASSERT_GT(p.y, -1e-9);
+    ASSERT_GT(p.z, -1e-9);
+  }
+}
+
+TEST(Unit_PbrtShapes, DisksAndCylinders) {
+  const Mesh disk =
+      mesh_of("Shape \"disk\" \"float radius\" 2 \"float innerradius\" 1 \"float height\" 5");
+  EXPECT_NEAR(area_of(disk), pi_double * 3, 1e-9);
+  EXPECT_NEAR(agreement_of(disk), 1, 1e-12);
+  EXPECT_EQ(disk.normals[0], Vec3f(0, 0, 1));
+  EXPECT_EQ(disk.positions[0].z, 5);
+  EXPECT_EQ(disk.uvs[0], Vec2f(0, 0));
+  EXPECT_NEAR(disk.positions[0].x, 2, 1e-3);  // v = 0 is the rim
+  const Mesh cylinder =
+      mesh_of("Shape \"cylinder\" \"float radius\" 2 \"float zmin\" 1 \"float zmax\" 4");
+  EXPECT_NEAR(area_of(cylinder), 2 * pi_double * 2 * 3, 1e-9);
+  EXPECT_GT(agreement_of(cylinder), 0.999);
+}
+
+TEST(Unit_PbrtShapes, OrientationFollowsTheNormalsAndReverseOrientation) {
+  const std::string triangle = "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ]";
+  const std::string down = triangle + " \"normal N\" [ 0 0 -1  0 0 -1  0 0 -2 ]";
+  EXPECT_GT(face_of(mesh_of(triangle), 0).z, 0);
+  EXPECT_LT(face_of(mesh_of("ReverseOrientation " + triangle), 0).z, 0);
+  EXPECT_LT(face_of(mesh_of(down), 0).z, 0);
+  const Mesh up = mesh_of("ReverseOrientation " + down);
+  EXPECT_GT(face_of(up, 0).z, 0);
+  EXPECT_EQ(up.normals[2], Vec3f(0, 0, 2));
+}
+
+TEST(Unit_PbrtShapes, TexturedTrianglesWithoutCoordinatesGetThem) {
+  const std::string shape = "Shape \"plymesh\" \"string filename\" \"triangle.ply\"";
+  EXPECT_TRUE(mesh_of(shape).uvs.empty());
+  const Mesh textured = mesh_of(
+      "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"picture.png\"\n"
+      "Material \"diffuse\" \"texture reflectance\" \"t\"\n" +
+      shape);
+  ASSERT_EQ(textured.uvs.size(), 3u);
+  EXPECT_EQ(textured.uvs[1], Vec2f(1, 0));
+  EXPECT_EQ(textured.uvs[2], Vec2f(1, 1));
+}
+
+TEST(Unit_PbrtShapes, EqualShapesShareAMesh) {
+  const auto scene = pbrt_world(R"(
+    Shape "plymesh" "string filename" "triangle.ply"
+    Material "conductor"
+    Shape "plymesh" "string filename" "triangle.ply"
+    ReverseOrientation
+    Shape "plymesh" "string filename" "triangle.ply")");
+  EXPECT_EQ(scene.meshes.size(), 2u);
+  ASSERT_EQ(scene.instances.size(), 3u);
+  EXPECT_EQ(scene.instances[0].mesh, scene.instances[1].mesh);
+  EXPECT_TRUE(scene.instances[1].material_override.is_valid());
+}
+
+TEST(Unit_PbrtShapes, PatchesAreTheirSurface) {
+  const std::string flat = "Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  2 0 0  0 3 0  2 3 0 ]";
+  EXPECT_EQ(mesh_of(flat).triangles.size(), 2u);
+  EXPECT_NEAR(area_of(mesh_of(flat)), 6, 1e-12);
+  EXPECT_GT(face_of(mesh_of(flat), 0).z, 0);
+  const Mesh saddle = mesh_of("Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 1 ]");
+  for (std::size_t i = 0; i < saddle.positions.size(); ++i) {
+    const Vec3d& p = saddle.positions[i];
+    ASSERT_NEAR(p.z, p.x * p.y, 1e-12);  // z = uv
+    ASSERT_LT(length(normalize(Vec3d(-p.y, -p.x, 1)) - Vec3d(saddle.normals[i])), 1e-6);
+  }
+}
+
+// The limit of Loop's surface at the vertices of an octahedron and of a tetrahedron is at
+// (1 - n gamma) + gamma * (sum of the neighbours), on the way to the middle.
+TEST(Unit_PbrtShapes, SubdivisionGoesToLoopsLimit) {
+  const std::string octahedron =
+      "Shape \"loopsubdiv\" \"integer indices\" [ 0 2 4  2 1 4  1 3 4  3 0 4  2 0 5  1 2 5  3 1 5  "
+      "0 "
+      "3 5 ] \"point3 P\" [ 1 0 0  -1 0 0  0 1 0  0 -1 0  0 0 1  0 0 -1 ] \"integer levels\" ";
+  for (const char* levels : {"0", "1", "4"}) {
+    const Mesh mesh = mesh_of(octahedron + levels);
+    EXPECT_EQ(mesh.triangles.size(), 8u << (2 * std::atoi(levels)));
+    // n = 4, beta = 3/32: gamma = 1 / (4 + 4) and the neighbours of a vertex cancel.
+    EXPECT_LT(length(mesh.positions[0] - Vec3d(0.5, 0, 0)), 1e-12) << levels;
+    EXPECT_LT(length(normalize(Vec3d(mesh.normals[0])) - Vec3d(1, 0, 0)), 1e-6) << levels;
+  }
+  // A boundary is a cubic B-spline: the limit of a corner is 2/3 of itself and 1/6 of each side.
+  const Mesh open = mesh_of(
+      "Shape \"loopsubdiv\" \"integer levels\" 2 \"integer indices\" [ 0 1 2 ] \"point3 P\" [ 0 0 "
+      "0  "
+      "5 0 0  0 5 0 ]");
+  EXPECT_LT(length(open.positions[0] - Vec3d(5, 5, 0) / 6.0), 1e-12);
+}
+
+TEST(Errors_PbrtShapes, WhatAMeshLacks) {
+  EXPECT_EQ(pbrt_world_error("Shape \"trianglemesh\""),
+            "2:7: a mesh without positions: expected \"point3 P\"");
+  EXPECT_EQ(pbrt_world_error("Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 ]"),
+            "2:22: 'P' has 4 values, expected triples");
+  const std::string p = "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ] ";
+  EXPECT_EQ(pbrt_world_error(p + "\"integer indices\" [ 0 1 3 ]"),
+            "2:7: index 3 of 3 vertices (from 0)");
+  EXPECT_EQ(pbrt_world_error(p + "\"integer indices\" [ 0 1 ]"),
+            "2:7: 2 indices, expected 3 for each face");
+  EXPECT_EQ(pbrt_world_error(p + "\"normal N\" [ 0 0 1 ]"), "2:7: 1 normals N for 3 vertices");
+  EXPECT_EQ(pbrt_world_error("Shape \"plymesh\""),
+            "2:7: a plymesh without its file: expected \"string filename\"");
+  EXPECT_EQ(pbrt_world_error("Shape \"sphere\" \"float radius\" 0"),
+            "2:7: the radius is 0, expected above 0");
+  EXPECT_EQ(pbrt_world_warning("Shape \"curve\" \"float width\" 1"),
+            "2:7: shapes of type 'curve' are not supported: it is left out");
+}
+
+}  // namespace
+}  // namespace candela

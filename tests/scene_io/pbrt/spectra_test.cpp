@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+
+#include "renderer/math/colour.h"
+#include "scene_io/pbrt/cie.h"
+#include "tests/scene_io/pbrt/pbrt_text.h"
+
+namespace candela {
+namespace {
+
+using test::pbrt_world;
+using test::pbrt_world_error;
+
+Vec3d intensity_of(const std::string& parameter) {
+  const auto scene = pbrt_world("LightSource \"point\" " + parameter);
+  return std::get<description::PointLight>(scene.lights.at(0).kind).intensity;
+}
+
+Vec3d reflectance_of(const std::string& parameter) {
+  const auto scene = pbrt_world("Material \"diffuse\" " + parameter + " Shape \"disk\"");
+  return std::get<description::DiffuseMaterial>(scene.materials.at(0).model).reflectance.factor;
+}
+
+void expect_near(const Vec3d& colour, const Vec3d& expected, double tolerance) {
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(colour[c], expected[c], tolerance) << c;
+}
+
+// Published: the white points of D65 and A, and Planck's law at 6504 K [CIE15].
+TEST(Unit_PbrtSpectra, WhitePoints) {
+  expect_near(pbrt::colour_of_chromaticity(0.31272, 0.32903), Vec3d(1.0), 2e-3);
+  const Vec3d warm = pbrt::colour_of_light([](double nm) { return pbrt::black_body(nm, 2856); });
+  expect_near(warm, pbrt::colour_of_chromaticity(0.44758, 0.40745), 2e-3);
+  for (const double kelvin : {200.0, 1000.0, 2856.0, 6500.0, 1e5, 1e8})
+    EXPECT_NEAR(
+        luminance(pbrt::colour_of_light([&](double nm) { return pbrt::black_body(nm, kelvin); })),
+        1, 1e-12)
+        << kelvin;
+}
+
+TEST(Unit_PbrtSpectra, PlancksLaw) {
+  // Ratios by the law itself: x^-5 / (e^(c2 / x T) - 1).
+  const auto law = [](double nm, double kelvin) {
+    return std::pow(nm, -5) / std::expm1(1.438776877e7 / (nm * kelvin));
+  };
+  for (const double kelvin : {1000.0, 3000.0, 6500.0})
+    EXPECT_NEAR(pbrt::black_body(450, kelvin) / pbrt::black_body(650, kelvin),
+                law(450, kelvin) / law(650, kelvin), 1e-9);
+  EXPECT_NEAR(pbrt::black_body(450, 500) / pbrt::black_body(650, 500),
+              law(450, 500) / law(650, 500), 1e-9);
+}
+
+TEST(Unit_PbrtSpectra, LightsHaveLuminanceOneButForRgb) {
+  expect_near(intensity_of("\"rgb I\" [ 1 2 3 ]"), {1, 2, 3}, 0);
+  expect_near(intensity_of("\"rgb I\" [ 1 2 3 ] \"float scale\" 2"), {2, 4, 6}, 0);
+  EXPECT_NEAR(luminance(intensity_of("\"blackbody I\" 3000")), 1, 1e-3);
+  EXPECT_NEAR(luminance(intensity_of("\"spectrum I\" [ 300 7 900 7 ]")), 1, 1e-3);
+  EXPECT_NEAR(luminance(intensity_of("\"spectrum I\" \"white.spd\"")), 1, 1e-3);
+  EXPECT_NEAR(luminance(intensity_of("\"spectrum I\" \"stdillum-F11\"")), 1, 1e-3);
+  EXPECT_NEAR(luminance(intensity_of("")), 1, 0);
+}
+
+TEST(Unit_PbrtSpectra, ReflectancesAreTheirColourInWhiteLight) {
+  expect_near(reflectance_of("\"spectrum reflectance\" [ 300 .25 900 .25 ]"), Vec3d(0.25), 1e-12);
+  expect_near(reflectance_of("\"spectrum reflectance\" \"white.spd\""), Vec3d(1.0), 1e-12);
+  const Vec3d red = reflectance_of("\"spectrum reflectance\" [ 300 .1 600 .1 601 .7 900 .7 ]");
+  EXPECT_GT(red.x, 0.5);
+  EXPECT_LT(red.z, 0.15);
+}
+
+TEST(Unit_PbrtSpectra, MetalsByName) {
+  const auto scene = pbrt_world(
+      "Material \"conductor\" \"spectrum eta\" \"metal-Au-eta\" \"spectrum k\" \"metal-Au-k\" "
+      "Shape "
+      "\"disk\"");
+  const auto& gold = std::get<description::ConductorMaterial>(scene.materials.at(0).model);
+  // At normal incidence, within what tables of gold differ in.
+  const Vec3d below = gold.eta - 1.0;
+  const Vec3d above = gold.eta + 1.0;
+  expect_near((below * below + gold.k * gold.k) / (above * above + gold.k * gold.k),
+              {0.97, 0.79, 0.35}, 0.03);
+}
+
+TEST(Errors_PbrtSpectra, WhatIsNoSpectrum) {
+  EXPECT_EQ(pbrt_world_error("LightSource \"point\" \"spectrum I\" [ 400 1 300 1 ]"),
+            "2:21: 'I' has the wavelength 300 in place 2: expected rising ones");
+  EXPECT_EQ(pbrt_world_error("LightSource \"point\" \"spectrum I\" [ 400 ]"),
+            "2:21: 'I' has 1 numbers, expected pairs of a wavelength and a value");
+  EXPECT_EQ(pbrt_world_error("LightSource \"point\" \"rgb I\" [ 1 1 ]"),
+            "2:21: 'I' has 2 numbers, expected 3");
+  EXPECT_EQ(pbrt_world_error("LightSource \"point\" \"rgb I\" [ 1 1 -1 ]"),
+            "2:21: 'I' has a number below 0");
+  EXPECT_EQ(pbrt_world_error("LightSource \"point\" \"blackbody I\" 0"),
+            "2:21: 'I' expected a temperature in kelvins, above 0");
+  EXPECT_NE(pbrt_world_error("Material \"conductor\" \"spectrum eta\" \"metal-Cu-etta\"")
+                .find("did you mean 'metal-Cu-eta'?"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace candela
