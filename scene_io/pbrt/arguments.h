@@ -53,7 +53,7 @@ class Arguments {
   // Warns of what was never asked for.
   void warn_of_unknown() const;
 
-  [[nodiscard]] Statement& statement() { return statement_; }
+  [[nodiscard]] Statement& statement() const { return statement_; }
   [[nodiscard]] const Report& report() const { return report_; }
   void error(const Parameter& parameter, std::string_view message) const;
   void warning(const Parameter& parameter, std::string_view message) const;

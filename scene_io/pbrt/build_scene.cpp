@@ -233,6 +233,8 @@ class SceneBuilder {
     const ShapeStatement* shape = nullptr;
   };
 
+  using Objects = std::map<std::string, std::vector<Part>>;
+
   // The next of the shapes as they were added.
   std::optional<Part> next_part(ShapeStatement& shape) {
     const MeshHandle handle = meshes_.of(next_shape_++);
@@ -254,16 +256,30 @@ class SceneBuilder {
     for (ShapeStatement& shape : context_.program.shapes)
       if (const auto part = next_part(shape))
         place(*part, shape.world_from_object, shape.statement.place.span());
-    std::map<std::string, std::vector<Part>> objects;
+    Objects objects;
     for (auto& [name, shapes] : context_.program.objects)
       for (ShapeStatement& shape : shapes) {
         auto& parts = objects[name];
         if (const auto part = next_part(shape)) parts.push_back(*part);
       }
+    if (!has_room(objects)) return;
     for (const ObjectUse& use : context_.program.object_uses) place_object(use, objects);
   }
 
-  void place_object(const ObjectUse& use, const std::map<std::string, std::vector<Part>>& objects) {
+  // Counted before any is made: a short file can ask for more than memory holds.
+  bool has_room(const Objects& objects) {
+    std::size_t count = context_.scene.instances.size();
+    for (const ObjectUse& use : context_.program.object_uses) {
+      const auto found = objects.find(use.name);
+      if (found != objects.end()) count += found->second.size();
+      if (count <= most_instances) continue;
+      context_.report.error(use.place, fmt::format("more than {} instances", most_instances));
+      return false;
+    }
+    return true;
+  }
+
+  void place_object(const ObjectUse& use, const Objects& objects) {
     if (!context_.program.objects.contains(use.name)) {
       std::vector<std::string_view> names;
       for (const auto& [name, shapes] : context_.program.objects) names.push_back(name);
@@ -273,11 +289,6 @@ class SceneBuilder {
     }
     const auto found = objects.find(use.name);
     if (found == objects.end()) return;  // without shapes
-    if (context_.scene.instances.size() + found->second.size() > most_instances) {
-      if (context_.warned.insert("instances").second)
-        context_.report.error(use.place, fmt::format("more than {} instances", most_instances));
-      return;
-    }
     const SourceSpan span = use.place.span();
     for (const Part& part : found->second)
       place(part, use.world_from_instance * part.shape->world_from_object, span);

@@ -11,6 +11,7 @@ namespace candela::fuzz {
 // Reads `bytes` as the content of such a file. Returns what is wrong with what came of it: "" where
 // it is a sound result, or errors that are sentences.
 [[nodiscard]] std::string try_lab3(std::string_view bytes);  // compiles the scene, too
+[[nodiscard]] std::string try_pbrt(std::string_view bytes);  // compiles the scene, too
 [[nodiscard]] std::string try_obj(std::string_view bytes);
 [[nodiscard]] std::string try_mtl(std::string_view bytes);
 [[nodiscard]] std::string try_ply(std::string_view bytes);
@@ -31,10 +32,10 @@ struct Reader {
   std::string (*attempt)(std::string_view bytes);
 };
 inline constexpr std::array readers{
-    Reader{"lab3", try_lab3}, Reader{"obj", try_obj},   Reader{"mtl", try_mtl},
-    Reader{"ply", try_ply},   Reader{"gzip", try_gzip}, Reader{"text", try_text},
-    Reader{"exr", try_exr},   Reader{"png", try_png},   Reader{"jpeg", try_jpeg},
-    Reader{"hdr", try_hdr},   Reader{"tiff", try_tiff}, Reader{"bmp", try_bmp},
-    Reader{"tga", try_tga},   Reader{"pnm", try_pnm}};
+    Reader{"lab3", try_lab3}, Reader{"pbrt", try_pbrt}, Reader{"obj", try_obj},
+    Reader{"mtl", try_mtl},   Reader{"ply", try_ply},   Reader{"gzip", try_gzip},
+    Reader{"text", try_text}, Reader{"exr", try_exr},   Reader{"png", try_png},
+    Reader{"jpeg", try_jpeg}, Reader{"hdr", try_hdr},   Reader{"tiff", try_tiff},
+    Reader{"bmp", try_bmp},   Reader{"tga", try_tga},   Reader{"pnm", try_pnm}};
 
 }  // namespace candela::fuzz

@@ -27,6 +27,8 @@ std::string make_folder() {
         "mtllib with.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nusemtl red\nf 1 2 3\nusemtl blue\nf "
         "2 3 4\n");
   write("with.mtl", "newmtl red\nKd 1 0 0\nKe 2 0 0\nnewmtl blue\nKd 0 0 1\nmap_Kd picture.png\n");
+  write("part.pbrt", "Translate 1 0 0\nShape \"disk\" \"float phimax\" 20\n");
+  write("white.spd", "300 1\n900 1\n");
   write("picture.png", "no PNG: a scene's reader does not look, and rendering makes it magenta");
   write("sky.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\nabcdefgh");
   return folder.string() + "/";

@@ -167,7 +167,8 @@ TEST(Errors_PbrtParse, UnknownParametersAreWarnedOf) {
 }
 
 TEST(Errors_PbrtParse, AllErrorsAtOnce) {
-  const auto scene = parse_pbrt_text("WorldBegin\nShape 5\nTranslate a b c\nIdentity\nFoo\nShape \"disk\" 1");
+  const auto scene =
+      parse_pbrt_text("WorldBegin\nShape 5\nTranslate a b c\nIdentity\nFoo\nShape \"disk\" 1");
   EXPECT_EQ(scene.diagnostics.error_count(), 4u);
 }
 
