@@ -13,6 +13,7 @@
 #include "scene_io/pbrt/materials.h"
 #include "scene_io/pbrt/shape.h"
 #include "scene_io/pbrt/textures.h"
+#include "scene_io/pbrt/transforms.h"
 
 namespace candela::pbrt {
 namespace {
@@ -179,6 +180,8 @@ class ShapeMaterials {
       at->second = read_emission(context_, context_.program.area_lights[shape.area_light]);
     const double count = static_cast<double>(std::max<std::size_t>(areas.triangle_count, 1));
     const Vec3d radiance = at->second.radiance_on(areas.surface / count);
+    if (!is_finite(radiance))
+      context_.report.error(shape.statement.place, "what this shape emits is not finite");
     key.emission = {radiance.x, radiance.y, radiance.z};
     key.emits_both_sides = at->second.emits_both_sides;
   }
@@ -214,7 +217,7 @@ class SceneBuilder {
 
   void build() {
     Program& program = context_.program;
-    imaging_ratio_ = read_film(context_);
+    context_.imaging_ratio = read_film(context_);
     read_camera(context_);
     read_lights(context_);
     materials_.read_all();
@@ -223,7 +226,6 @@ class SceneBuilder {
       for (ShapeStatement& shape : shapes) meshes_.add(shape);
     meshes_.make();
     place_all();
-    expose();
   }
 
  private:
@@ -290,32 +292,16 @@ class SceneBuilder {
     const auto found = objects.find(use.name);
     if (found == objects.end()) return;  // without shapes
     const SourceSpan span = use.place.span();
-    for (const Part& part : found->second)
-      place(part, use.world_from_instance * part.shape->world_from_object, span);
+    for (const Part& part : found->second) {
+      const Transform world_from_object = use.world_from_instance * part.shape->world_from_object;
+      if (!has_finite_numbers(world_from_object) || is_singular(world_from_object))
+        return context_.report.error(
+            use.place,
+            "the transform of this instance is singular or has numbers that are not "
+            "finite");
+      place(part, world_from_object, span);
+    }
   }
-
-  // The film multiplies all light.
-  void expose() {
-    const double ratio = imaging_ratio_;
-    if (ratio == 1) return;
-    for (Material& material : context_.scene.materials) material.emission *= ratio;
-    for (description::Light& light : context_.scene.lights)
-      std::visit([&](auto& kind) { expose(kind, ratio); }, light.kind);
-  }
-  static void expose(description::PointLight& light, double ratio) { light.intensity *= ratio; }
-  static void expose(description::SpotLight& light, double ratio) { light.intensity *= ratio; }
-  static void expose(description::DirectionalLight& light, double ratio) {
-    light.irradiance *= ratio;
-  }
-  static void expose(description::ConstantEnvironment& light, double ratio) {
-    light.radiance *= ratio;
-  }
-  static void expose(description::LatLongEnvironment& light, double ratio) { light.scale *= ratio; }
-  static void expose(description::EqualAreaEnvironment& light, double ratio) {
-    light.scale *= ratio;
-  }
-  static void expose(description::TriangleLight&, double) {}
-  static void expose(description::CubeEnvironment&, double) {}
 
   Context& context_;
   Textures textures_;
@@ -323,7 +309,6 @@ class SceneBuilder {
   ShapeMaterials shape_materials_;
   Meshes meshes_;
   std::size_t next_shape_ = 0;
-  double imaging_ratio_ = 1;
 };
 
 }  // namespace

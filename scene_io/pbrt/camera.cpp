@@ -47,6 +47,13 @@ void set_lens(Arguments& arguments, double scale, Camera& camera) {
 void read_perspective(Arguments& arguments, Camera& camera) {
   double fov = arguments.number("fov").value_or(90);
   if (const auto half = arguments.number("halffov")) fov = 2 * *half;  // pbrt-v3
+  if (!(fov > 0 && fov < 180)) {
+    arguments.report().error(arguments.statement().place,
+                             fmt::format("the angle of view is {} degrees, expected above 0 and "
+                                         "below 180",
+                                         fov));
+    fov = 90;
+  }
   camera.fovy_degrees = fov;
   camera.fov_is_of_shorter_side = true;
   camera.screen_window = screen_window(arguments);

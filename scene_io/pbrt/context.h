@@ -13,6 +13,7 @@ struct Context {
   Program& program;
   description::SceneDescription& scene;
   const Report& report;
+  double imaging_ratio = 1;  // of the film: all light is multiplied by it
   std::set<std::string> warned = {};
 
   // Of several like it the first is enough.

@@ -48,7 +48,10 @@ double read_exposure(Context& context, Arguments& film) {
   const Parameter* balance = film.find("whitebalance", {ParameterType::Float});
   if (balance && is_plain && balance->numbers.size() == 1 && balance->numbers[0] != 0)
     film.warning(*balance, "is ignored: colours are not balanced");
-  return ratio > 0 && std::isfinite(ratio) ? ratio : 1;
+  if (ratio > 0 && ratio < 1e30) return ratio;
+  context.report.error(film.statement().place,
+                       fmt::format("the film multiplies light by {}, expected above 0", ratio));
+  return 1;
 }
 
 double read_picture(Context& context) {

@@ -57,16 +57,22 @@ class LightReader {
                                                     "goniometric", "projection"})));
   }
 
+  // Factors of factors may overflow.
+  void check(const Vec3d& brightness, const Vec3d& position = Vec3d(0.0)) const {
+    if (!is_finite(brightness) || !is_finite(position))
+      context_.report.error(light_.statement.place,
+                            "the light's brightness or place is not finite");
+  }
+
   template <class Kind>
   void add(Kind kind) {
     context_.scene.lights.push_back({light_.statement.place.span(), std::move(kind)});
   }
 
-  // The light's colour times `scale`.
+  // The light's colour times `scale`, as the film sees it.
   Vec3d colour(std::string_view name) {
-    Vec3d colour =
-        light_colour(arguments_, name, context_.scene.path).value_or(Vec3d(1.0)) * scale();
-    return colour;
+    const auto given = light_colour(arguments_, name, context_.scene.path);
+    return given.value_or(Vec3d(1.0)) * (scale() * context_.imaging_ratio);
   }
   double scale() {
     double factor = 1;
@@ -96,7 +102,9 @@ class LightReader {
   void point() {
     Vec3d intensity = colour("I");
     if (const auto power = positive("power")) intensity *= *power / (4 * pi_double);
-    add(description::PointLight{place(arguments_.point("from").value_or(Vec3d(0.0))), intensity});
+    const Vec3d position = place(arguments_.point("from").value_or(Vec3d(0.0)));
+    check(intensity, position);
+    add(description::PointLight{position, intensity});
   }
 
   void spot() {
@@ -112,6 +120,7 @@ class LightReader {
     const double end = std::cos(light.outer_angle_radians);
     if (const auto power = positive("power"))
       light.intensity *= *power / (2 * pi_double * ((1 - start) + (start - end) / 2));
+    check(light.intensity, light.position);
     add(light);
   }
 
@@ -120,6 +129,7 @@ class LightReader {
     const Vec3d to = arguments_.point("to").value_or(Vec3d(0, 0, 1));
     Vec3d irradiance = colour("L");
     if (const auto illuminance = positive("illuminance")) irradiance *= *illuminance;
+    check(irradiance);
     add(description::DirectionalLight{-axis(from, to), irradiance});
   }
 
@@ -138,6 +148,7 @@ class LightReader {
                               : add_map<description::EqualAreaEnvironment>(*file, colour_and_scale);
     }
     const Vec3d radiance = colour_and_scale * (illuminance ? *illuminance / pi_double : 1.0);
+    check(radiance);
     add(ConstantEnvironment{radiance, true});
   }
 
@@ -149,6 +160,7 @@ class LightReader {
         add_image(context_, file, encoding_of_file(file.strings.size() == 1 ? file.strings[0] : ""),
                   description::Wrap::Clamp);
     if (!environment.image) return;
+    check(factor);
     environment.scale = factor;
     const bool is_lat_long = std::is_same_v<Map, description::LatLongEnvironment>;
     const Mat3d light_from_map = is_lat_long ? Mat3d(0, -1, 0, 0, 0, 1, 1, 0, 0) : Mat3d(1.0);
@@ -212,13 +224,17 @@ Emission read_emission(Context& context, Statement& statement) {
                                                       text::quoted(statement.type)));
   Emission emission;
   emission.radiance = light_colour(arguments, "L", context.scene.path).value_or(Vec3d(1.0));
-  emission.radiance *= std::max(arguments.number("scale").value_or(1), 0.0);
+  emission.radiance *= std::max(arguments.number("scale").value_or(1), 0.0) * context.imaging_ratio;
   emission.emits_both_sides = arguments.flag("twosided", false);
   arguments.accept({"samples", "nsamples"});
   arguments.ignore("filename", "area lights emit evenly");
   emission.power = arguments.number("power");
   if (emission.power && !(*emission.power > 0)) emission.power.reset();
   arguments.warn_of_unknown();
+  if (!is_finite(emission.radiance)) {
+    context.report.error(statement.place, "the emission is not finite");
+    emission.radiance = Vec3d(0.0);
+  }
   return emission;
 }
 

@@ -34,7 +34,7 @@ std::optional<std::array<double, n>> Parser::read_numbers() {
 void Parser::apply(const Transform& transform) {
   if (!state_.sets_transform) return;
   state_.transform = state_.transform * transform;
-  if (is_finite(state_.transform)) return;
+  if (has_finite_numbers(state_.transform)) return;
   error_here("the current transform has numbers that are not finite");
   state_.transform = Transform();
 }
@@ -68,7 +68,7 @@ void Parser::look_at() {
   const Vec3d target((*n)[3], (*n)[4], (*n)[5]);
   const Vec3d up((*n)[6], (*n)[7], (*n)[8]);
   const Transform camera_from_world = looking(eye, target, up);
-  if (!is_finite(camera_from_world))
+  if (!has_finite_numbers(camera_from_world))
     return error_here(
         "LookAt: the eye is at the point looked at, or up is zero or parallel to the line of "
         "sight");

@@ -41,10 +41,10 @@ bool is_affine(const std::array<double, 16>& m) {
   return m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
 }
 
-bool is_finite(const Transform& transform) {
+bool has_finite_numbers(const Transform& transform) {
   const Mat3d& linear = transform.linear;
-  return candela::is_finite(linear[0]) && candela::is_finite(linear[1]) &&
-         candela::is_finite(linear[2]) && candela::is_finite(transform.translation);
+  return is_finite(linear[0]) && is_finite(linear[1]) && is_finite(linear[2]) &&
+         is_finite(transform.translation);
 }
 
 bool is_singular(const Transform& transform) {

@@ -17,6 +17,6 @@ namespace candela::pbrt {
 [[nodiscard]] bool is_affine(const std::array<double, 16>& numbers);
 // Maps all of space onto less than it.
 [[nodiscard]] bool is_singular(const Transform& transform);
-[[nodiscard]] bool is_finite(const Transform& transform);
+[[nodiscard]] bool has_finite_numbers(const Transform& transform);
 
 }  // namespace candela::pbrt
