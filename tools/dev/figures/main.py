@@ -36,13 +36,6 @@ def arguments():
     return parser.parse_args()
 
 
-def processor():
-    name = next((line.split(":", 1)[1].strip()
-                 for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines()
-                 if line.startswith("model name")), "unknown")
-    return f"{name}, {len(os.sched_getaffinity(0))} processors"
-
-
 def makers():
     """What makes each figure, in the order of the page."""
     import convergence
@@ -76,6 +69,7 @@ def figures_of(workshop, only):
 
 def run(options):
     from page import page
+    from page_parts import processor
     from renders import Candela
     from scale import FULL, QUICK, TINY
     from workshop import Workshop

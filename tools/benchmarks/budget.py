@@ -1,0 +1,117 @@
+"""Instructions per camera sample of the path kernel, held against those on record.
+
+Counted within the tile function, so that starting, reading and building do not count, on one
+thread: the same program gives the same number. Which vectors candela's random numbers and Embree
+use depends on the processor that valgrind shows, and all of it on the compiler: only what was
+measured with the same is compared.
+"""
+
+import dataclasses
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+import callgrind
+
+ABOUT = "instructions per camera sample against those on record: may not grow by more than 3 %"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+RECORD = pathlib.Path(__file__).with_name("budget.json")
+GROWTH = .03
+FAILED = 6  # the exit status of benchmarks' thresholds
+SIZE, SPP = "32x32", 16
+SAMPLES = 32 * 32 * SPP
+LAMPS = 200
+
+
+def add_arguments(parser):
+    parser.add_argument("--record", action="store_true", help="make these the figures on record")
+    parser.add_argument("--quick", action="store_true", help="the first two scenes only")
+    parser.add_argument("--file", type=pathlib.Path, default=RECORD, metavar="FILE.json",
+                        help="the figures on record (tools/benchmarks/budget.json)")
+
+
+def fixed_scenes(out):
+    """Small ones that stay as they are, each with something of its own."""
+    from generated import generated
+    found = {name: ROOT / "assets" / name / f"{name}.yaml"
+             for name in ("cornell_box_diffuse", "cornell_box", "glass_and_metal", "cutouts")}
+    return found | {"lamps": generated(out, "lamps", lamps=LAMPS)}
+
+
+@dataclasses.dataclass
+class Count:
+    all: float  # per camera sample
+    embree: float
+    measured_with: dict
+
+
+def counted(options, name, scene):
+    # --strict decodes the textures before the first tile; else the first that asks pays for it.
+    words = [options.program, "render", scene, "-o", options.out / f"{name}.exr", "--size", SIZE,
+             "--spp", SPP, "--threads", 1, "--strict", "--quiet"]
+    profile = callgrind.count(options.out / f"{name}.callgrind", words)
+    embree, library = callgrind.embree_of(profile)
+    return Count(round(profile.total / SAMPLES, 1), round(embree / SAMPLES, 1),
+                 {"vectors": callgrind.vectors_of(profile), "embree": library,
+                  "compiler": compiler_of(options.program)})
+
+
+def compiler_of(program):
+    comment = subprocess.run(["readelf", "-p", ".comment", str(program)], capture_output=True,
+                             text=True).stdout
+    found = re.findall(r"(GCC: .*\d|clang version \S+)", comment)
+    return found[-1] if found else "unknown"
+
+
+def grown(record, counts):
+    """A sentence for each scene that needs more than it may."""
+    sentences = []
+    for name, count in counts.items():
+        if name not in record:
+            sentences.append(f"{name}: no figure on record; `tools/bench budget --record` makes one")
+        elif count.all > record[name]["all"] * (1 + GROWTH):
+            sentences.append(f"{name}: {count.all:.1f} instructions a sample, "
+                             f"{count.all / record[name]['all'] - 1:+.1%} of the "
+                             f"{record[name]['all']:.1f} on record; expected at most {GROWTH:+.0%}")
+    return sentences
+
+
+def tell(record, counts):
+    print(f"instructions a camera sample, {SIZE}, {SPP} spp:\n"
+          f"  {'scene':20} {'on record':>10} {'now':>10} {'change':>8} {'of it Embree':>13}")
+    for name, count in counts.items():
+        before = record.get(name, {}).get("all")
+        print(f"  {name:20} {before or '':>10} {count.all:10.1f} "
+              f"{f'{count.all / before - 1:+.2%}' if before else '':>8} {count.embree:13.1f}")
+
+
+def write_record(path, counts):
+    with_what = next(iter(counts.values())).measured_with
+    path.write_text(json.dumps(
+        {"measured_with": with_what, "size": SIZE, "spp": SPP,
+         "instructions_per_sample": {name: {"all": count.all, "embree": count.embree}
+                                     for name, count in counts.items()}}, indent=1) + "\n")
+
+
+def run(options):
+    options.out = options.out.resolve()
+    options.out.mkdir(parents=True, exist_ok=True)
+    chosen = list(fixed_scenes(options.out).items())[:2 if options.quick else None]
+    counts = {name: counted(options, name, scene) for name, scene in chosen}
+    file = json.loads(options.file.read_text()) if options.file.exists() else {}
+    record = file.get("instructions_per_sample", {})
+    tell(record, counts)
+    if options.record:
+        if options.quick:
+            sys.exit("tools/bench: --record needs all scenes; expected no --quick beside it")
+        write_record(options.file, counts)
+        return None
+    now = next(iter(counts.values())).measured_with
+    if record and file["measured_with"] != now:
+        print(f"not judged: the figures on record are of {file['measured_with']}, these of {now}")
+        return None
+    sentences = grown(record, counts)
+    print("\n".join(sentences) if sentences else "within the budget")
+    return FAILED if sentences else None
