@@ -66,5 +66,51 @@ TEST_F(Unit_Benchmarks, ABudgetIsExceededAboveThreePercent) {
   EXPECT_EQ(ask({"budget_scenes"}).size(), 5u);
 }
 
+// y = 3 x^.5 exactly; and the textbook's standard error of a slope, here of (0, 0), (1, 2), (2, 2),
+// (3, 4) in logarithms: slope 1.2, residuals' squares .8.
+TEST_F(Unit_Benchmarks, ExponentsAreThoseOfTheData) {
+  const Json exact = ask({"power", "[1, 4, 16, 64]", "[3, 6, 12, 24]"});
+  EXPECT_NEAR(exact["exponent"], 0.5, 1e-12);
+  EXPECT_NEAR(exact["error"], 0, 1e-9);
+  EXPECT_NEAR(exact["factor"], 3, 1e-9);
+  const double e = std::exp(1.0);
+  const std::string x = fmt::format("[1, {}, {}, {}]", e, e * e, e * e * e);
+  const std::string y = fmt::format("[1, {}, {}, {}]", e * e, e * e, std::pow(e, 4));
+  const Json noisy = ask({"power", x, y});
+  EXPECT_NEAR(noisy["exponent"], 1.2, 1e-12);
+  EXPECT_NEAR(noisy["error"], std::sqrt(0.8 / 2 / 5), 1e-12);
+}
+
+TEST_F(Unit_Benchmarks, SpreadsAreMedianAndRange) {
+  EXPECT_EQ(ask({"spread", "[5, 1, 2]"}), (Json{{"median", 2}, {"low", 1}, {"high", 5}}));
+  EXPECT_NEAR(ask({"geometric_mean", "[2, 8]"}), 4, 1e-12);
+}
+
+TEST_F(Unit_Benchmarks, PerfsLinesAreRead) {
+  EXPECT_EQ(ask({"perf",
+                 "# Overhead;Shared Object;Symbol\n"
+                 "    37.68%;libembree3.so.3.13.5          ;[.] 0x0000000001bd0640  ;-      -\n"
+                 "    20.00%;candela   ;[.] candela::(anonymous namespace)::f<int, A<1> >(int)   \n"
+                 "     1.25%;[kernel.kallsyms]  ;[k] clear_page_erms\n"
+                 "     1.00%;libc.so.6;[.] _int_malloc\n"}),
+            Json::parse(R"([[37.68, "Embree", "0x0000000001bd0640"],
+                            [20.0, "candela", "candela::f<...>"],
+                            [1.25, "kernel", "clear_page_erms"],
+                            [1.0, "other libraries", "_int_malloc"]])"));
+}
+
+TEST_F(Unit_Benchmarks, NumbersStandInTheCsvAndOnThePage) {
+  const std::string folder = fresh_folder("page");
+  EXPECT_EQ(ask({"page", folder, R"([{"scene": "a, b", "seconds": 0.123456789, "runs": 3},
+                                     {"scene": "<c>", "seconds": NaN, "runs": null}])"}),
+            (Json{"index.html", "rows.csv"}));
+  EXPECT_EQ(file_text(folder + "/rows.csv"),
+            "scene,seconds,runs\r\n\"a, b\",0.123457,3\r\n<c>,,\r\n");
+  const std::string page = file_text(folder + "/index.html");
+  for (const char* part : {"<td>a, b</td><td>0.1235</td><td>3</td>", "<td>&lt;c&gt;</td>",
+                           "Rows &amp; more", "A note.", "1.2.3", "A &lt;title&gt;"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+}
+
 }  // namespace
 }  // namespace candela::cli_test

@@ -60,6 +60,9 @@ TEST(Unit_Stats, TellWhatWasAskedAndDone) {
   EXPECT_GT(stats["rays"]["indirect"], 0);
   EXPECT_GT(stats["peak_memory_bytes"], 1'000'000);
   EXPECT_GT(stats["seconds"]["render"], 0);
+  const double cpu_seconds = stats["cpu_seconds"]["render"];
+  EXPECT_GT(cpu_seconds, 0);
+  EXPECT_LE(cpu_seconds, 4 * stats["seconds"]["render"].get<double>() + 0.05);  // two threads
   EXPECT_EQ(stats["outputs"].size(), 1u);
   EXPECT_EQ(stats["interrupted"], false);
 }

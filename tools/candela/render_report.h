@@ -36,6 +36,7 @@ struct RenderReport {
   std::uint32_t replicates = 1;  // that samples were dealt out to
   std::optional<ErrorEstimate> error;
   StageSeconds seconds;
+  StageSeconds cpu_seconds;  // of all threads
   RenderStatistics statistics;
   std::size_t skipped_textures = 0;  // never decoded since no ray touched them
   std::uint64_t triangles = 0;

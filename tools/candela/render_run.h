@@ -9,6 +9,7 @@
 
 #include "integrators/render.h"
 #include "renderer/base/result.h"
+#include "renderer/base/thread_clock.h"
 #include "renderer/description/scene_description.h"
 #include "renderer/scene/scene.h"
 #include "tools/candela/arguments.h"
@@ -26,7 +27,7 @@ class RenderRun {
   // Adds the seconds that `verb` takes to a stage's.
   template <class Verb>
   auto timed(double StageSeconds::*stage, Verb verb) {
-    const Stopwatch stopwatch{report_.seconds.*stage};
+    const Stopwatch stopwatch{report_.seconds.*stage, report_.cpu_seconds.*stage};
     return verb();
   }
 
@@ -56,9 +57,12 @@ class RenderRun {
  private:
   struct Stopwatch {
     double& seconds;
+    double& cpu_seconds;
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+    double cpu_start = process_cpu_seconds();
     ~Stopwatch() {
       seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      cpu_seconds += process_cpu_seconds() - cpu_start;
     }
   };
 

@@ -28,6 +28,18 @@ def line_plot(path, curves, x_label, y_label, log=False, log_x=False, marks="o",
     save(figure, path)
 
 
+def power_plot(path, curves, x_label, y_label):
+    """`curves` as line_plot's; both axes are logarithmic, to the base of ten."""
+    figure, axes = matplotlib.pyplot.subplots(figsize=(WIDTH, HEIGHT), layout="constrained")
+    for label, x, y, style, *error in curves:
+        axes.errorbar(x, y, yerr=error[0] if error else None, label=label, marker="o",
+                      markersize=4, capsize=2, **style)
+    axes.set(xscale="log", yscale="log", xlabel=x_label, ylabel=y_label)
+    axes.grid(alpha=.3)
+    axes.legend(fontsize=7, handlelength=3)
+    save(figure, path)
+
+
 def bar_plot(path, groups, y_label):
     """`groups`: name -> {label: value}, each with the same labels, on a logarithmic axis."""
     figure, axes = matplotlib.pyplot.subplots(figsize=(WIDTH, HEIGHT), layout="constrained")

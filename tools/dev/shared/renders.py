@@ -23,6 +23,11 @@ class Render:
         return self.stats["seconds"]["render"]
 
     @property
+    def cpu_seconds(self):
+        """The same, of all threads together."""
+        return self.stats["cpu_seconds"]["render"]
+
+    @property
     def spp(self):
         return self.stats["spp"]
 
@@ -73,6 +78,11 @@ class Candela:
         """What `candela info --json` says; `options` as for render()."""
         words = [word for name, value in options.items() for word in ("--" + name, value)]
         return json.loads(self._output_of("info", scene, "--json", *words))
+
+    def bench(self, scene, **options):
+        """What `candela bench --json` says."""
+        words = [word for name, value in options.items() for word in ("--" + name, value)]
+        return json.loads(self._output_of("bench", scene, "--json", *words))
 
     def compare(self, render, reference):
         """relmse, mean_ratio and more of `candela compare --json`."""

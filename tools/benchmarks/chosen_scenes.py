@@ -1,0 +1,52 @@
+"""Which scenes to measure with: all that are present, generated ones among them."""
+
+import pathlib
+
+from generated import generated
+from renders import CandelaFailed
+from scenes import pbrt_scenes, scenes_by_name
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+GENERATED = ("door_ajar", "forest", "glass_and_mirrors", "lamps", "mis_plates", "white_room")
+
+
+def present():
+    return scenes_by_name(ROOT) | pbrt_scenes(ROOT)
+
+
+def names():
+    return [*present(), *(f"gen/{name}" for name in GENERATED)]
+
+
+def add_argument(parser, default="all"):
+    parser.add_argument("scenes", nargs="*", metavar="SCENE",
+                        help=f"names ({default}); gen/NAME is what tools/scene_gen NAME writes: "
+                        + ", ".join(names()).replace("%", "%%"))
+
+
+def chosen(candela, out, wanted, default):
+    """Name -> file. Of the default names those that are absent are left out, and all that candela
+    cannot read with a word."""
+    found = present()
+    files = {}
+    for name in wanted or default:
+        if name.startswith("gen/") and name[4:] in GENERATED:
+            files[name] = generated(out, name[4:])
+        elif name in found:
+            files[name] = found[name]
+        elif wanted:
+            raise CandelaFailed(f"no scene '{name}'; expected one of " + ", ".join(names()))
+    return {name: file for name, file in files.items() if is_read(candela, name, file)}
+
+
+def is_read(candela, name, file):
+    try:
+        candela.info(file)
+        return True
+    except CandelaFailed as reason:
+        print(f"{name} is left out: {str(reason).splitlines()[0]}", flush=True)
+        return False
+
+
+def safe(name):
+    return name.replace("/", "_")

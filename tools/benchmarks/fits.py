@@ -1,0 +1,49 @@
+"""Medians with ranges, fitted exponents, geometric means."""
+
+import dataclasses
+import math
+import statistics
+
+
+@dataclasses.dataclass
+class Spread:
+    median: float
+    low: float
+    high: float
+
+    def __str__(self):
+        return f"{self.median:.3g} ({self.low:.3g}-{self.high:.3g})"
+
+
+def spread(values):
+    values = list(values)
+    return Spread(statistics.median(values), min(values), max(values))
+
+
+@dataclasses.dataclass
+class Power:
+    """y = factor * x^exponent."""
+    exponent: float
+    error: float  # standard error of the exponent; nan where there are but two points
+    factor: float
+
+    def __str__(self):
+        return f"{self.exponent:.3f} ± {self.error:.3f}"
+
+
+def fit_power(x, y):
+    """Least squares of log y over log x."""
+    points = [(math.log(a), math.log(b)) for a, b in zip(x, y)]
+    n = len(points)
+    mean_x, mean_y = (sum(column) / n for column in zip(*points))
+    square = sum((a - mean_x) ** 2 for a, _ in points)
+    if n < 2 or square == 0:
+        raise ValueError("an exponent needs two different x")
+    slope = sum((a - mean_x) * (b - mean_y) for a, b in points) / square
+    rest = sum((b - mean_y - slope * (a - mean_x)) ** 2 for a, b in points)
+    error = math.sqrt(rest / (n - 2) / square) if n > 2 else math.nan
+    return Power(slope, error, math.exp(mean_y - slope * mean_x))
+
+
+def geometric_mean(values):
+    return math.exp(statistics.mean(map(math.log, values)))

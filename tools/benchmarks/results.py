@@ -1,0 +1,85 @@
+"""What a measurement leaves behind: its numbers as CSV files and one HTML page with all of them."""
+
+import csv
+import datetime
+import html
+import math
+import shlex
+import sys
+
+from page_parts import STYLE, picture, processor
+
+
+class Results:
+    """Tables are printed and written as soon as they are there; finish() writes the page."""
+
+    def __init__(self, out, title, about, version):
+        self.out, self.title = out, title
+        self.parts = [f"<p>{html.escape(about)}</p>"]
+        self.facts = {"version": version, "command": shlex.join(["tools/bench", *sys.argv[1:]]),
+                      "date": datetime.datetime.now(datetime.timezone.utc).strftime(
+                          "%Y-%m-%d %H:%M UTC"), "processor": processor()}
+        out.mkdir(parents=True, exist_ok=True)
+
+    def table(self, name, title, rows, text=""):
+        """`rows`: dicts of one shape; keys are the columns."""
+        if not rows:
+            return self.note(f"{title}: nothing was measured.")
+        write_csv(self.out / f"{name}.csv", rows)
+        print(f"\n{title}\n{text_table(rows)}", flush=True)
+        self.parts.append(f"<h2>{html.escape(title)}</h2>"
+                          + (f"<p>{html.escape(text)}</p>" if text else "") + html_table(rows))
+
+    def plot(self, file, caption):
+        """A PNG file within the folder."""
+        self.parts.append(f'<div class="plots">{picture(self.out, file, caption)}</div>')
+
+    def note(self, sentence):
+        print(sentence, flush=True)
+        self.parts.append(f"<p>{html.escape(sentence)}</p>")
+
+    def finish(self):
+        facts = "".join(f"<dt>{html.escape(key)}</dt><dd><code>{html.escape(value)}</code></dd>"
+                        for key, value in self.facts.items())
+        (self.out / "index.html").write_text(f"""<!DOCTYPE html>
+<html lang="en">
+<head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
+<title>candela: {html.escape(self.title)}</title><style>{STYLE}</style></head>
+<body>
+<h1>{html.escape(self.title)}</h1>
+<dl>{facts}</dl>
+{chr(10).join(self.parts)}
+</body></html>
+""")
+        print(f"\n{self.out / 'index.html'}")
+
+
+def shown(value):
+    if isinstance(value, float):
+        return "" if math.isnan(value) else f"{value:.4g}"
+    return "" if value is None else str(value)
+
+
+def write_csv(path, rows):
+    with path.open("w", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow(rows[0])
+        for row in rows:
+            writer.writerow(f"{v:.6g}" if isinstance(v, float) and not math.isnan(v) else shown(v)
+                            for v in row.values())
+
+
+def text_table(rows):
+    lines = [list(map(str, rows[0]))] + [list(map(shown, row.values())) for row in rows]
+    widths = [max(len(line[i]) for line in lines) for i in range(len(lines[0]))]
+    return "\n".join("  ".join(word.ljust(width) if i == 0 else word.rjust(width)
+                               for i, (word, width) in enumerate(zip(line, widths)))
+                     for line in lines)
+
+
+def html_table(rows):
+    head = "".join(f"<th>{html.escape(str(key))}</th>" for key in rows[0])
+    body = "".join("<tr>" + "".join(f"<td>{html.escape(shown(value))}</td>"
+                                    for value in row.values()) + "</tr>" for row in rows)
+    return (f'<div class="table"><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody>'
+            "</table></div>")
