@@ -15,8 +15,8 @@ struct FileLimits {
   std::uint64_t inflated_bytes = std::uint64_t{2} << 30;  // of what a .gz holds
   // A .gz may be inflated so many times, and to `small_bytes` in any case: scenes come to 30 times,
   // bombs to 1000.
-  std::uint64_t inflation = 200;
-  std::uint64_t small_bytes = std::uint64_t{1} << 27;
+  std::uint64_t inflation = 100;
+  std::uint64_t small_bytes = std::uint64_t{1} << 26;
 };
 
 // The bytes of `path`. One error where it is missing, unreadable, no regular file (a FIFO or a

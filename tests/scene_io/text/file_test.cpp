@@ -4,6 +4,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <filesystem>
+
 #include "scene_io/text/path.h"
 #include "tests/image/temporary_folder.h"
 #include "tests/scene_io/gzip.h"
@@ -29,6 +31,20 @@ TEST(Unit_TextFile, InflatesGzipOfSeveralMembers) {
   EXPECT_EQ(*read_file(folder.put("a.gz", gzip(text))), text);
   EXPECT_EQ(*read_file(folder.put("b.GZ", gzip(text) + gzip("tail"))), text + "tail");
   EXPECT_EQ(*read_file(folder.put("empty.gz", gzip(""))), "");
+}
+
+// What inflates far more than scenes do is refused before it fills the memory.
+TEST(Errors_TextFile, GzipThatInflatesTooOften) {
+  const TemporaryFolder folder;
+  const std::string path = folder.put("a.gz", gzip(std::string(1'000'000, 'x')));
+  EXPECT_TRUE(read_file(path));  // within what is small
+  FileLimits limits;
+  limits.small_bytes = 10'000;
+  const std::uint64_t most = std::filesystem::file_size(path) * limits.inflation;
+  EXPECT_EQ(message_of(read_file(path, limits)),
+            "inflates to more than " + std::to_string(most) + " bytes; no more is read");
+  limits.inflation = 2000;
+  EXPECT_TRUE(read_file(path, limits));
 }
 
 TEST(Errors_TextFile, GzipThatIsBrokenCutOrABomb) {

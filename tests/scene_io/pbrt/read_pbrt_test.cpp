@@ -1,0 +1,61 @@
+// pbrt scenes as files: through load(), gzip'ed or not.
+#include <gtest/gtest.h>
+
+#include "scene_io/load.h"
+#include "tests/image/temporary_folder.h"
+#include "tests/scene_io/gzip.h"
+
+namespace candela {
+namespace {
+
+constexpr const char* triangle_ply =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+    "z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 "
+    "0 1 2\n";
+
+TEST(Unit_PbrtFiles, MayBeGziped) {
+  const TemporaryFolder folder;
+  folder.put("triangle.ply.gz", gzip(triangle_ply));
+  folder.put("world.pbrt.gz", gzip("Shape \"plymesh\" \"string filename\" \"triangle.ply.gz\"\n"));
+  const std::string text = "\xef\xbb\xbfWorldBegin\r\nInclude \"world.pbrt.gz\"\r\n";
+  for (const auto& path : {folder.put("a.pbrt", text), folder.put("b.PBRT.gz", gzip(text))}) {
+    const auto scene = load(path, {});
+    ASSERT_TRUE(scene) << path;
+    EXPECT_EQ(scene->meshes.at(0).triangles.size(), 1u);
+    // The scene's hash is of all that was read.
+    EXPECT_EQ(scene->files.size(), 3u);
+    EXPECT_EQ(scene->path, path);
+  }
+}
+
+TEST(Unit_PbrtFiles, MeshesComeInTheOrderOfTheText) {
+  const TemporaryFolder folder;
+  std::string text = "WorldBegin\n";
+  for (int i = 0; i < 40; ++i) {
+    const std::string name = std::to_string(i) + ".ply";
+    folder.put(name, std::string(triangle_ply));
+    text += "Shape \"plymesh\" \"string filename\" \"" + name + "\"\n";
+  }
+  const auto scene = load(folder.put("a.pbrt", text), {});
+  ASSERT_TRUE(scene);
+  for (std::size_t i = 0; i < 40; ++i)
+    EXPECT_TRUE(scene->meshes.at(i).name.ends_with("/" + std::to_string(i) + ".ply"));
+}
+
+TEST(Errors_PbrtFiles, FilesThatAreNotThereOrNoFiles) {
+  const TemporaryFolder folder;
+  const auto error_of = [&](const std::string& text) {
+    const auto scene = load(folder.put("a.pbrt", "WorldBegin\n" + text), {});
+    return scene.diagnostics.list().empty() ? "" : to_string(scene.diagnostics.list()[0]);
+  };
+  EXPECT_NE(
+      error_of("Shape \"plymesh\" \"string filename\" \"none.ply\"").find("none.ply: error: "),
+      std::string::npos);
+  EXPECT_NE(error_of("Include \"none.pbrt\"").find("a.pbrt:2:9: error: '"), std::string::npos);
+  EXPECT_NE(
+      error_of("LightSource \"infinite\" \"string filename\" \"/\"").find("is no regular file"),
+      std::string::npos);
+}
+
+}  // namespace
+}  // namespace candela
