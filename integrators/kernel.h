@@ -6,13 +6,13 @@
 #include <string>
 
 #include "integrators/tile_counts.h"
+#include "integrators/tile_pass.h"
 #include "renderer/film/film.h"
 
 namespace candela {
 
-// Samples [first, end) of each pixel of a tile, in order, into the film.
-using TileFunction =
-    std::function<TileCounts(const PixelRect&, std::uint32_t first, std::uint32_t end, Film&)>;
+// The samples of a pass, in order, into the film.
+using TileFunction = std::function<TileCounts(const TilePass&, Film&)>;
 
 struct Kernel {
   std::string name;

@@ -28,17 +28,15 @@ Kernel path_kernel(const Scene& scene, const A& accelerator, const Filter& filte
   return {
       "path/" + std::string(kernel.name),
       [render = kernel.render, context = make_path_context(scene, accelerator, filter, options)](
-          const PixelRect& tile, std::uint32_t first, std::uint32_t end, Film& film) {
-        return render(context, tile, first, end, film);
-      }};
+          const TilePass& pass, Film& film) { return render(context, pass, film); }};
 }
 
 template <class A>
 Kernel report_kernel(const Scene& scene, const A& accelerator, const Filter& filter,
                      const RenderOptions& options) {
   return {"report", [context = make_report_context(scene, accelerator, filter, options)](
-                        const PixelRect& tile, std::uint32_t first, std::uint32_t end, Film& film) {
-            return render_report_tile(context, tile, first, end, film);
+                        const TilePass& pass, Film& film) {
+            return render_report_tile(context, pass, film);
           }};
 }
 

@@ -42,6 +42,9 @@ struct RenderOptions {
   // Independently randomised sequences a pixel, whose spread states the error; at most
   // samples_per_pixel are used. 1: none is stated. whitted and raster have no error to state.
   int replicates = 4;
+  // path: a pilot of all pixels decides which of them get how many of the samples; those above are
+  // then means over the picture. Needs replicates, and enough samples (render_rounds.cpp).
+  bool adaptive = false;
   // path: bounces as pbrt counts them: 0 sees emission only, 1 direct light, ...; none: no limit.
   // whitted: surfaces that a ray may meet, as the lab counts them; none: 5.
   std::optional<int> max_depth;

@@ -5,6 +5,7 @@
 #include "integrators/rounds.h"
 #include "renderer/base/parallel.h"
 #include "renderer/film/tiles.h"
+#include "renderer/sampling/hash.h"
 
 namespace candela {
 namespace {
@@ -41,6 +42,30 @@ class TimeBudget {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+// Samples a pixel of the pilot; 0: there is none. Four a replicate are the fewest that tell noise
+// from structure, and they should not be most of the picture.
+std::uint32_t pilot_samples(const RenderOptions& options, const Film& film) {
+  const std::uint32_t replicates = film.replicates();
+  const std::uint32_t samples =
+      std::max((whole_block + replicates - 1) / replicates, 4u) * replicates;
+  const bool is_worth_it = static_cast<std::uint32_t>(options.samples_per_pixel) >= 8 * samples;
+  return options.adaptive && replicates > 1 && is_worth_it ? samples : 0;
+}
+
+// Of the pilot in each pixel, where `all` samples a pixel are there with it. Fixed beforehand:
+// weights that a pixel's own samples decide would be biased. By counts, as if the samples that the
+// pilot deals out were worth this many of its own.
+double pilot_weight(double pilot_samples, double all) {
+  constexpr double worth = 1.5;
+  return pilot_samples / (pilot_samples + worth * (all - pilot_samples));
+}
+
+// What is known before the rest of the samples is dealt out.
+struct Pilot {
+  Film film;  // of the whole picture, whatever the crop
+  SampleDensity density;
+};
+
 class Loop {
  public:
   Loop(const RenderOptions& options, const TileFunction& render_tile, Film& film,
@@ -52,7 +77,7 @@ class Loop {
         cancel_(cancel),
         budget_(options.time_limit_seconds),
         tiles_(tiles_of(film.crop(), options.tile_size)),
-        counts_(tiles_.size()) {}
+        pilot_samples_(pilot_samples(options, film)) {}
 
   RoundsDone run() {
     RoundsDone result;
@@ -60,24 +85,63 @@ class Loop {
     std::optional<StopReason> stop;
     expect({});
     while (!stop) {
-      stop = render_round(round_end(done_, film_.replicates(), most, goal(result.error)),
-                          result.error);
+      if (pilot_samples_ > 0 && !pilot_)
+        stop = render_pilot();
+      else
+        stop = render_round(round_end(done_, film_.replicates(), most, goal(result.error)),
+                            result.error);
       if (!stop && done_ == most) stop = StopReason::Samples;
-      if (stop || options_.target_relmse || progress_) result.error = estimate_error(film_);
+      if (stop || options_.target_relmse || progress_) result.error = error_so_far();
       if (reaches_goal(result.error) && stop != StopReason::Cancelled) stop = StopReason::Error;
       error_samples_ = done_;
       if (progress_ && result.error) progress_->state_error(result.error->rmse);
       expect(result.error);
     }
+    if (pilot_) {
+      film_ = with_pilot();
+      result.error = estimate_error(film_);
+    }
     result.stop = *stop;
-    for (const TileCounts& tile : counts_) result.counts.add(tile);
+    result.counts = counts_;
     return result;
   }
 
  private:
+  // The first samples of all pixels, from random numbers of their own.
+  std::optional<StopReason> render_pilot() {
+    const PixelRect whole{0, 0, options_.width, options_.height};
+    Film film(options_.width, options_.height, whole, film_.aovs(), film_.replicates());
+    const auto stop = render_passes(pilot_samples_, {}, [&](const SampleRange& range) {
+      render_pass(tiles_of(whole, options_.tile_size), {{}, range, nullptr, options_.seed}, film);
+    });
+    pilot_.emplace(Pilot{std::move(film), {}});
+    if (!stop) pilot_->density = SampleDensity(pilot_->film);
+    return stop;
+  }
+
   // Why it did not come to its end, if it did not.
   std::optional<StopReason> render_round(std::uint32_t end,
                                          const std::optional<ErrorEstimate>& error) {
+    return render_passes(end, error, [&](const SampleRange& range) {
+      if (!pilot_) return render_pass(tiles_, {{}, range, nullptr, options_.seed}, film_);
+      const SampleRange own{range.first - pilot_samples_, range.end - pilot_samples_};
+      render_pass(tiles_, {{}, own, &pilot_->density, mix_bits(options_.seed + 1)}, film_);
+    });
+  }
+
+  // The picture so far, where there is a pilot.
+  [[nodiscard]] Film with_pilot() const {
+    return film_.with_pilot(pilot_->film, pilot_weight(pilot_samples_, done_));
+  }
+  [[nodiscard]] std::optional<ErrorEstimate> error_so_far() const {
+    return pilot_ ? estimate_error(with_pilot()) : estimate_error(film_);
+  }
+
+  // `render`: what renders a range of samples a pixel.
+  template <class Render>
+  std::optional<StopReason> render_passes(std::uint32_t end,
+                                          const std::optional<ErrorEstimate>& error,
+                                          const Render& render) {
     while (done_ < end) {
       SampleRange pass = next_pass(done_, end, is_long());
       if (done_ > 0) {
@@ -86,7 +150,7 @@ class Loop {
         if (fitting < pass.first + 1) return StopReason::Time;
         if (fitting < pass.end) pass.end = static_cast<std::uint32_t>(fitting);
       }
-      render_pass(pass);
+      render(pass);
       if (is_set(cancel_)) return StopReason::Cancelled;
       done_ = pass.end;
       expect(error);
@@ -103,15 +167,19 @@ class Loop {
     return options_.time_limit_seconds || pixels * whole_block > samples_of_seconds;
   }
 
-  void render_pass(const SampleRange& pass) {
-    parallel_for(tiles_.size(), [&](std::size_t i) {
+  void render_pass(const std::vector<PixelRect>& tiles, const TilePass& pass, Film& film) {
+    std::vector<TileCounts> counts(tiles.size());
+    parallel_for(tiles.size(), [&](std::size_t i) {
       if (is_set(cancel_) || budget_.is_spent()) return;
-      const PixelRect& tile = tiles_[i];
-      counts_[i].add(render_tile_(tile, pass.first, pass.end, film_));
+      TilePass own = pass;
+      own.tile = tiles[i];
+      counts[i] = render_tile_(own, film);
       if (progress_ != nullptr)
-        progress_->advance(static_cast<std::uint64_t>(tile.width()) *
-                           static_cast<std::uint64_t>(tile.height()) * (pass.end - pass.first));
+        progress_->advance(static_cast<std::uint64_t>(own.tile.width()) *
+                           static_cast<std::uint64_t>(own.tile.height()) *
+                           (pass.range.end - pass.range.first));
     });
+    for (const TileCounts& tile : counts) counts_.add(tile);
   }
 
   [[nodiscard]] std::optional<ErrorGoal> goal(const std::optional<ErrorEstimate>& error) const {
@@ -140,7 +208,9 @@ class Loop {
   const CancelFlag* cancel_;
   TimeBudget budget_;
   std::vector<PixelRect> tiles_;
-  std::vector<TileCounts> counts_;
+  std::uint32_t pilot_samples_;
+  std::optional<Pilot> pilot_;
+  TileCounts counts_;
   std::uint32_t done_ = 0;
   std::uint32_t error_samples_ = 0;  // a pixel, when the error was estimated
 };

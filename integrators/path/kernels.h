@@ -10,31 +10,23 @@
 namespace candela {
 
 template <class A>
-using TileKernel = TileCounts (*)(const PathContext<A>&, const PixelRect&, std::uint32_t,
-                                  std::uint32_t, Film&);
+using TileKernel = TileCounts (*)(const PathContext<A>&, const TilePass&, Film&);
 
 extern template TileCounts render_tile<general_features>(const PathContext<EmbreeAccel>&,
-                                                         const PixelRect&, std::uint32_t,
-                                                         std::uint32_t, Film&);
+                                                         const TilePass&, Film&);
 extern template TileCounts render_tile<plain_features>(const PathContext<EmbreeAccel>&,
-                                                       const PixelRect&, std::uint32_t,
-                                                       std::uint32_t, Film&);
+                                                       const TilePass&, Film&);
 extern template TileCounts render_tile<general_features>(const PathContext<BvhAccel>&,
-                                                         const PixelRect&, std::uint32_t,
-                                                         std::uint32_t, Film&);
+                                                         const TilePass&, Film&);
 extern template TileCounts render_tile<general_features>(
-    const PathContext<RecordingAccel<EmbreeAccel>>&, const PixelRect&, std::uint32_t, std::uint32_t,
-    Film&);
+    const PathContext<RecordingAccel<EmbreeAccel>>&, const TilePass&, Film&);
 extern template TileCounts render_tile<general_features>(
-    const PathContext<RecordingAccel<BvhAccel>>&, const PixelRect&, std::uint32_t, std::uint32_t,
-    Film&);
+    const PathContext<RecordingAccel<BvhAccel>>&, const TilePass&, Film&);
 
 extern template TileCounts render_tile<strategy_features>(const PathContext<EmbreeAccel>&,
-                                                          const PixelRect&, std::uint32_t,
-                                                          std::uint32_t, Film&);
+                                                          const TilePass&, Film&);
 extern template TileCounts render_tile<strategy_features>(const PathContext<BvhAccel>&,
-                                                          const PixelRect&, std::uint32_t,
-                                                          std::uint32_t, Film&);
+                                                          const TilePass&, Film&);
 
 template <class A>
 struct PathKernel {

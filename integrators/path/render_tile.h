@@ -2,6 +2,7 @@
 #pragma once
 
 #include "integrators/path/trace_block.h"
+#include "integrators/tile_pass.h"
 
 namespace candela {
 
@@ -42,27 +43,35 @@ inline void render_block(const PathContext<A>& context, const PixelSampler& pixe
   });
 }
 
-// Lanes of the block at `base` whose samples lie in [first, end).
-[[nodiscard]] inline LaneMask lanes_in(std::uint32_t base, std::uint32_t first, std::uint32_t end) {
-  const LaneMask from_first = first > base ? all_lanes << (first - base) : all_lanes;
-  const LaneMask to_end = end - base < block_size ? (1u << (end - base)) - 1 : all_lanes;
+// Lanes of the block at `base` whose samples lie in the range, which ends after `base`.
+[[nodiscard]] inline LaneMask lanes_in(std::uint32_t base, const SampleRange& range) {
+  const LaneMask from_first = range.first > base ? all_lanes << (range.first - base) : all_lanes;
+  const LaneMask to_end =
+      range.end - base < block_size ? (1u << (range.end - base)) - 1 : all_lanes;
   return from_first & to_end & all_lanes;
 }
 
-// Samples [first_sample, end_sample) of each pixel of the tile, in order.
+// In units of a camera ray, roughly: those of a pixel are traced as a packet.
+[[nodiscard]] inline std::uint64_t ray_cost(const RayCounts& rays) {
+  return rays.camera + 4 * rays.indirect + 2 * rays.shadow;
+}
+
+// The samples of a pass, in order.
 template <FeatureSet F, class A>
-TileCounts render_tile(const PathContext<A>& context, const PixelRect& tile,
-                       std::uint32_t first_sample, std::uint32_t end_sample, Film& film) {
+TileCounts render_tile(const PathContext<A>& context, const TilePass& pass, Film& film) {
+  const PixelRect& tile = pass.tile;
   TileCounts counts;
   PathBlock block;
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) {
-      const PixelSampler pixel(context.options.seed, static_cast<std::uint32_t>(x),
+      const SampleRange range = pass.of_pixel(x, y);
+      const PixelSampler pixel(pass.seed, static_cast<std::uint32_t>(x),
                                static_cast<std::uint32_t>(y), film.replicates());
-      for (std::uint32_t base = first_sample & ~(block_size - 1); base < end_sample;
+      const std::uint64_t rays_before = ray_cost(counts.rays);
+      for (std::uint32_t base = range.first & ~(block_size - 1); base < range.end;
            base += block_size)
-        render_block<F>(context, pixel, x, y, base, lanes_in(base, first_sample, end_sample), block,
-                        film, counts);
+        render_block<F>(context, pixel, x, y, base, lanes_in(base, range), block, film, counts);
+      film.add_cost(x, y, static_cast<std::uint32_t>(ray_cost(counts.rays) - rays_before));
     }
   }
   return counts;

@@ -46,10 +46,11 @@ std::optional<RayLimit> measure(const Scene& scene, const A& accelerator,
   RayLimit limit;
   volatile double sink = 0;
   const auto measure_tile = [&](const PixelRect& tile) {
+    const TilePass pass{tile, {0, samples}, nullptr, options.seed};
     recorder.rays().clear();
-    render_tile<general_features>(recording, tile, 0, samples, film);
+    render_tile<general_features>(recording, pass, film);
     const double start = thread_cpu_seconds();
-    kernel.render(context, tile, 0, samples, film);
+    kernel.render(context, pass, film);
     const double middle = thread_cpu_seconds();
     sink = sink + replay(accelerator, recorder.rays());
     limit.rays_seconds += thread_cpu_seconds() - middle;

@@ -4,6 +4,7 @@
 
 #include "integrators/path/context.h"
 #include "integrators/report/emitter_table.h"
+#include "integrators/tile_pass.h"
 
 namespace candela {
 
@@ -22,14 +23,13 @@ template <class A>
           options.report_p_rr};
 }
 
-// Samples [first_sample, end_sample) of each pixel of the tile, in order.
+// The samples of a pass, in order.
 template <class A>
-TileCounts render_report_tile(const ReportContext<A>& context, const PixelRect& tile,
-                              std::uint32_t first_sample, std::uint32_t end_sample, Film& film);
+TileCounts render_report_tile(const ReportContext<A>& context, const TilePass& pass, Film& film);
 
-extern template TileCounts render_report_tile(const ReportContext<EmbreeAccel>&, const PixelRect&,
-                                              std::uint32_t, std::uint32_t, Film&);
-extern template TileCounts render_report_tile(const ReportContext<BvhAccel>&, const PixelRect&,
-                                              std::uint32_t, std::uint32_t, Film&);
+extern template TileCounts render_report_tile(const ReportContext<EmbreeAccel>&, const TilePass&,
+                                              Film&);
+extern template TileCounts render_report_tile(const ReportContext<BvhAccel>&, const TilePass&,
+                                              Film&);
 
 }  // namespace candela

@@ -139,16 +139,17 @@ template <class A>
   return sample;  // 5. L_dir + L_indir
 }
 
-// Samples [first_sample, end_sample) of each pixel of the tile, in order.
+// The samples of a pass, in order.
 template <class A>
-TileCounts render_report_tile(const ReportContext<A>& context, const PixelRect& tile,
-                              std::uint32_t first_sample, std::uint32_t end_sample, Film& film) {
+TileCounts render_report_tile(const ReportContext<A>& context, const TilePass& pass, Film& film) {
+  const PixelRect& tile = pass.tile;
   TileCounts counts;
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) {
-      const PixelSampler pixel(context.base.options.seed, static_cast<std::uint32_t>(x),
+      const SampleRange range = pass.of_pixel(x, y);
+      const PixelSampler pixel(pass.seed, static_cast<std::uint32_t>(x),
                                static_cast<std::uint32_t>(y), film.replicates());
-      for (std::uint32_t s = first_sample; s < end_sample; ++s) {
+      for (std::uint32_t s = range.first; s < range.end; ++s) {
         const Sampler sampler = pixel.at(s);
         const Ray ray =
             camera_ray<general_features>(context.base, sampler.sample_2d(0, Dimension::Filter),

@@ -17,10 +17,8 @@ bool may_be_hole(const Material& material) {
 
 template <class A, class Trace>
 Kernel lab_kernel(std::string name, LabContext<A> context, Trace trace) {
-  return {std::move(name),
-          [context = std::move(context), trace](const PixelRect& tile, std::uint32_t first,
-                                                std::uint32_t end, Film& film) {
-            return render_grid_tile(context, trace, tile, first, end, film);
+  return {std::move(name), [context = std::move(context), trace](const TilePass& pass, Film& film) {
+            return render_grid_tile(context, trace, pass, film);
           }};
 }
 

@@ -27,15 +27,16 @@ template <class A>
   return context.camera.generate_ray(film, Vec2f(0.5f));  // a lens is taken for its centre
 }
 
-// Samples [first, end) of each pixel, in order; `trace`: (context, ray, counts) -> FilmSample.
+// The samples of a pass, in order; `trace`: (context, ray, counts) -> FilmSample.
 template <class A, class Trace>
-TileCounts render_grid_tile(const LabContext<A>& context, Trace trace, const PixelRect& tile,
-                            std::uint32_t first, std::uint32_t end, Film& film) {
+TileCounts render_grid_tile(const LabContext<A>& context, Trace trace, const TilePass& pass,
+                            Film& film) {
+  const PixelRect& tile = pass.tile;
   const std::uint32_t side = grid_side(context.options.samples_per_pixel);
   TileCounts counts;
   for (int y = tile.y0; y < tile.y1; ++y)
     for (int x = tile.x0; x < tile.x1; ++x)
-      for (std::uint32_t s = first; s < end; ++s)
+      for (std::uint32_t s = pass.range.first; s < pass.range.end; ++s)
         add_or_count(trace(context, grid_ray(context, x, y, s, side), counts), x, y, s,
                      context.options.clamp, film, counts);
   return counts;

@@ -104,26 +104,10 @@ struct ErrorSums {
 };
 
 ErrorSums sum_errors(const Film& film) {
-  const double mean = mean_radiance(film);
-  const double epsilon = 1e-2 * mean * mean;  // compare.h
-  if (!(epsilon > 0)) return {};              // a black picture
-  constexpr int block_size = 64;
-  const std::vector<PixelRect> blocks = tiles_of(film.crop(), block_size);
-  std::vector<ErrorSums> parts(blocks.size());
-  parallel_for(blocks.size(), [&](std::size_t b) {
-    const std::vector<NeighbourLevel> levels = neighbour_levels(film, blocks[b]);
-    std::size_t next = 0;
-    for (int y = blocks[b].y0; y < blocks[b].y1; ++y)
-      for (int x = blocks[b].x0; x < blocks[b].x1; ++x) {
-        const double error = relative_error(film, film.index(x, y), levels[next++], epsilon);
-        parts[b].sum += error;
-        parts[b].squares += error * error;
-      }
-  });
   ErrorSums all;
-  for (const ErrorSums& part : parts) {
-    all.sum += part.sum;
-    all.squares += part.squares;
+  for (const double error : pixel_errors(film)) {
+    all.sum += error;
+    all.squares += error * error;
   }
   return all;
 }
@@ -144,6 +128,25 @@ Interval interval_of(const ErrorSums& errors, double pixels, double replicates) 
 }
 
 }  // namespace
+
+std::vector<double> pixel_errors(const Film& film) {
+  std::vector<double> errors(film.pixel_count(), 0.0);
+  const double mean = mean_radiance(film);
+  const double epsilon = 1e-2 * mean * mean;  // compare.h
+  if (!(epsilon > 0)) return errors;          // a black picture
+  constexpr int block_size = 64;
+  const std::vector<PixelRect> blocks = tiles_of(film.crop(), block_size);
+  parallel_for(blocks.size(), [&](std::size_t b) {
+    const std::vector<NeighbourLevel> levels = neighbour_levels(film, blocks[b]);
+    std::size_t next = 0;
+    for (int y = blocks[b].y0; y < blocks[b].y1; ++y)
+      for (int x = blocks[b].x0; x < blocks[b].x1; ++x) {
+        const std::size_t i = film.index(x, y);
+        errors[i] = relative_error(film, i, levels[next++], epsilon);
+      }
+  });
+  return errors;
+}
 
 std::optional<ErrorEstimate> estimate_error(const Film& film) {
   const std::uint32_t replicates = std::min(film.min_samples(), film.replicates());

@@ -63,6 +63,14 @@ class Film {
   void add(int x, int y, const FilmSample& sample);
   // A sample that was invalid: it counts as black so that sums of others stand.
   void add_invalid(int x, int y);
+  // What the pixel's samples took, in rays or the like: sample_density.h weighs it.
+  void add_cost(int x, int y, std::uint32_t cost) { pixels_[index(x, y)].cost += cost; }
+
+  // This film's means and those of a pilot of at least its crop, with as many replicates, as one:
+  // `pilot_weight` of the pilot's radiance and alpha in each pixel, whatever the counts, so that
+  // counts that the pilot decides bring no bias. First hits are pooled. Pixels without a sample in
+  // each replicate here are the pilot's.
+  [[nodiscard]] Film with_pilot(const Film& pilot, double pilot_weight) const;
 
   [[nodiscard]] const PixelRect& crop() const { return crop_; }
   [[nodiscard]] int full_width() const { return full_width_; }
@@ -74,6 +82,7 @@ class Film {
   // A pixel's place in the crop, in rows from the top; the others take it.
   [[nodiscard]] std::size_t index(int x, int y) const;
   [[nodiscard]] std::uint32_t samples(std::size_t i) const { return pixels_[i].samples; }
+  [[nodiscard]] std::uint32_t cost(std::size_t i) const { return pixels_[i].cost; }
   [[nodiscard]] std::uint32_t samples_of_replicate(std::size_t i, std::uint32_t replicate) const {
     return (pixels_[i].samples + replicates_ - 1 - replicate) / replicates_;
   }
@@ -85,6 +94,7 @@ class Film {
   // Samples a pixel: the fewest and the most over the crop.
   [[nodiscard]] std::uint32_t min_samples() const;
   [[nodiscard]] std::uint32_t max_samples() const;
+  [[nodiscard]] double mean_samples() const;
 
   // The means as an image of the crop's size: channels R G B, then A where `with_alpha`, then
   // layers under the names that Blender, tev and OIDN read: albedo.R .G .B, normal.X .Y .Z,
@@ -96,6 +106,7 @@ class Film {
   struct Pixel {
     double alpha = 0;
     std::uint32_t samples = 0;
+    std::uint32_t cost = 0;
   };
   struct AovPixel {
     Vec3d albedo{0.0};
@@ -105,6 +116,8 @@ class Film {
     std::uint32_t hits = 0;
     std::uint32_t material = 0;  // + 1; 0: none
   };
+  void mix_pixel(std::size_t i, const Film& pilot, std::size_t p, double pilot_weight);
+
   int full_width_ = 0;
   int full_height_ = 0;
   PixelRect crop_;

@@ -32,6 +32,25 @@ TEST(Unit_Film, MeansAreOverEachPixelsOwnSamples) {
   EXPECT_EQ(film.max_samples(), 2u);
 }
 
+// Means are mixed by the weight, whatever the counts; replicates keep to themselves.
+TEST(Unit_Film, APilotIsMixedInByItsWeight) {
+  Film pilot(4, 4, {0, 0, 4, 4}, 0, 2);
+  Film film(4, 4, {1, 1, 3, 3}, 0, 2);
+  for (const float v : {1, 2, 3, 4}) pilot.add(1, 1, sample_of(Rgb(v)));
+  for (const float v : {10, 20}) film.add(1, 1, sample_of(Rgb(v), 0));
+  for (const float v : {5, 7}) pilot.add(2, 1, sample_of(Rgb(v)));
+  film.add(2, 1, sample_of(Rgb(100)));  // not one in each replicate: only the pilot counts
+  const Film mixed = film.with_pilot(pilot, 0.25);
+  ASSERT_EQ(mixed.crop(), film.crop());
+  EXPECT_EQ(mixed.samples(0), 6u);
+  EXPECT_DOUBLE_EQ(mixed.replicate_sum(0, 0).x, (0.75 * 10 + 0.25 * 2) * 3);
+  EXPECT_DOUBLE_EQ(mixed.replicate_sum(0, 1).x, (0.75 * 20 + 0.25 * 3) * 3);
+  EXPECT_DOUBLE_EQ(mixed.mean(0).x, 0.75 * 15 + 0.25 * 2.5);
+  EXPECT_EQ(mixed.to_image(true).pixel(0, 0)[3], 0.25f);
+  EXPECT_EQ(mixed.samples(1), 2u);
+  EXPECT_DOUBLE_EQ(mixed.mean(1).x, 6);
+}
+
 TEST(Unit_Film, LayersAverageOverSamplesThatHit) {
   Film film(1, 1, {0, 0, 1, 1},
             aov_bit(Aov::Depth) | aov_bit(Aov::MaterialId) | aov_bit(Aov::Normal));

@@ -100,7 +100,8 @@ TEST(Agreement_SameBits, OverSampleRanges) {
   const auto picture_of = [&](const std::vector<std::uint32_t>& cuts) {
     Film film(24, 24, all, all_aovs, 4);
     for (std::size_t i = 1; i < cuts.size(); ++i)
-      render_tile<general_features>(context, all, cuts[i - 1], cuts[i], film);
+      render_tile<general_features>(
+          context, {all, {cuts[i - 1], cuts[i]}, nullptr, settings.options.seed}, film);
     return film.to_image(true).values;
   };
   const std::vector<float> whole = picture_of({0, 40});

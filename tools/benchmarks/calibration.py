@@ -105,7 +105,7 @@ def reference(candela, scene, size, spp):
         lambda seed: layers(candela.cached(f"reference_{safe(scene.name)}_{size}_{seed}",
                                            scene.path, integrator="path", size=square(size),
                                            spp=spp, seed=seed, replicates=16, threads=1,
-                                           aov="variance,heavy_tail")),
+                                           adaptive="off", aov="variance,heavy_tail")),
         REFERENCE_SEEDS)
     count = len(parts)
     return with_weight(sum(p[0] for p in parts) / count, sum(p[1] for p in parts) / count ** 2)

@@ -107,7 +107,7 @@ def agreement(candela, cycles, scenes, scale):
         start = time.monotonic()
         ours = numpy.array([read_exr(candela.render(
             f"{name}_{seed}", SCENES[name], size="{}x{}".format(*SIZE), spp=scale.spp, seed=seed,
-            filter="box").exr) for seed in seeds])
+            filter="box", adaptive="off").exr) for seed in seeds])
         between = time.monotonic()
         jobs = [Job(name, *SIZE, scale.spp, seed, first_sample=scale.spp) for seed in seeds]
         theirs = numpy.array([p.colour for p in cycles.render({name: scene}, jobs).values()])
@@ -168,7 +168,7 @@ def closed_forms(candela, cycles, scale):
     def ours(depth, spp):
         return numpy.array([read_exr(candela.render(
             f"depth_{depth}_{seed}", SCENES[name], size="{}x{}".format(*SIZE), spp=spp, seed=seed,
-            filter="box", max_depth=depth).exr) for seed in seeds])
+            filter="box", max_depth=depth, adaptive="off").exr) for seed in seeds])
 
     def theirs(scene, spp, **options):
         jobs = [Job(name, *SIZE, spp, seed, bounces=0, **options) for seed in seeds]

@@ -23,7 +23,7 @@ def reference(candela, path):
     parts = side_by_side(
         lambda seed: layers(candela.cached(f"reference_{path.stem}_{seed}", path, size=square(SIZE),
                                            spp=16 * max(COUNTS), seed=seed, threads=1,
-                                           aov="variance,heavy_tail")),
+                                           adaptive="off", aov="variance,heavy_tail")),
         (900001, 900002))
     return with_weight((parts[0][0] + parts[1][0]) / 2, (parts[0][1] + parts[1][1]) / 4)
 

@@ -45,6 +45,7 @@ struct RenderArguments {
   std::optional<double> relmse_goal;
   std::optional<double> time_limit_seconds;
   std::optional<int> replicates;
+  std::optional<bool> adaptive;
   std::optional<double> clamp;
   std::optional<Size> size;
   double scale = 1.0;  // of the size

@@ -65,9 +65,11 @@ void add_options(Json& json, const RenderReport& report) {
   json["spp"] = report.has_sample_limit() ? Json(options.samples_per_pixel) : Json(nullptr);
   json["min_samples"] = report.min_samples;
   json["max_samples"] = report.max_samples;
+  json["mean_samples"] = report.mean_samples;
   json["interrupted"] = report.is_interrupted();
   json["stop"] = stop_json(report);
   json["replicates"] = report.replicates;
+  json["adaptive"] = options.adaptive;
   json["biased"] = biases_of(options);
   json["max_depth"] = or_null(options.max_depth);
   if (is_lab_shading(options.integrator)) {

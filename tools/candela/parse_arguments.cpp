@@ -116,6 +116,8 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
             "Stop rendering after this time, such as 60s, 5m or 1h");
   add_value(command, "--replicates", "R", render.replicates, integer_between(1, max_replicates),
             "Independent sequences a pixel, from which the error is stated; 1 states none [4]");
+  add_value(command, "--adaptive", "on|off", render.adaptive, parse_switch,
+            "Deal out the samples by a pilot: --spp is then the mean over the picture [on]");
   add_value(command, "--clamp", "X", render.clamp, parse_positive_number,
             "Dim samples to X in their largest channel: less noise, less light (biased)");
   add_value(command, "--size", "WxH", render.size, parse_size,

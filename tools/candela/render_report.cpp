@@ -40,12 +40,12 @@ std::string options_text(const RenderReport& report) {
   const PixelRect crop = options.crop.value_or(whole);
   return fmt::format(
       "size={}x{} crop={},{},{},{} camera={} max_depth={} filter={} transparent={} accel={} "
-      "robust={} replicates={}{}{}",
+      "robust={} replicates={} adaptive={}{}{}",
       options.width, options.height, crop.x0, crop.y0, crop.x1, crop.y1, options.camera,
       depth_text(options.max_depth), name_of(options.filter, filter_choices()),
       options.transparent ? "yes" : "no", name_of(report.accelerator, accelerator_choices()),
-      report.is_robust ? "on" : "off", report.replicates, lab_text(options),
-      strategy_text(options));
+      report.is_robust ? "on" : "off", report.replicates, options.adaptive ? "on" : "off",
+      lab_text(options), strategy_text(options));
 }
 
 }  // namespace
@@ -105,6 +105,7 @@ Metadata metadata_of(const RenderReport& report) {
       {"candela:seed", std::to_string(report.options.seed)},
       {"candela:spp", integer(report.min_samples)},
       {"candela:spp_max", integer(report.max_samples)},
+      {"candela:spp_mean", report.mean_samples},
       {"candela:interrupted", integer(report.is_interrupted() ? 1 : 0)},
       {"candela:invalid_samples", integer(statistics.invalid_samples)},
       {"candela:threads", std::int64_t{report.threads}},

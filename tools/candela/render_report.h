@@ -33,6 +33,7 @@ struct RenderReport {
   int threads = 0;
   std::uint32_t min_samples = 0;  // a pixel; less than asked where the render was interrupted
   std::uint32_t max_samples = 0;
+  double mean_samples = 0;
   std::uint32_t replicates = 1;  // that samples were dealt out to
   std::optional<ErrorEstimate> error;
   StageSeconds seconds;

@@ -19,8 +19,10 @@
 namespace candela::cli {
 namespace {
 
-std::string samples_text(std::uint32_t low, std::uint32_t high) {
-  return low == high ? fmt::format("{} spp", low) : fmt::format("{} to {} spp", low, high);
+std::string samples_text(const RenderReport& report) {
+  if (report.min_samples == report.max_samples) return fmt::format("{} spp", report.min_samples);
+  return fmt::format("{:.1f} spp ({} to {})", report.mean_samples, report.min_samples,
+                     report.max_samples);
 }
 
 // What the render is to stop at.
@@ -37,7 +39,7 @@ std::string rules_text(const RenderReport& report) {
 
 // What it did stop at, and the error.
 std::string stop_text(const RenderReport& report) {
-  const std::string samples = samples_text(report.min_samples, report.max_samples);
+  const std::string samples = samples_text(report);
   const std::string error = report.error ? ", error " + error_text(report.error->rmse) : "";
   const StopReason stop = report.statistics.stop;
   if (stop == StopReason::Samples) return samples + error;
@@ -187,6 +189,7 @@ void RenderRun::rendered(const Scene& scene, const RenderResult& result) {
   report_.statistics = result.statistics;
   report_.min_samples = result.film.min_samples();
   report_.max_samples = result.film.max_samples();
+  report_.mean_samples = result.film.mean_samples();
   report_.replicates = result.film.replicates();
   report_.error = result.error;
   report_.skipped_textures = undecoded_textures(scene.textures);
@@ -252,8 +255,7 @@ void RenderRun::report_samples() {
     console_.error("interrupted before the first sample; nothing was written");
   else
     console_.error(fmt::format(
-        "interrupted; the picture holds {}{}",
-        samples_text(report_.min_samples, report_.max_samples),
+        "interrupted; the picture holds {}{}", samples_text(report_),
         report_.has_sample_limit() ? fmt::format(" of {}", options().samples_per_pixel) : ""));
 }
 

@@ -108,6 +108,12 @@ void refuse_stop_rules(const RenderArguments& arguments, const RenderOptions& op
     refuse(arguments.replicates.has_value(), "--replicates");
     refuse(arguments.clamp.has_value(), "--clamp");
   }
+  if (options.integrator != IntegratorKind::Path && options.adaptive)
+    throw Refusal{fmt::format("--adaptive is for path, this is {}", integrator_name(options)),
+                  ExitCode::Usage};
+  if (options.adaptive && options.replicates < 2)
+    throw Refusal{"--adaptive needs an error to go by, and --replicates 1 states none",
+                  ExitCode::Usage};
   if (options.target_relmse && options.replicates < 2)
     throw Refusal{fmt::format("{} needs an error to go by, and --replicates 1 states none",
                               arguments.error_goal ? "--error" : "--relmse"),
@@ -119,6 +125,8 @@ void refuse_stop_rules(const RenderArguments& arguments, const RenderOptions& op
 
 void settle_stop_rules(const RenderArguments& arguments, RenderOptions& options) {
   options.replicates = arguments.replicates.value_or(options.replicates);
+  options.adaptive = arguments.adaptive.value_or(options.integrator == IntegratorKind::Path &&
+                                                 options.replicates > 1);
   if (arguments.error_goal) options.target_relmse = *arguments.error_goal * *arguments.error_goal;
   if (arguments.relmse_goal)
     options.target_relmse =

@@ -3,7 +3,6 @@
 namespace candela {
 
 template TileCounts render_tile<general_features>(const PathContext<RecordingAccel<BvhAccel>>&,
-                                                  const PixelRect&, std::uint32_t, std::uint32_t,
-                                                  Film&);
+                                                  const TilePass&, Film&);
 
 }  // namespace candela

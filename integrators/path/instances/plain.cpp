@@ -2,7 +2,7 @@
 
 namespace candela {
 
-template TileCounts render_tile<plain_features>(const PathContext<EmbreeAccel>&, const PixelRect&,
-                                                std::uint32_t, std::uint32_t, Film&);
+template TileCounts render_tile<plain_features>(const PathContext<EmbreeAccel>&, const TilePass&,
+                                                Film&);
 
 }  // namespace candela

@@ -2,8 +2,7 @@
 
 namespace candela {
 
-template TileCounts render_tile<strategy_features>(const PathContext<EmbreeAccel>&,
-                                                   const PixelRect&, std::uint32_t, std::uint32_t,
+template TileCounts render_tile<strategy_features>(const PathContext<EmbreeAccel>&, const TilePass&,
                                                    Film&);
 
 }  // namespace candela

@@ -2,7 +2,7 @@
 
 namespace candela {
 
-template TileCounts render_tile<strategy_features>(const PathContext<BvhAccel>&, const PixelRect&,
-                                                   std::uint32_t, std::uint32_t, Film&);
+template TileCounts render_tile<strategy_features>(const PathContext<BvhAccel>&, const TilePass&,
+                                                   Film&);
 
 }  // namespace candela

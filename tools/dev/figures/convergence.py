@@ -11,7 +11,8 @@ def make(workshop):
     rows = []
     for spp in workshop.scale.spp:
         render = workshop.candela.render(f"figure_1_{spp}", workshop.scene(SCENE), spp=spp,
-                                         size=square(workshop.scale.size), seed=SEED)
+                                         size=square(workshop.scale.size), seed=SEED,
+                                         adaptive="off")
         rows.append(row(workshop, render, f"{spp} spp",
                         relmse=workshop.candela.compare(render, reference)["relmse"]))
     return figure(

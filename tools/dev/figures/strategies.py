@@ -14,7 +14,8 @@ def make(workshop):
         for sampling in STRATEGIES:
             render = workshop.candela.render(
                 f"figure_5_{scene}_{sampling}", workshop.scene(scene), sampling=sampling,
-                spp=workshop.scale.strategy_spp, size=square(workshop.scale.size), seed=SEED)
+                spp=workshop.scale.strategy_spp, size=square(workshop.scale.size), seed=SEED,
+                adaptive="off")
             comparison = workshop.candela.compare(render, workshop.reference(scene))
             errors[kind][sampling] = comparison["relmse"]
             rows.append(row(workshop, render, f"{kind}, {sampling}", relmse=comparison["relmse"],

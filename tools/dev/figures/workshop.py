@@ -26,7 +26,7 @@ class Workshop:
         if name not in self.references:
             self.references[name] = self.candela.render(
                 f"reference_{name}", self.scene(name), spp=self.scale.reference_spp[name],
-                size=square(self.scale.size), seed=REFERENCE_SEED)
+                size=square(self.scale.size), seed=REFERENCE_SEED, adaptive="off")
         return self.references[name]
 
     def plot(self, name):

@@ -1,0 +1,23 @@
+// What a pass takes of the pixels of a tile.
+#pragma once
+
+#include "integrators/rounds.h"
+#include "renderer/film/film.h"
+#include "renderer/film/sample_density.h"
+
+namespace candela {
+
+struct TilePass {
+  PixelRect tile;
+  SampleRange range;                       // of each pixel; with a density: of the mean over all
+  const SampleDensity* density = nullptr;  // null: all pixels get the same
+  std::uint64_t seed = 0;
+
+  // Half-open range of the pixel's own sample indices. Those of consecutive passes join.
+  [[nodiscard]] SampleRange of_pixel(int x, int y) const {
+    if (density == nullptr) return range;
+    return {density->samples(x, y, range.first), density->samples(x, y, range.end)};
+  }
+};
+
+}  // namespace candela

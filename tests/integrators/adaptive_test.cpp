@@ -1,0 +1,166 @@
+// Adaptive sampling: right in expectation, right about its error, the same bits, and worth it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "integrators/render_rounds.h"
+#include "renderer/sampling/hash.h"
+#include "tests/scenes/description.h"
+#include "tests/scenes/render_scene.h"
+
+namespace candela {
+namespace {
+
+using namespace test;
+
+// Pixels whose samples are exponential about 1: the few of a pilot that are small by chance look
+// as if there were no noise. One number a sample, its own for each seed.
+TileCounts exponential_tile(const TilePass& pass, Film& film) {
+  for (int y = pass.tile.y0; y < pass.tile.y1; ++y)
+    for (int x = pass.tile.x0; x < pass.tile.x1; ++x) {
+      const SampleRange range = pass.of_pixel(x, y);
+      const std::uint64_t pixel =
+          hash_pixel(pass.seed, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+      for (std::uint32_t s = range.first; s < range.end; ++s) {
+        FilmSample sample;
+        const double u = static_cast<double>(mix_bits(pixel + s) >> 11) * 0x1p-53;
+        sample.radiance = Rgb(static_cast<float>(-std::log(1 - u)));
+        film.add(x, y, sample);
+        film.add_cost(x, y, 1);
+      }
+    }
+  return {};
+}
+
+struct MeanAndErrors {
+  double mean = 0;
+  double true_relmse = 0;
+  double stated_relmse = 0;
+};
+
+MeanAndErrors exponential_picture(std::uint64_t seed, int samples) {
+  RenderSettings settings = settings_of(24, samples, seed);
+  settings.options.adaptive = true;
+  Film film(24, 24, {0, 0, 24, 24}, 0, 4);
+  const RoundsDone done = render_rounds(settings.options, exponential_tile, film, nullptr, nullptr);
+  MeanAndErrors result;
+  for (std::size_t i = 0; i < film.pixel_count(); ++i) {
+    const double value = film.mean(i).x;
+    result.mean += value / static_cast<double>(film.pixel_count());
+    result.true_relmse += square(value - 1) / 1.01 / static_cast<double>(film.pixel_count());
+  }
+  EXPECT_NEAR(film.mean_samples(), samples, 0.1 * samples);
+  EXPECT_GT(film.max_samples(), film.min_samples());
+  result.stated_relmse = done.error ? done.error->relmse : 0;
+  return result;
+}
+
+TEST(Statistical_Adaptive, ExponentialPixelsKeepTheirMeanAndStateTheirError) {
+  constexpr int seeds = 64;
+  double sum = 0, squares = 0, true_relmse = 0, stated_relmse = 0;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const MeanAndErrors picture = exponential_picture(static_cast<std::uint64_t>(seed), 128);
+    sum += picture.mean;
+    squares += picture.mean * picture.mean;
+    true_relmse += picture.true_relmse;
+    stated_relmse += picture.stated_relmse;
+  }
+  const double mean = sum / seeds;
+  const double error = std::sqrt((squares / seeds - mean * mean) / (seeds - 1));
+  EXPECT_LT(error, 1e-3);
+  EXPECT_LT(std::abs(mean - 1) / error, 3) << mean;
+  EXPECT_NEAR(stated_relmse / true_relmse, 1, 0.05);
+}
+
+// The mean of a room's picture against that of the plain render, over seeds.
+TEST(Statistical_Adaptive, ARoomKeepsItsMean) {
+  constexpr int seeds = 16;
+  double sums[2] = {0, 0};
+  double squares[2] = {0, 0};
+  for (const bool adaptive : {false, true})
+    for (int seed = 1; seed <= seeds; ++seed) {
+      RenderSettings settings = settings_of(16, 128, static_cast<std::uint64_t>(seed));
+      settings.options.adaptive = adaptive;
+      const double mean = mean_of(rendered(small_room(), settings).film.to_image(false));
+      sums[adaptive] += mean / seeds;
+      squares[adaptive] += mean * mean / seeds;
+    }
+  double variance = 0;
+  for (const int a : {0, 1}) variance += (squares[a] - sums[a] * sums[a]) / (seeds - 1);
+  EXPECT_LT(std::sqrt(variance), 0.01 * sums[0]);
+  EXPECT_LT(std::abs(sums[1] - sums[0]) / std::sqrt(variance), 3) << sums[0] << " " << sums[1];
+}
+
+RenderSettings adaptive_settings(int size) {
+  RenderSettings settings = settings_of(size, 128);
+  settings.options.adaptive = true;
+  settings.options.aovs = aov_bit(Aov::Samples) | aov_bit(Aov::Albedo) | aov_bit(Aov::Variance);
+  return settings;
+}
+
+TEST(Agreement_Adaptive, SameBitsOverThreadsAndTiles) {
+  RenderSettings settings = adaptive_settings(32);
+  const Scene scene = compiled(small_room(), settings.options);
+  const Image reference = rendered(scene, settings).film.to_image(true);
+  settings.threads = 3;
+  settings.options.tile_size = 7;
+  EXPECT_EQ(rendered(scene, settings).film.to_image(true).values, reference.values);
+}
+
+TEST(Agreement_Adaptive, CropsAreOfTheWholePicture) {
+  RenderSettings settings = adaptive_settings(32);
+  const Scene scene = compiled(small_room(), settings.options);
+  const Image whole = rendered(scene, settings).film.to_image(true);
+  const PixelRect crop{5, 11, 20, 32};
+  settings.options.crop = crop;
+  const Image part = rendered(scene, settings).film.to_image(true);
+  for (int y = crop.y0; y < crop.y1; ++y)
+    for (int x = crop.x0; x < crop.x1; ++x)
+      for (std::size_t c = 0; c < whole.channel_count(); ++c)
+        ASSERT_EQ(part.pixel(x - crop.x0, y - crop.y0)[c], whole.pixel(x, y)[c]) << c;
+}
+
+// Too few samples for a pilot, or no replicates to tell its noise by: as without.
+TEST(Unit_Adaptive, StandsBackWhereAPilotIsNotWorthIt) {
+  for (const auto& [samples, replicates] : {std::pair{64, 4}, std::pair{256, 1}}) {
+    RenderSettings settings = settings_of(8, samples);
+    settings.options.replicates = replicates;
+    const Scene scene = compiled(small_room(), settings.options);
+    const Image plain = rendered(scene, settings).film.to_image(false);
+    settings.options.adaptive = true;
+    EXPECT_EQ(rendered(scene, settings).film.to_image(false).values, plain.values);
+  }
+}
+
+TEST(Unit_Adaptive, AnInterruptedPilotIsAPicture) {
+  RenderSettings settings = adaptive_settings(8);
+  Film film(8, 8, {2, 2, 6, 6}, 0, 4);
+  settings.options.crop = film.crop();
+  CancelFlag cancel = false;
+  const RoundsDone done = render_rounds(
+      settings.options,
+      [&](const TilePass& pass, Film& target) {
+        const TileCounts counts = exponential_tile(pass, target);
+        cancel = true;
+        return counts;
+      },
+      film, nullptr, &cancel);
+  EXPECT_EQ(done.stop, StopReason::Cancelled);
+  EXPECT_EQ(film.crop(), (PixelRect{2, 2, 6, 6}));
+  EXPECT_EQ(film.max_samples(), 16u);
+}
+
+TEST(Unit_Adaptive, TheErrorGoalIsMet) {
+  RenderSettings settings = settings_of(24, 1 << 30);
+  settings.options.adaptive = true;
+  settings.options.target_relmse = 4e-3;
+  const RenderResult result = rendered(small_room(), settings);
+  EXPECT_EQ(result.statistics.stop, StopReason::Error);
+  ASSERT_TRUE(result.error);
+  EXPECT_LE(result.error->relmse, 4e-3);
+  EXPECT_GT(result.film.max_samples(), result.film.min_samples());
+}
+
+}  // namespace
+}  // namespace candela

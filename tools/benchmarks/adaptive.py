@@ -1,0 +1,80 @@
+"""What adaptive sampling gains: relMSE and time with it over those without, alternating."""
+
+import math
+import pathlib
+import statistics
+
+from calibration import layers, safe, side_by_side, square, with_weight, write_csv
+from renders import Candela
+
+ABOUT = "what adaptive sampling gains: error and time with it over those without"
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+REFERENCE_SEEDS = (900001, 900002)
+REFERENCE_FACTOR = 32  # samples over those of the largest count
+AOVS = "variance,heavy_tail"
+
+
+def add_arguments(parser):
+    parser.add_argument("scenes", nargs="*", help="names, course scenes as lab3/NAME (all)")
+    parser.add_argument("--seeds", type=int, default=6, help="pictures a case (6)")
+    parser.add_argument("--size", type=int, default=96, help="pixels a side (96)")
+    parser.add_argument("--spp", default="128,512", help="counts, by comma (128,512)")
+
+
+def reference(candela, name, path, size, spp):
+    parts = side_by_side(
+        lambda seed: layers(candela.cached(f"reference_{safe(name)}_{size}_{spp}_{seed}", path,
+                                           integrator="path", size=square(size), spp=spp,
+                                           seed=seed, threads=1, filter="box", adaptive="off",
+                                           aov=AOVS)),
+        REFERENCE_SEEDS)
+    return with_weight(sum(p[0] for p in parts) / 2, sum(p[1] for p in parts) / 4)
+
+
+def measure(candela, path, truth, size, spp, seeds):
+    """By switch: true relMSE, stated relMSE and seconds of each seed."""
+    found = {"off": [], "on": []}
+    for seed in range(1, seeds + 1):
+        for switch, rows in found.items():
+            render = candela.render("picture", path, png=False, integrator="path",
+                                    size=square(size), spp=spp, seed=seed, threads=1, filter="box",
+                                    adaptive=switch, aov=AOVS)
+            rows.append((truth.relmse(layers(render)[0]), render.stats["error"]["relmse"],
+                         render.seconds))
+    return {switch: list(zip(*rows)) for switch, rows in found.items()}
+
+
+def row_of(name, spp, found):
+    true_off, _, seconds_off = found["off"]
+    true_on, stated_on, seconds_on = found["on"]
+    error_gain = statistics.mean(true_off) / statistics.mean(true_on)
+    time_ratio = statistics.median(on / off for on, off in zip(seconds_on, seconds_off))
+    spread = 2 * error_gain * math.hypot(*(statistics.stdev(t) / statistics.mean(t) /
+                                           math.sqrt(len(t)) for t in (true_off, true_on)))
+    return {"scene": name, "spp": spp, "error_gain": error_gain, "plus_minus": spread,
+            "time_ratio": time_ratio, "efficiency": error_gain / time_ratio,
+            "stated_over_true": statistics.mean(stated_on) / statistics.mean(true_on)}
+
+
+def run(options):
+    from scenes import scenes_by_name
+    out = options.out.resolve()
+    out.mkdir(parents=True, exist_ok=True)
+    candela = Candela(options.program, out / "renders")
+    counts = [int(n) for n in options.spp.split(",")]
+    rows = []
+    print("| scene | spp | relMSE off / on | time on / off | efficiency | stated / true, on |")
+    print("|---|---:|---:|---:|---:|---:|")
+    for name, path in scenes_by_name(ROOT).items():
+        if options.scenes and name not in options.scenes:
+            continue
+        truth = reference(candela, name, path, options.size, REFERENCE_FACTOR * max(counts))
+        for spp in counts:
+            row = row_of(name, spp, measure(candela, path, truth, options.size, spp, options.seeds))
+            rows.append(row)
+            print("| {scene} | {spp} | {error_gain:.2f} ± {plus_minus:.2f} | {time_ratio:.2f} | "
+                  "{efficiency:.2f} | {stated_over_true:.2f} |".format(**row), flush=True)
+    mean = math.exp(statistics.mean(math.log(row["efficiency"]) for row in rows))
+    print(f"geometric mean of the efficiency: {mean:.2f}")
+    write_csv(out / "adaptive.csv", rows)
