@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "renderer/film/error_estimate.h"
+#include "renderer/film/heavy_tails.h"
 
 namespace candela {
 namespace {
@@ -69,11 +70,20 @@ void limit_fireflies(std::vector<double>& values) {
   }
 }
 
+double heavy_tailed_share(const Film& film) {
+  const std::vector<bool> mask = heavy_tail_mask(film);
+  return static_cast<double>(std::count(mask.begin(), mask.end(), true)) /
+         static_cast<double>(mask.size());
+}
+
 }  // namespace
 
 SampleDensity::SampleDensity(const Film& pilot)
     : width_(static_cast<std::size_t>(pilot.full_width())), replicates_(pilot.replicates()) {
-  constexpr double alike = 0.1;  // share of the samples that all pixels get alike
+  // The share of the samples that all pixels get alike; all of them where light comes in samples
+  // too rare for a pilot to know anything.
+  constexpr double least_alike = 0.1;
+  const double alike = std::max(least_alike, heavy_tailed_share(pilot));
   std::vector<double> roots = roots_of_error_over_cost(pilot);
   limit_fireflies(roots);
   const double mean = mean_of(roots);

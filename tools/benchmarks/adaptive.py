@@ -7,7 +7,7 @@ import statistics
 from calibration import layers, safe, side_by_side, square, with_weight, write_csv
 from renders import Candela
 
-ABOUT = "what adaptive sampling gains: error and time with it over those without"
+ABOUT = "what adaptive sampling gains: error and CPU time with it over those without"
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 REFERENCE_SEEDS = (900001, 900002)
@@ -33,7 +33,7 @@ def reference(candela, name, path, size, spp):
 
 
 def measure(candela, path, truth, size, spp, seeds):
-    """By switch: true relMSE, stated relMSE and seconds of each seed."""
+    """By switch: true relMSE, stated relMSE and CPU seconds of each seed."""
     found = {"off": [], "on": []}
     for seed in range(1, seeds + 1):
         for switch, rows in found.items():
@@ -41,7 +41,7 @@ def measure(candela, path, truth, size, spp, seeds):
                                     size=square(size), spp=spp, seed=seed, threads=1, filter="box",
                                     adaptive=switch, aov=AOVS)
             rows.append((truth.relmse(layers(render)[0]), render.stats["error"]["relmse"],
-                         render.seconds))
+                         render.stats["cpu_seconds"]["render"]))
     return {switch: list(zip(*rows)) for switch, rows in found.items()}
 
 
