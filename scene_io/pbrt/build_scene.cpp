@@ -80,6 +80,8 @@ class Meshes {
       MeshJob& job = jobs_[i];
       const Report report(job.diagnostics);
       meshes[i] = make_mesh(*job.shape, {context_.scene.path, job.needs_uvs}, report);
+      for (Parameter& parameter : job.shape->statement.parameters)
+        if (parameter.numbers.size() > 16) parameter.numbers = {};  // it is in the mesh
     });
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
       context_.report.diagnostics().append(jobs_[i].diagnostics);

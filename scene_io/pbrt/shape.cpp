@@ -75,7 +75,7 @@ MaybeMesh make_mesh(ShapeStatement& shape, const ShapeOptions& options, const Re
     refuse(shape, report);
     return std::nullopt;
   }
-  arguments.accept({"alpha"});
+  arguments.accept({"alpha", "shadowalpha"});  // pbrt-v3 has the second
   MaybeMesh mesh = mesh_of(arguments, options);
   arguments.warn_of_unknown();
   if (!mesh) return std::nullopt;

@@ -38,6 +38,7 @@ TEST(Unit_PbrtCamera, LooksAlongZAndIsLeftHanded) {
   const Camera looking = camera_of("LookAt 3 4 5  3 4 0  0 1 0\nCamera \"perspective\"");
   expect_near(looking.eye, {3, 4, 5});
   expect_near(normalize(looking.target - looking.eye), {0, 0, -1});
+  expect_near(looking.up, {0, 1, 0});
   EXPECT_TRUE(looking.is_mirrored);
 }
 
