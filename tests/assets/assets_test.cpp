@@ -19,15 +19,22 @@ std::string all_of(const Diagnostics& diagnostics) {
   return text;
 }
 
-std::vector<std::string> scene_files() {
+std::vector<std::string> files_with(const std::string& extension) {
   std::vector<std::string> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(assets))
-    if (entry.path().extension() == ".yaml") files.push_back(entry.path().string());
+    if (entry.path().extension() == extension) files.push_back(entry.path().string());
+  return files;
+}
+
+std::vector<std::string> scene_files() {
+  std::vector<std::string> files = files_with(".yaml");
+  for (std::string& file : files_with(".pbrt")) files.push_back(std::move(file));
   return files;
 }
 
 TEST(Unit_Assets, LoadAndCompileWithoutDiagnostics) {
-  ASSERT_GE(scene_files().size(), 4u);
+  ASSERT_GE(files_with(".yaml").size(), 4u);
+  ASSERT_GE(files_with(".pbrt").size(), 2u);
   for (const std::string& file : scene_files()) {
     const Result<description::SceneDescription> description = load(file, {});
     EXPECT_EQ(all_of(description.diagnostics), "");
@@ -48,7 +55,7 @@ TEST(Unit_Assets, AreSmall) {
 // Where a mesh shines it shines downwards: the lamps hang under ceilings.
 TEST(Unit_Assets, LampsFaceDown) {
   int lamps = 0;
-  for (const std::string& file : scene_files()) {
+  for (const std::string& file : files_with(".yaml")) {
     const Result<description::SceneDescription> description = load(file, {});
     ASSERT_TRUE(description) << file;
     for (const description::Instance& instance : description->instances) {

@@ -27,13 +27,21 @@ inline std::vector<Case> all_assets_by(IntegratorKind integrator, const std::str
   return list;
 }
 
+// The scenes of pbrt-v4's format, which only `path` renders as they are meant.
+inline std::vector<Case> pbrt_assets() {
+  std::vector<Case> list;
+  for (const std::string asset : {"pbrt_lights", "pbrt_shapes"})
+    list.push_back({asset, IntegratorKind::Path, asset + "_path"});
+  return list;
+}
+
 inline std::string reference_path(const Case& c) {
   return std::string(CANDELA_SOURCE_DIR) + "/tests/regression/" + c.name + ".exr";
 }
 
 inline description::SceneDescription described(const Case& c) {
-  const std::string file =
-      std::string(CANDELA_SOURCE_DIR) + "/assets/" + c.asset + "/" + c.asset + ".yaml";
+  std::string file = std::string(CANDELA_SOURCE_DIR) + "/assets/" + c.asset + "/" + c.asset;
+  file += std::filesystem::exists(file + ".pbrt") ? ".pbrt" : ".yaml";
   Result<description::SceneDescription> loaded = load(file, {});
   EXPECT_TRUE(loaded) << file;
   for (const Diagnostic& diagnostic : loaded.diagnostics.list())

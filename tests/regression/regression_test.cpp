@@ -34,7 +34,9 @@ constexpr int reference_replicates = 128;
 constexpr std::uint64_t first_reference_seed = 1'000'000;
 
 std::vector<Case> cases() {
-  return regression::all_assets_by(IntegratorKind::Path, "path");
+  std::vector<Case> list = regression::all_assets_by(IntegratorKind::Path, "path");
+  for (Case& c : regression::pbrt_assets()) list.push_back(std::move(c));
+  return list;
 }
 
 // The mean of independent renders and the variance of that mean.
