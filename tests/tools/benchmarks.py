@@ -12,11 +12,15 @@ import sys
 ROOT = pathlib.Path(sys.argv[1])
 sys.path += [str(ROOT / "tools" / "benchmarks"), str(ROOT / "tools" / "dev" / "shared")]
 
+import ablation  # noqa: E402
 import budget  # noqa: E402
 import callgrind  # noqa: E402
 import fits  # noqa: E402
 import limit  # noqa: E402
+import numpy  # noqa: E402
+import peers  # noqa: E402
 import results  # noqa: E402
+import truth  # noqa: E402
 
 
 def profile(path):
@@ -45,6 +49,49 @@ def spread(values):
 
 def geometric_mean(values):
     return fits.geometric_mean(json.loads(values))
+
+
+def x_where(wanted, x, y):
+    return fits.x_where(float(wanted), json.loads(x), json.loads(y))
+
+
+def runs_of(rows):
+    """[[relmse, CPU seconds, seconds], ...]"""
+    return [truth.Run(relmse, relmse, cpu, wall, 16, 1) for relmse, cpu, wall in rows]
+
+
+def compared(on, off, same_picture):
+    return ablation.compared(runs_of(json.loads(on)), runs_of(json.loads(off)),
+                             json.loads(same_picture))
+
+
+def verdicts(ratios):
+    """`ratios`: of the first technique, by scene."""
+    name = ablation.TECHNIQUES[0].name
+    return ablation.verdicts([{"technique": name, "scene": scene, "time_to_error": ratio}
+                              for scene, ratio in json.loads(ratios).items()])
+
+
+def ratios_of(pairs, counts):
+    return peers.ratios_of([tuple(map(runs_of, pair)) for pair in json.loads(pairs)],
+                           json.loads(counts))
+
+
+def errors(shape, reference_noise, picture_noise):
+    """relMSE and its trimmed version of a noisy picture against a noisy reference of grey 2, and what
+    they are to be: the picture's variance over its denominator; one pixel is off by 100."""
+    random = numpy.random.RandomState(1)
+    shape = (*json.loads(shape), 3)
+    noise, own = float(reference_noise), float(picture_noise)
+    right = truth.with_weight(2 + noise * random.standard_normal(shape),
+                              numpy.full(shape, noise ** 2))
+    image = 2 + own * random.standard_normal(shape)
+    expected = own ** 2 / (4 * 1.01)
+    firefly = image.copy()
+    firefly[0, 0, 0] += 100
+    return {"relmse": right.relmse(image), "expected": expected,
+            "own": right.own_relmse() / (noise ** 2 / (4 * 1.01)),
+            "firefly": right.relmse(firefly), "trimmed": truth.trimmed(right, firefly)}
 
 
 def perf(report):

@@ -41,15 +41,15 @@ TEST_F(Unit_Benchmarks, CallgrindsInstructionsAreCountedOnce) {
              "fi=(2) /source/vec.h\n5 40\n* 3\nfe=(1)\n"
              "cob=(2) /usr/lib/libembree3.so.3.13.5\ncfi=(3) ???\ncfn=(2) 0x0001\ncalls=4 0\n"
              "-1 900\n"
-             "cfn=(3) points [clone .arch_x86_64_v3]\ncalls=1 20\n12 100\n\n"
+             "cfn=(3) points [clone .arch_x86_64_v3]\ncalls=1 20\n12 100\n13 11\n\n"
              "ob=(2)\nfl=(3)\nfn=(2)\n0 900\n\n"
              "ob=(1)\nfl=(1)\nfn=(3)\n20 100\n\ntotals: 1150\n");
   const Json read = ask({"profile", file});
-  EXPECT_EQ(read["total"], 1150);
+  EXPECT_EQ(read["total"], 1161);
   EXPECT_EQ(read["by_object"],
-            (Json{{"/build/candela", 250}, {"/usr/lib/libembree3.so.3.13.5", 900}}));
-  EXPECT_EQ(read["by_file"], (Json{{"/source/tile.h", 207}, {"/source/vec.h", 43}, {"???", 900}}));
-  EXPECT_EQ(read["by_function"]["render_tile"], 150);
+            (Json{{"/build/candela", 261}, {"/usr/lib/libembree3.so.3.13.5", 900}}));
+  EXPECT_EQ(read["by_file"], (Json{{"/source/tile.h", 218}, {"/source/vec.h", 43}, {"???", 900}}));
+  EXPECT_EQ(read["by_function"]["render_tile"], 161);
   EXPECT_EQ(read["embree"], 900);
   EXPECT_EQ(read["library"], "libembree3.so.3.13.5");
   EXPECT_EQ(read["vectors"], "x86-64-v3");
@@ -84,6 +84,66 @@ TEST_F(Unit_Benchmarks, ExponentsAreThoseOfTheData) {
 TEST_F(Unit_Benchmarks, SpreadsAreMedianAndRange) {
   EXPECT_EQ(ask({"spread", "[5, 1, 2]"}), (Json{{"median", 2}, {"low", 1}, {"high", 5}}));
   EXPECT_NEAR(ask({"geometric_mean", "[2, 8]"}), 4, 1e-12);
+}
+
+// Straight in logarithms between points; nothing beyond them.
+TEST_F(Unit_Benchmarks, TimesToAnErrorAreInterpolatedOnly) {
+  EXPECT_NEAR(ask({"x_where", "0.01", "[1, 4, 16]", "[0.1, 0.04, 0.0025]"}), 8, 1e-9);
+  EXPECT_NEAR(ask({"x_where", "0.04", "[1, 4, 16]", "[0.1, 0.04, 0.0025]"}), 4, 1e-9);
+  EXPECT_TRUE(ask({"x_where", "0.2", "[1, 4, 16]", "[0.1, 0.04, 0.0025]"}).is_null());
+  EXPECT_TRUE(ask({"x_where", "0.002", "[1, 4, 16]", "[0.1, 0.04, 0.0025]"}).is_null());
+  EXPECT_TRUE(ask({"x_where", "0.01", "[1, 4]", "[0.1, -0.001]"}).is_null());
+}
+
+// Off costs 1.5 times as much in every pair, half of the error is gone.
+TEST_F(Unit_Benchmarks, AnAblationsRatiosAreOffOverOn) {
+  const std::string on = "[[0.2, 1, 1], [0.1, 2, 2], [0.4, 4, 4]]";
+  const std::string off = "[[0.1, 1.5, 3], [0.05, 3, 6], [0.2, 8, 12]]";
+  const Json row = ask({"compared", on, off, "false"});
+  EXPECT_NEAR(row["cpu"], 1.5, 1e-12);
+  EXPECT_NEAR(row["cpu_high"], 2, 1e-12);
+  EXPECT_NEAR(row["wall"], 3, 1e-12);
+  EXPECT_NEAR(row["relmse"], 0.5, 1e-12);
+  EXPECT_NEAR(row["time_to_error"], 0.75, 1e-12);
+  EXPECT_NEAR(row["high"], 1, 1e-12);
+  EXPECT_NEAR(ask({"compared", on, off, "true"})["time_to_error"], 1.5, 1e-12);
+}
+
+TEST_F(Unit_Benchmarks, ATechniquePaysIfItGainsInTheMeanAndLosesNowhere) {
+  const auto pays = [](const std::string& ratios) {
+    const Json line = ask({"verdicts", ratios})[0];
+    return line["pays"].get<std::string>() + " " + line["where"].get<std::string>();
+  };
+  EXPECT_EQ(pays(R"({"a": 1.2, "b": 0.98})"), "yes b");
+  EXPECT_EQ(pays(R"({"a": 1.5, "b": 0.96})"), "no b");
+  EXPECT_EQ(pays(R"({"a": 1.04, "b": 1.05})"), "no a");
+}
+
+// One pair: as much time, twice the error at 4 samples; half the time for equal errors at 16. To
+// an error of .01, which candela reaches after 2 seconds, the other needs 4.
+TEST_F(Unit_Benchmarks, PeersRatiosAreTheirsOverOurs) {
+  const Json rows =
+      ask({"ratios_of", "[[[[0.02, 1, 1], [0.005, 4, 4]], [[0.04, 1, 2], [0.0025, 16, 32]]]]",
+           "[4, 16]"});
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0]["by"], "time to 0.01");
+  EXPECT_NEAR(rows[0]["cpu_ratio"], 2, 1e-9);
+  EXPECT_NEAR(rows[0]["wall_ratio"], 4, 1e-9);
+  EXPECT_EQ(rows[1]["by"], "4 spp");
+  EXPECT_NEAR(rows[1]["cpu_ratio"], 2, 1e-12);
+  EXPECT_NEAR(rows[1]["wall_ratio"], 4, 1e-12);
+  EXPECT_NEAR(rows[2]["cpu_ratio"], 2, 1e-12);
+  EXPECT_NEAR(rows[2]["relmse_ratio"], 0.5, 1e-12);
+}
+
+// relMSE is the picture's own, without the reference's noise. Its standard error over 64 x 64 x 3
+// values of variance v: (v + r) sqrt(2 / 12288) / v with r of the reference: 1.6 % here.
+TEST_F(Unit_Benchmarks, TheReferencesNoiseIsTakenOff) {
+  const Json found = ask({"errors", "[64, 64]", "0.1", "0.2"});
+  EXPECT_NEAR(found["relmse"].get<double>() / found["expected"].get<double>(), 1, 0.064);
+  EXPECT_NEAR(found["own"], 1, 0.01);
+  EXPECT_GT(found["firefly"], 0.15);  // 100^2 / 4.04 / 12288 = .2
+  EXPECT_LT(found["trimmed"], 0.016);
 }
 
 TEST_F(Unit_Benchmarks, PerfsLinesAreRead) {

@@ -41,10 +41,18 @@ def positions(path, exr):
     pixels = closed_form.project(described["camera"], points, width, height)
     rows, columns = numpy.nonzero(seen)
     centres = numpy.stack([columns, rows], axis=1) + .5
-    triangles = numpy.concatenate([mesh["corners"] for mesh in described["meshes"]])
+    triangles = numpy.concatenate([corners for mesh in described["meshes"]
+                                   for corners in placed(mesh)])
     off = numpy.min([distances(points, triangle) for triangle in triangles], axis=0) / depth[seen]
     return {"count": int(seen.sum()), "pixels": float(numpy.abs(pixels - centres).max()),
             "off_surface": float(off.max())}
+
+
+def placed(mesh):
+    """A mesh's corners, once for each instance."""
+    corners = numpy.array(mesh["corners"])
+    for to_world in map(numpy.array, mesh["instances"] or [numpy.identity(4)]):
+        yield corners @ to_world[:3, :3].T + to_world[:3, 3]
 
 
 def distances(points, triangle):
@@ -81,6 +89,10 @@ def corner_irradiance(width, height, distance):
 
 def samples(log):
     return cycles_renders.samples_taken(pathlib.Path(log).read_text())
+
+
+def times(log):
+    return cycles_renders.times(pathlib.Path(log).read_text())
 
 
 print(json.dumps(globals()[sys.argv[2]](*sys.argv[3:])))

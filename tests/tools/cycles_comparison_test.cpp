@@ -81,9 +81,65 @@ TEST_F(Unit_CyclesComparison, OnlyTheWallThatIsNotPlaneHasNormalsOfItsOwn) {
 TEST_F(Unit_CyclesComparison, WhatIsNotComparedIsRefused) {
   EXPECT_EQ(
       ask({"refused", CANDELA_SOURCE_DIR "/assets/cornell_box/cornell_box.yaml"}),
-      "material 'brushed_steel': 'F0' is not compared; expected only Name, Type, kd, Emission, "
-      "TwoSided");
+      "material 'brushed_steel': of cook_torrance only F0: 1 with kd: 0 and geometry: smith is "
+      "compared");
+  EXPECT_EQ(ask({"refused", CANDELA_SOURCE_DIR "/assets/glass_and_metal/glass_and_metal.yaml"}),
+            "material 'floor': 'kd_map' is not compared; expected only Name, Type, kd, Emission, "
+            "TwoSided");
   EXPECT_TRUE(ask({"refused", blocks + "sun_lit.yaml"}).is_null());
+}
+
+// Instances that are turned, stretched and moved, of a model that has a place of its own; and what
+// Blender is told of materials.
+TEST_F(Unit_CyclesComparison, InstancesLieWhereCandelasLie) {
+  const std::string folder = fresh_folder("instances");
+  std::filesystem::copy(CANDELA_SOURCE_DIR "/assets/glass_and_metal/cube.obj", folder);
+  const std::string scene = folder + "/scene.yaml", exr = folder + "/positions.exr";
+  write_text(scene, R"(
+Cameras: [{Eye: [1, 3, 6], Target: [0, 0, 0], Fovy: 50}]
+Environment: {Radiance: [1, 2, 3], Scale: 2}
+Materials:
+  - {Name: mirror, Type: mirror, kd: .9}
+  - {Name: metal, Type: cook_torrance, kd: 0, ks: .8, F0: 1, geometry: smith, roughness: .09}
+  - {Name: glass, Type: dielectric, ior: 1.4}
+Models:
+  - Mesh: cube.obj
+    Material: mirror
+    Translation: [.2, 0, 0]
+    Scale: [1, .5, 1]
+    Instances:
+      - {Translation: [-1.5, 0, 0], Rotation: [[.8, 0, .6], [0, 1, 0], [-.6, 0, .8]]}
+      - {Translation: [1, .3, -.5], Scale: [1, 3, .6]}
+  - {Mesh: cube.obj, Material: metal, Translation: [0, -1, 0], Scale: [9, .1, 9]}
+  - {Mesh: cube.obj, Material: glass, Translation: [0, 0, 2], Scale: [.5, .5, .5]}
+)");
+  ASSERT_EQ(run_candela({"render", scene, "-o", exr, "--size", "24x16", "--spp", "1", "--filter",
+                         "box", "--aov", "position,depth", "--quiet"})
+                .exit_code,
+            0);
+  const Json found = ask({"positions", scene, exr});
+  EXPECT_GT(found["count"], 150);
+  EXPECT_LE(found["pixels"], 0.501);
+  EXPECT_LT(found["off_surface"], 1e-6);
+  const Json described = ask({"scene", scene});
+  const Json& meshes = described["meshes"];
+  EXPECT_EQ(described["environment"]["scale"], (Json{2.0, 4.0, 6.0}));
+  EXPECT_EQ(meshes[0]["surface"], "glossy");
+  EXPECT_EQ(meshes[0]["roughness"], 0);
+  EXPECT_NEAR(meshes[1]["roughness"], 0.3, 1e-12);  // Cycles squares it
+  EXPECT_EQ(meshes[1]["albedo"], (Json{0.8, 0.8, 0.8}));
+  EXPECT_EQ(meshes[2]["surface"], "glass");
+  EXPECT_EQ(meshes[2]["ior"], 1.4);
+}
+
+TEST_F(Unit_CyclesComparison, TimesAreReadFromBlendersLog) {
+  const std::string log = fresh_folder("log") + "/blender.log";
+  write_text(log,
+             "CPU seconds: 0.250000\nCPU seconds: 1.500000\n"
+             "I1121 session.cpp:464] Total render time: 0.76\n"
+             "I1121 session.cpp:465] Render time (without synchronization): 0.496396\n"
+             "I1121 session.cpp:465] Render time (without synchronization): 5.1e-05\n");
+  EXPECT_EQ(ask({"times", log}), (Json{{0.496396, 5.1e-05}, {0.25, 1.5}}));
 }
 
 TEST_F(Unit_CyclesComparison, DifferencesAreSeenAndNoiseIsNot) {

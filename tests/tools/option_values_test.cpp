@@ -110,6 +110,8 @@ TEST(Unit_OptionValues, OptionsReachTheirFields) {
                                        "bvh",
                                        "--robust",
                                        "off",
+                                       "--kernel",
+                                       "general",
                                        "--filter",
                                        "box",
                                        "--exposure",
@@ -145,6 +147,7 @@ TEST(Unit_OptionValues, OptionsReachTheirFields) {
   EXPECT_EQ(a.threads, 2);
   EXPECT_EQ(a.accelerator, AcceleratorKind::Bvh);
   EXPECT_FALSE(a.embree.robust);
+  EXPECT_TRUE(a.uses_general_kernel);
   EXPECT_EQ(a.filter, FilterKind::Box);
   EXPECT_EQ(a.exposure, -1.5);
   EXPECT_EQ(a.tone_map, ToneMap::Aces);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstring>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "renderer/image/image_io.h"
 #include "tests/tools/run_program.h"
@@ -138,6 +139,20 @@ TEST(Unit_RenderCommand, BothAcceleratorsRender) {
   const Image embree = rendered(folder + "/embree.exr", {"--robust", "off"});
   const Image bvh = rendered(folder + "/bvh.exr", {"--accel", "bvh"});
   EXPECT_EQ(embree.values.size(), bvh.values.size());
+}
+
+TEST(Unit_RenderCommand, TheGeneralKernelGivesTheSameBits) {
+  const std::string folder = fresh_folder("kernel");
+  const auto kernel_of = [&](const std::string& name) {
+    return nlohmann::json::parse(file_text(folder + "/" + name + ".json"))["kernel"]
+        .get<std::string>();
+  };
+  const Image special = rendered(folder + "/special.exr", {"--stats", folder + "/special.json"});
+  const Image general = rendered(folder + "/general.exr",
+                                 {"--kernel", "general", "--stats", folder + "/general.json"});
+  EXPECT_EQ(kernel_of("special"), "path/plain");
+  EXPECT_EQ(kernel_of("general"), "path/general");
+  EXPECT_TRUE(are_same_bits(special, general));
 }
 
 }  // namespace

@@ -104,7 +104,8 @@ TEST_F(Unit_SceneGen, LargeMeshesAreFlatOrSmoothAsSmallOnesAre) {
       "    files.write_ply(folder / (name + '_ply.ply'), mesh)\n"
       "    for end in ('obj', 'ply'):\n"
       "        (folder / f'{name}_{end}.yaml').write_text(\n"
-      "            'Environment: {Radiance: 1}\\nCameras: [{Eye: [3, 4, 5], Target: [0, 0, "
+      "            'Lights: [{Type: Directional, Direction: [3, 1, 2]}]\\nCameras: [{Eye: [3, 4, "
+      "5], Target: [0, 0, "
       "0]}]\\n'\n"
       "            'Materials: [{Name: a, Type: diffuse}]\\n'\n"
       "            f'Models: [{{Mesh: {name}_{end}.{end}, Material: a}}]\\n')\n";

@@ -47,3 +47,14 @@ def fit_power(x, y):
 
 def geometric_mean(values):
     return math.exp(statistics.mean(map(math.log, values)))
+
+
+def x_where(y_wanted, x, y):
+    """Where a falling curve through the points comes down to y_wanted, straight between points in
+    logarithms; None where it starts lower or does not get there: nothing is extrapolated."""
+    points = list(zip(x, y))
+    for (x0, y0), (x1, y1) in zip(points, points[1:]):
+        if y0 >= y_wanted >= y1 > 0 and y0 > y1:
+            t = math.log(y0 / y_wanted) / math.log(y0 / y1)
+            return x0 * (x1 / x0) ** t
+    return None

@@ -10,8 +10,8 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "tools" / "dev" / "shared"))  # what tools/figures uses too
 
-NAMES = ("accel", "adaptive", "budget", "calibration", "cycles", "limit", "memory", "replicates",
-         "robust", "scaling", "stress")
+NAMES = ("ablation", "accel", "adaptive", "budget", "calibration", "convergence", "cycles", "limit",
+         "memory", "peers", "replicates", "robust", "scaling", "stress")
 
 
 def arguments():

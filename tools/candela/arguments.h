@@ -61,6 +61,7 @@ struct RenderArguments {
   int threads = 0;  // 0: as many as there are
   AcceleratorKind accelerator = AcceleratorKind::Embree;
   EmbreeOptions embree;
+  bool uses_general_kernel = false;
   std::optional<FilterKind> filter;
   std::optional<double> exposure;
   ToneMap tone_map = ToneMap::Srgb;

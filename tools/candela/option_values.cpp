@@ -43,6 +43,7 @@ constexpr Choice<Aov> aovs[] = {
     {"position", Aov::Position}, {"material_id", Aov::MaterialId}, {"samples", Aov::Samples},
     {"variance", Aov::Variance}, {"heavy_tail", Aov::HeavyTail}};
 constexpr Choice<bool> switches[] = {{"on", true}, {"off", false}};
+constexpr Choice<bool> kernels[] = {{"special", false}, {"general", true}};
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
@@ -106,6 +107,9 @@ std::span<const Choice<FilterKind>> filter_choices() {
 }
 std::span<const Choice<AcceleratorKind>> accelerator_choices() {
   return accelerators;
+}
+std::span<const Choice<bool>> kernel_choices() {
+  return kernels;
 }
 std::span<const Choice<ToneMap>> tone_map_choices() {
   return tone_maps;

@@ -26,6 +26,7 @@ struct Choice {
 [[nodiscard]] std::span<const Choice<description::GeometryModel>> geometry_choices();
 [[nodiscard]] std::span<const Choice<FilterKind>> filter_choices();
 [[nodiscard]] std::span<const Choice<AcceleratorKind>> accelerator_choices();
+[[nodiscard]] std::span<const Choice<bool>> kernel_choices();  // is it the general one?
 [[nodiscard]] std::span<const Choice<ToneMap>> tone_map_choices();
 [[nodiscard]] std::span<const Choice<Aov>> aov_choices();
 

@@ -159,6 +159,10 @@ void add_render_machinery(CLI::App& command, RenderArguments& render) {
              "Who traces rays [embree]");
   add_value(command, "--robust", "on|off", render.embree.robust, parse_switch,
             "Embree's robust mode: watertight, a little slower [on]");
+  add_choice(
+      command, "--kernel", "kernel", render.uses_general_kernel, kernel_choices(),
+      "With path: the instance for what the scene needs, or the one for all scenes: the same "
+      "bits [special]");
   command.add_flag("--ray-limit", render.measures_ray_limit,
                    "Also measure CPU time over that of the rays alone");
 }

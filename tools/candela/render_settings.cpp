@@ -127,6 +127,7 @@ void settle_stop_rules(const RenderArguments& arguments, RenderOptions& options)
   options.replicates = arguments.replicates.value_or(options.replicates);
   options.adaptive = arguments.adaptive.value_or(options.integrator == IntegratorKind::Path &&
                                                  options.replicates > 1);
+  options.use_general_kernel = arguments.uses_general_kernel;
   if (arguments.error_goal) options.target_relmse = *arguments.error_goal * *arguments.error_goal;
   if (arguments.relmse_goal)
     options.target_relmse =

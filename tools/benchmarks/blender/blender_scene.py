@@ -1,8 +1,9 @@
 """A candela scene file as Blender takes it: numbers in Blender's axes, in units of physics.
 
-Read is what the compared scenes use of docs/scene_format.md: diffuse surfaces, lamps, point and
-directional lights, one lat-long map, one camera. Any other key is refused, so that nothing is left
-out of a comparison silently.
+Read is what the compared scenes use of docs/scene_format.md: diffuse surfaces, mirrors, clear glass,
+white rough metals, lamps, point and directional lights, one lat-long map or one radiance from
+everywhere, one camera, instances. Any other key is refused, so that nothing is left out of a
+comparison silently.
 
 Axes: candela's (x, y, z), y up, is Blender's (-z, -x, y), z up. It is a rotation, and the one that
 takes the middle of a lat-long map from where candela has it, -z, to where Blender has it, +x.
@@ -86,28 +87,77 @@ def light(entry, scale):
 
 
 def environment(entry, folder):
-    """`turn`: of the map about Blender's z."""
-    only(entry, "the environment", "Map", "Rotation", "Scale")
+    """`turn`: of the map about Blender's z. Without a map: `scale` from everywhere."""
+    only(entry, "the environment", "Map", "Rotation", "Scale", "Radiance")
+    if "Radiance" in entry:
+        scale = vector(rgb(entry["Radiance"])) * vector(rgb(entry.get("Scale", 1)))
+        return {"map": None, "scale": scale.tolist(), "turn": 0}
     return {"map": str((folder / entry["Map"]).resolve()), "scale": rgb(entry.get("Scale", 1)),
             "turn": math.radians(float(entry.get("Rotation", 0)))}
 
 
 def mesh(model, material, folder, scale):
     """Triangles of corners: no vertex is shared, since each corner has the file's normal."""
-    only(model, "a model", "Mesh", "Material", "Translation", "Scale", "Rotation")
-    only(material, f"material '{material['Name']}'", "Name", "Type", "kd", "Emission", "TwoSided")
-    if material.get("Type") != "diffuse":
-        raise Unsupported(f"material '{material['Name']}' is not diffuse")
+    only(model, "a model", "Mesh", "Material", "Translation", "Scale", "Rotation", "Instances")
+    described = surface(material)
     corners, normals = read_obj(folder / model["Mesh"])
-    stretch = vector(model.get("Scale", [1, 1, 1]))
-    rotation = vector(model.get("Rotation", numpy.identity(3)))
-    corners = (corners * stretch) @ rotation.T + vector(model.get("Translation", [0, 0, 0]))
+    stretch, rotation, translation = placement(model)
+    corners = (corners * stretch) @ rotation.T + translation
     normals = (normals / stretch) @ rotation.T
     normals /= numpy.linalg.norm(normals, axis=2, keepdims=True)
     return {"name": pathlib.Path(model["Mesh"]).stem, "corners": axes(scale * corners).tolist(),
             "normals": None if are_flat(corners, normals) else axes(normals).tolist(),
-            "albedo": rgb(material.get("kd", .5)), "emission": rgb(material.get("Emission", 0)),
-            "two_sided": bool(material.get("TwoSided", False))}
+            "instances": [instance(entry, scale) for entry in model["Instances"]]
+            if "Instances" in model else None} | described
+
+
+def placement(entry):
+    """Scale, rotation and translation, in the order in which they are applied."""
+    return (vector(entry.get("Scale", [1, 1, 1])), vector(entry.get("Rotation", numpy.identity(3))),
+            vector(entry.get("Translation", [0, 0, 0])))
+
+
+def instance(entry, scale):
+    """A matrix of Blender's axes."""
+    only(entry, "an instance", "Translation", "Scale", "Rotation")
+    stretch, rotation, translation = placement(entry)
+    to_world = numpy.identity(4)
+    to_world[:3, :3] = axes(axes(rotation * stretch).T).T  # both its rows' and columns' axes
+    to_world[:3, 3] = axes(scale * translation)
+    return to_world.tolist()
+
+
+# By `Type`: what of a material is read, and what Blender is told beside `surface`.
+SURFACES = {
+    "diffuse": (("kd", "Emission", "TwoSided"), lambda m: {
+        "surface": "diffuse", "albedo": rgb(m.get("kd", .5)),
+        "emission": rgb(m.get("Emission", 0)), "two_sided": bool(m.get("TwoSided", False))}),
+    "mirror": (("kd",), lambda m: {
+        "surface": "glossy", "albedo": rgb(m.get("kd", 1)), "roughness": 0.0}),
+    "cook_torrance": (("kd", "ks", "F0", "geometry", "roughness"), lambda m: white_metal(m)),
+    "dielectric": (("ior",), lambda m: {
+        "surface": "glass", "albedo": [1.0] * 3, "ior": float(m.get("ior", 1.5))}),
+}
+
+
+def surface(material):
+    where = f"material '{material['Name']}'"
+    if material.get("Type") not in SURFACES:
+        raise Unsupported(f"{where} is of none of the types that are compared: "
+                          + ", ".join(SURFACES))
+    keys, described = SURFACES[material["Type"]]
+    only(material, where, "Name", "Type", *keys)
+    return {"emission": [0.0] * 3, "two_sided": False} | described(material)
+
+
+def white_metal(material):
+    """GGX without a Fresnel term, which both have. Cycles' roughness is the root of the width."""
+    white = rgb(material.get("F0", .04)) == [1.0] * 3 and not any(rgb(material.get("kd", .5)))
+    if not white or material.get("geometry") != "smith":
+        raise Unsupported(f"material '{material['Name']}': of cook_torrance only F0: 1 with kd: 0 "
+                          "and geometry: smith is compared")
+    return {"surface": "glossy", "albedo": rgb(material.get("ks", .5)),
+            "roughness": math.sqrt(float(material.get("roughness", .3)))}
 
 
 def are_flat(corners, normals):

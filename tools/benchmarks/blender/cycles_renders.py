@@ -38,11 +38,15 @@ class Job:
 class Picture:
     colour: object  # array [row from the top, column, channel]
     spp: float  # samples a pixel, the mean
+    seconds: float | None = None  # of rendering alone
+    cpu_seconds: float | None = None  # of all threads, with synchronization and writing
 
 
 class Cycles:
-    def __init__(self, folder, threads, program="blender"):
+    def __init__(self, folder, threads, program="blender", settings=None):
+        """`settings`: of Blender's scene.cycles, where they are to differ from the plain ones."""
         self.program, self.folder, self.threads = program, folder, threads
+        self.settings = settings or {}
         self.folder.mkdir(parents=True, exist_ok=True)
 
     def version(self):
@@ -56,18 +60,25 @@ class Cycles:
         """`scenes`: what blender_scene.read() gives, by name. -> Picture by Job."""
         file = self.folder / "jobs.json"
         file.write_text(json.dumps({
-            "threads": self.threads, "scenes": scenes,
+            "threads": self.threads, "scenes": scenes, "settings": self.settings,
             "renders": [dataclasses.asdict(job) | {"exr": str(self._exr(job))} for job in jobs]}))
         for job in jobs:
             self._exr(job).unlink(missing_ok=True)
         done = subprocess.run([self.program, "-b", "--factory-startup", "--python-exit-code", "1",
-                               "-P", str(SCRIPT), "--", str(file)], capture_output=True, text=True)
+                               "-P", str(SCRIPT), "--debug-cycles", "--", str(file)],
+                              capture_output=True, text=True)
         (self.folder / "blender.log").write_text(done.stdout + done.stderr)
         if done.returncode != 0 or not all(self._exr(job).exists() for job in jobs):
             raise CyclesFailed(f"Blender ended with {done.returncode}; see "
                                f"{self.folder / 'blender.log'}")
-        rounds = samples_taken(done.stdout)
-        return {job: self._picture(job, rounds[str(self._exr(job))]) for job in jobs}
+        rounds, (seconds, cpu_seconds) = samples_taken(done.stdout), times(done.stdout + done.stderr)
+        in_order = sorted(jobs, key=lambda job: job.scene)  # as the script takes them
+        if not len(jobs) == len(seconds) == len(cpu_seconds):
+            raise CyclesFailed(f"{len(jobs)} pictures but {len(seconds)} times in "
+                               f"{self.folder / 'blender.log'}")
+        return {job: dataclasses.replace(self._picture(job, rounds[str(self._exr(job))]),
+                                         seconds=wall, cpu_seconds=cpu)
+                for job, wall, cpu in zip(in_order, seconds, cpu_seconds)}
 
     def _exr(self, job):
         return self.folder / f"{job.name}.exr"
@@ -96,3 +107,9 @@ def samples_taken(log):
         if saved:
             taken[saved[1]], latest = latest, 0
     return taken
+
+
+def times(log):
+    """Of each picture in order: seconds of rendering alone, and CPU seconds of the whole call."""
+    return [[float(value) for value in re.findall(pattern, log)] for pattern in
+            (r"Render time \(without synchronization\): ([\d.e+-]+)", r"CPU seconds: ([\d.]+)")]

@@ -2,14 +2,16 @@
 
     blender -b --factory-startup --python-exit-code 1 -P render_in_cycles.py -- JOBS.json
 
-JOBS.json: {"threads": n, "scenes": {name: what blender_scene.read() gives}, "renders": [...]};
-each render has scene, exr and what cycles_renders.Job has. Everything that Cycles would do to a
-picture beside tracing paths is off.
+JOBS.json: {"threads": n, "scenes": {name: what blender_scene.read() gives}, "renders": [...],
+"settings": {name: value}}; each render has scene, exr and what cycles_renders.Job has; settings are
+of scene.cycles and go before PLAIN's. Everything that Cycles would do to a picture beside tracing
+paths is off. Prints the CPU seconds of each render, with its synchronization and its file.
 """
 
 import json
 import math
 import sys
+import time
 
 import bpy
 import mathutils
@@ -32,9 +34,11 @@ def main():
     made = None
     for render in sorted(jobs["renders"], key=lambda render: render["scene"]):
         if render["scene"] != made:
-            make_scene(jobs["scenes"][render["scene"]], jobs["threads"])
+            make_scene(jobs["scenes"][render["scene"]], jobs["threads"], jobs["settings"])
             made = render["scene"]
+        start = time.process_time()
         render_one(render)
+        print(f"CPU seconds: {time.process_time() - start:.6f}", flush=True)
 
 
 def render_one(render):
@@ -54,11 +58,11 @@ def render_one(render):
     bpy.ops.render.render(write_still=True)
 
 
-def make_scene(description, threads):
+def make_scene(description, threads, settings):
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene
     scene.world = None
-    plain_settings(scene, threads)
+    plain_settings(scene, threads, settings)
     for index, mesh in enumerate(description["meshes"]):
         add_mesh(f"{index}_{mesh['name']}", mesh)
     for light in description["lights"]:
@@ -68,9 +72,9 @@ def make_scene(description, threads):
     scene.camera = camera(description["camera"])
 
 
-def plain_settings(scene, threads):
+def plain_settings(scene, threads, settings):
     scene.render.engine = "CYCLES"
-    for name, value in PLAIN.items():
+    for name, value in (PLAIN | settings).items():
         if hasattr(scene.cycles, name):
             setattr(scene.cycles, name, value)
     scene.render.threads_mode, scene.render.threads = "FIXED", threads
@@ -111,9 +115,12 @@ def add_mesh(name, description):
             mesh.use_auto_smooth = True
         mesh.normals_split_custom_set([n for triangle in description["normals"] for n in triangle])
     mesh.materials.append(material(name, description))
-    thing = linked(name, mesh)
-    # These move shadows and shading on smooth meshes.
-    thing.cycles.shadow_terminator_geometry_offset = thing.cycles.shadow_terminator_offset = 0
+    for to_world in description["instances"] or [None]:
+        thing = linked(name, mesh)
+        if to_world is not None:
+            thing.matrix_world = mathutils.Matrix(to_world)
+        # These move shadows and shading on smooth meshes.
+        thing.cycles.shadow_terminator_geometry_offset = thing.cycles.shadow_terminator_offset = 0
 
 
 def material(name, description):
@@ -123,15 +130,27 @@ def material(name, description):
     tree.nodes.clear()
     output = tree.nodes.new("ShaderNodeOutputMaterial")
     if not any(description["emission"]):
-        surface = tree.nodes.new("ShaderNodeBsdfDiffuse")
-        surface.inputs["Roughness"].default_value = 0
-        surface.inputs["Color"].default_value = (*description["albedo"], 1)
+        surface = scattering(tree, description)
     elif any(description["albedo"]):
         raise ValueError(f"{name}: a lamp that also reflects is not compared")
     else:
         surface = emission(tree, description)
     tree.links.new(surface.outputs[0], output.inputs["Surface"])
     return result
+
+
+def scattering(tree, description):
+    kind = {"diffuse": "ShaderNodeBsdfDiffuse", "glossy": "ShaderNodeBsdfGlossy",
+            "glass": "ShaderNodeBsdfGlass"}[description["surface"]]
+    node = tree.nodes.new(kind)
+    node.inputs["Color"].default_value = (*description["albedo"], 1)
+    node.inputs["Roughness"].default_value = description.get("roughness", 0)
+    if kind != "ShaderNodeBsdfDiffuse":
+        is_smooth = description.get("roughness", 0) == 0
+        node.distribution = "SHARP" if is_smooth else "GGX"
+    if "ior" in description:
+        node.inputs["IOR"].default_value = description["ior"]
+    return node
 
 
 def emission(tree, description):
@@ -175,6 +194,11 @@ def world(description):
     tree = result.node_tree
     tree.nodes.clear()
     new, link = tree.nodes.new, tree.links.new
+    if description["map"] is None:
+        background, output = new("ShaderNodeBackground"), new("ShaderNodeOutputWorld")
+        background.inputs["Color"].default_value = (*description["scale"], 1)
+        link(background.outputs["Background"], output.inputs["Surface"])
+        return result
     coordinates, mapping = new("ShaderNodeTexCoord"), new("ShaderNodeMapping")
     texture, scale = new("ShaderNodeTexEnvironment"), new("ShaderNodeVectorMath")
     background, output = new("ShaderNodeBackground"), new("ShaderNodeOutputWorld")

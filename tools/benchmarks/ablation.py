@@ -1,0 +1,119 @@
+"""Each technique off in turn: what that does to error, to time, and to the time to the same error.
+
+A scene's picture is rendered with everything on and with one technique off, in pairs of one seed
+that take turns; above 1 the technique pays. relMSE falls as 1 / samples, so the time to the same
+error goes as relMSE * CPU seconds. On by default stays what gains 5 % in the geometric mean and
+loses no more than 3 % on any scene.
+"""
+
+import dataclasses
+
+import chosen_scenes
+import truth
+from fits import geometric_mean, spread
+from renders import CandelaFailed
+
+ABOUT = "each technique off in turn: time to the same error"
+
+
+@dataclasses.dataclass(frozen=True)
+class Technique:
+    name: str
+    off: dict  # candela's options
+    same_picture: bool = False  # the same bits or the same noise: only the time is compared
+    # Strategies other than the default have a kernel of their own, which costs a little more. So
+    # that this does not count as theirs, the time with everything on is that of these options.
+    timed_on: dict | None = None
+
+
+SAME_KERNEL = {"heuristic": "balance"}
+
+TECHNIQUES = (
+    Technique("kernel for what the scene needs", {"kernel": "general"}, same_picture=True),
+    Technique("Embree (off: reference BVH)", {"accel": "bvh"}, same_picture=True),
+    Technique("robust mode", {"robust": "off"}, same_picture=True),
+    Technique("four replicates (off: one, no stated error)", {"replicates": 1}),
+    Technique("light and BSDF samples (off: light alone)", {"sampling": "light"},
+              timed_on=SAME_KERNEL),
+    Technique("light and BSDF samples (off: BSDF alone)", {"sampling": "bsdf"},
+              timed_on=SAME_KERNEL),
+    Technique("directions by the BSDF (off: by the cosine)", {"sampling": "cosine"},
+              timed_on=SAME_KERNEL),
+    Technique("power heuristic (off: balance)", {"heuristic": "balance"},
+              timed_on=SAME_KERNEL),
+)
+GAIN, LOSS = 1.05, .97
+
+
+def add_arguments(parser):
+    chosen_scenes.add_argument(parser, "the shipped and the generated ones")
+    parser.add_argument("--quick", action="store_true", help="48x48, 16 spp, 3 pairs")
+    parser.add_argument("--pairs", type=int, help="pictures with and without (8)")
+    parser.add_argument("--size", type=int, metavar="N", help="pixels a side (96)")
+    parser.add_argument("--spp", type=int, help="samples of a picture (64)")
+    parser.add_argument("--threads", type=int, default=1, help="(1)")
+
+
+def run(options):
+    from convergence import default_scenes
+    from renders import Candela
+    from results import Results
+    out = options.out.resolve()
+    candela = Candela(options.program, out / "renders")
+    results = Results(out, "Ablation", __doc__, candela.version())
+    size = options.size or (48 if options.quick else 96)
+    spp = options.spp or (16 if options.quick else 64)
+    pairs = options.pairs or (3 if options.quick else 8)
+    scenes = chosen_scenes.chosen(candela, out, options.scenes, default_scenes())
+    rows = []
+    for name, scene in scenes.items():
+        right = truth.reference(candela, name, scene, size, 16 * spp)
+        common = {"size": f"{size}x{size}", "spp": spp, "threads": options.threads}
+        for technique in TECHNIQUES:
+            try:
+                rows.append(row(candela, name, scene, right, technique, pairs, common))
+            except CandelaFailed as reason:
+                results.note(f"{name}, {technique.name}: left out. {str(reason).splitlines()[0]}")
+        print(f"{name}: done", flush=True)
+    results.table("ablation", f"Off over on, {size}x{size}, {spp} spp, {pairs} pairs", rows)
+    results.table("verdicts", "Time to the same error, off over on, over all scenes",
+                  verdicts(rows))
+    results.finish()
+
+
+def row(candela, name, scene, right, technique, pairs, common):
+    on, off = [], []
+    for seed in range(1, pairs + 1):
+        on.append(truth.measured(candela, scene, right, seed=seed, **common))
+        if technique.timed_on:
+            timed = truth.measured(candela, scene, right, seed=seed, **common,
+                                   **technique.timed_on)
+            on[-1] = dataclasses.replace(on[-1], cpu_seconds=timed.cpu_seconds,
+                                         seconds=timed.seconds)
+        off.append(truth.measured(candela, scene, right, seed=seed, **common, **technique.off))
+    return {"technique": technique.name, "scene": name} | compared(on, off, technique.same_picture)
+
+
+def compared(on, off, same_picture):
+    """Ratios off / on: of CPU time by pairs, of error by medians, and of both together."""
+    cpu = spread(b.cpu_seconds / a.cpu_seconds for a, b in zip(on, off))
+    wall = spread(b.seconds / a.seconds for a, b in zip(on, off))
+    error = 1.0 if same_picture else (spread(r.relmse for r in off).median
+                                      / spread(r.relmse for r in on).median)
+    return {"cpu": cpu.median, "cpu_low": cpu.low, "cpu_high": cpu.high, "wall": wall.median,
+            "relmse": error, "time_to_error": cpu.median * error,
+            "low": cpu.low * error, "high": cpu.high * error}
+
+
+def verdicts(rows):
+    lines = []
+    for technique in TECHNIQUES:
+        own = [r for r in rows if r["technique"] == technique.name and r["time_to_error"] > 0]
+        if not own:
+            continue
+        least = min(own, key=lambda r: r["time_to_error"])
+        mean = geometric_mean(r["time_to_error"] for r in own)
+        lines.append({"technique": technique.name, "scenes": len(own), "geometric_mean": mean,
+                      "least": least["time_to_error"], "where": least["scene"],
+                      "pays": "yes" if mean >= GAIN and least["time_to_error"] >= LOSS else "no"})
+    return lines

@@ -1,0 +1,117 @@
+"""relMSE against CPU seconds and against samples a pixel, for each way of sampling and each option.
+
+Every curve is measured against a long reference of the same size and box filter, of seeds that no
+picture has, made once and kept. Points are medians over seeds; runs of all curves take turns.
+"""
+
+import chosen_scenes
+import truth
+from fits import fit_power, x_where
+from renders import CandelaFailed
+
+ABOUT = "relMSE against seconds and samples, by sampling and option"
+# A curve is one line here. What a scene does not allow (only BSDF samples under a point light) is
+# left out with candela's own words.
+CURVES = {
+    "path": {},
+    "path, balance heuristic": {"heuristic": "balance"},
+    "path, light samples": {"sampling": "light"},
+    "path, BSDF samples": {"sampling": "bsdf"},
+    "path, cosine": {"sampling": "cosine"},
+    "path, uniform": {"sampling": "uniform"},
+    "path, 1 replicate": {"replicates": 1},
+    "path, not robust": {"robust": "off"},
+    "report": {"integrator": "report"},
+}
+GOALS = (1e-2, 1e-3)
+
+
+def add_arguments(parser):
+    chosen_scenes.add_argument(parser, "the shipped and the generated ones")
+    parser.add_argument("--quick", action="store_true", help="48x48, 4 and 16 spp, 2 seeds")
+    parser.add_argument("--seeds", type=int, help="pictures a point (5)")
+    parser.add_argument("--size", type=int, metavar="N", help="pixels a side (96)")
+    parser.add_argument("--most", type=int, metavar="SPP", help="samples of the last point (256)")
+    parser.add_argument("--curve", action="append", choices=CURVES, metavar="NAME",
+                        help="only this one; may be given several times: " + ", ".join(CURVES))
+    parser.add_argument("--threads", type=int, default=1, help="of the measured pictures (1)")
+
+
+def default_scenes():
+    return [name for name in chosen_scenes.names() if not name.startswith(("lab3/", "pbrt/"))]
+
+
+def run(options):
+    from renders import Candela
+    from results import Results
+    out = options.out.resolve()
+    candela = Candela(options.program, out / "renders")
+    results = Results(out, "Convergence", __doc__, candela.version())
+    size = options.size or (48 if options.quick else 96)
+    most = options.most or (16 if options.quick else 256)
+    seeds = range(1, 1 + (options.seeds or (2 if options.quick else 5)))
+    counts = [4 ** power for power in range(1, 10) if 4 ** power <= most]
+    curves = {name: CURVES[name] for name in options.curve or CURVES}
+    scenes = chosen_scenes.chosen(candela, out, options.scenes, default_scenes())
+    rows, ends = [], []
+    for name, scene in scenes.items():
+        right = truth.reference(candela, name, scene, size, 16 * most)
+        allowed = [curve for curve in curves if is_allowed(results, candela, name, scene, curve)]
+        own = [{"scene": name, "curve": curve, "spp": spp} | truth.summary(runs, right)
+               for spp in counts
+               for curve, runs in in_turn(candela, scene, right, allowed, spp, size, seeds,
+                                          options.threads).items()]
+        rows += own
+        ends += [end_of(name, curve, [r for r in own if r["curve"] == curve]) for curve in allowed]
+        for file, caption in plotted(out, name, allowed, own):
+            results.plot(file, caption)
+        print(f"{name}: {len(own)} points", flush=True)
+    results.table("convergence", f"All points, {size}x{size}, {len(seeds)} seeds", rows)
+    results.table("goals", "CPU seconds to a relMSE, where the curve gets there; exponent of relMSE "
+                  "over samples", ends, "-1 for independent samples.")
+    results.finish()
+
+
+def is_allowed(results, candela, name, scene, curve):
+    try:
+        candela.render("allowed", scene, png=False, size="4x4", spp=1, **CURVES[curve])
+        return True
+    except CandelaFailed as reason:
+        results.note(f"{name}, {curve}: left out. {str(reason).splitlines()[0]}")
+        return False
+
+
+def in_turn(candela, scene, right, curves, spp, size, seeds, threads):
+    """{curve: [Run by seed]}"""
+    found = {curve: [] for curve in curves}
+    for seed in seeds:
+        for curve in curves:
+            found[curve].append(truth.measured(candela, scene, right, spp=spp, seed=seed,
+                                               size=f"{size}x{size}", threads=threads,
+                                               **CURVES[curve]))
+    return found
+
+
+def end_of(name, curve, rows):
+    seconds, relmse = ([row[key] for row in rows] for key in ("cpu_s", "relmse"))
+    positive = [(row["spp"], row["relmse"]) for row in rows if row["relmse"] > 0]
+    line = {"scene": name, "curve": curve,
+            "exponent": fit_power(*zip(*positive)).exponent if len(positive) > 1 else None}
+    for goal in GOALS:
+        line[f"s_to_{goal:g}"] = x_where(goal, seconds, relmse)
+    return line | {"relmse_cpu_s": rows[-1]["relmse_cpu_s"], "reference": rows[-1]["reference"]}
+
+
+def plotted(out, name, curves, rows):
+    import plots
+    for key, label in (("cpu_s", "CPU seconds"), ("spp", "samples a pixel")):
+        lines = []
+        for curve in curves:
+            own = [row for row in rows if row["curve"] == curve and row["relmse_low"] > 0]
+            y = [row["relmse"] for row in own]
+            lines.append((curve, [row[key] for row in own], y, {},
+                          [[a - row["relmse_low"] for a, row in zip(y, own)],
+                           [row["relmse_high"] - a for a, row in zip(y, own)]]))
+        file = f"{chosen_scenes.safe(name)}_{key}.png"
+        plots.power_plot(out / file, lines, label, "relMSE")
+        yield file, f"{name}: relMSE against {label}"

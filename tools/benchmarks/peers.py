@@ -1,0 +1,193 @@
+"""The same scenes by candela and by Blender's Cycles, in pairs that take turns: time to an error.
+
+Box filter, no denoising, no clamping, no adaptive sampling, depth without limit against 100. Each
+renderer is measured against a long reference of its own, of other seeds, so that no difference
+between the two counts as an error of either; how far the references' means are apart is told
+beside. Time is of rendering alone. Cycles' CPU time is that of the call that renders, less what a
+picture of one sample costs (start-up, synchronization, file), in proportion to the other samples.
+Beside it Embree's tutorial path tracer, for speed at equal samples: it draws point lights only, ends
+paths early and writes 8 bits, so nothing is said of its error.
+"""
+
+import dataclasses
+import os
+import pathlib
+
+import chosen_scenes
+import truth
+from fits import geometric_mean, spread, x_where
+
+ABOUT = "the same scenes by Blender's Cycles: time to the same error; Embree's path tracer's speed"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BLENDER_SCENES = ("point_lit", "sun_lit", "environment_lit")
+# Blender's unit is the metre, the Cornell box's the millimetre.
+SCALES = {"cornell_box_diffuse": .001}
+GOALS = (1e-2, 1e-3)
+
+
+def default_scenes():
+    return ("cornell_box_diffuse", *BLENDER_SCENES,
+            *(f"gen/{name}" for name in chosen_scenes.GENERATED))
+
+
+def add_arguments(parser):
+    parser.add_argument("scenes", nargs="*", metavar="SCENE",
+                        help="names: " + ", ".join(default_scenes()))
+    parser.add_argument("--quick", action="store_true", help="48x48, 4 and 16 spp, 2 pairs")
+    parser.add_argument("--pairs", type=int, help="runs of each renderer (5)")
+    parser.add_argument("--size", type=int, metavar="N", help="pixels a side (128)")
+    parser.add_argument("--most", type=int, metavar="SPP", help="samples of the last point (256)")
+    parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)),
+                        help="of both (all processors)")
+    parser.add_argument("--blender", default="blender", metavar="PROGRAM", help="Blender (blender)")
+
+
+def run(options):
+    from blender.cycles_renders import Cycles
+    from renders import Candela
+    from results import Results
+    out = options.out.resolve()
+    candela = Candela(options.program, out / "candela")
+    # What a later Blender has to offer beside the plain settings counts for it.
+    cycles = Cycles(out / "cycles", options.threads, options.blender, {"use_light_tree": True})
+    results = Results(out, "candela and its peers", __doc__, f"{candela.version()}; "
+                      f"{cycles.version()}; {options.threads} threads")
+    bench = Bench(candela, cycles, options.size or (48 if options.quick else 128),
+                  ladder(options.most or (16 if options.quick else 256)),
+                  options.pairs or (2 if options.quick else 5), options.threads)
+    points, ratios = [], []
+    for name, file in scene_files(candela, out, options.scenes or default_scenes()).items():
+        own_points, own_ratios = bench.measure(name, file)
+        points += own_points
+        ratios += own_ratios
+        print(f"{name}: relMSE * CPU seconds, Cycles / candela: "
+              f"{own_ratios[-1]['cpu_ratio']:.2f}", flush=True)
+    results.table("points", f"All points, {bench.size}x{bench.size}, {bench.pairs} pairs", points)
+    results.table("ratios", "Cycles over candela: times as slow to the same error", ratios,
+                  "By relMSE * seconds at equal samples, and by the time to a relMSE where both get "
+                  "there; ranges over the pairs.")
+    last = [r for r in ratios if r["by"] == f"{bench.counts[-1]} spp" and r["cpu_ratio"] > 0]
+    results.note(f"geometric mean over {len(last)} scenes at {bench.counts[-1]} spp: "
+                 f"{geometric_mean(r['cpu_ratio'] for r in last):.2f} by CPU time, "
+                 f"{geometric_mean(r['wall_ratio'] for r in last):.2f} by wall time; least "
+                 f"{min(r['cpu_ratio'] for r in last):.2f}")
+    from blender import embree_path_tracer
+    embree_path_tracer.compare(results, candela, out / "embree", bench.size, bench.pairs,
+                               options.threads)
+    results.finish()
+
+
+def ladder(most):
+    return [4 ** power for power in range(1, 10) if 4 ** power <= most]
+
+
+def scene_files(candela, out, wanted):
+    files = {}
+    for name in wanted:
+        if name in BLENDER_SCENES:
+            files[name] = ROOT / "tools" / "benchmarks" / "blender" / "scenes" / f"{name}.yaml"
+        else:
+            files |= chosen_scenes.chosen(candela, out, [name], ())
+    return files
+
+
+@dataclasses.dataclass
+class Bench:
+    candela: object
+    cycles: object
+    size: int
+    counts: list  # of samples a pixel
+    pairs: int
+    threads: int
+
+    def measure(self, name, file):
+        """(points, ratios): rows of the two tables."""
+        from blender import blender_scene
+        scene = blender_scene.read(file, SCALES.get(name, 1))
+        spp = 16 * self.counts[-1]
+        ours = truth.reference(self.candela, name, file, self.size, spp)
+        theirs = self.cycles_reference(name, scene, spp)
+        apart = float(ours.image.mean() / theirs.image.mean())
+        pairs = [(self.our_ladder(file, ours, seed), self.their_ladder(name, scene, theirs, seed))
+                 for seed in range(1, self.pairs + 1)]
+        points = []
+        for i, count in enumerate(self.counts):
+            for who, part, right in (("candela", 0, ours), ("Cycles", 1, theirs)):
+                runs = [pair[part][i] for pair in pairs]
+                points.append({"scene": name, "renderer": who, "spp": count}
+                              | truth.summary(runs, right) | {"means_candela_over_Cycles": apart})
+        return points, [{"scene": name} | row for row in ratios_of(pairs, self.counts)]
+
+    def our_ladder(self, file, right, seed):
+        return [truth.measured(self.candela, file, right, size=f"{self.size}x{self.size}",
+                               spp=spp, seed=seed, threads=self.threads) for spp in self.counts]
+
+    def their_ladder(self, name, scene, right, seed):
+        """One process: a picture to warm up, one of one sample to take off, and those that count."""
+        most = 16 * self.counts[-1]
+        jobs = [self.job(name, 1, seed + 1000, most), self.job(name, 1, seed, most),
+                *(self.job(name, spp, seed, most + 16) for spp in self.counts)]
+        pictures = self.cycles.render({chosen_scenes.safe(name): scene}, jobs)
+        start = pictures[jobs[1]].cpu_seconds
+        runs = []
+        for job in jobs[2:]:
+            picture = pictures[job]
+            cpu = max(picture.cpu_seconds - start, 0) * job.spp / (job.spp - 1)
+            runs.append(truth.run_of(picture.colour, right, cpu, picture.seconds, job.spp))
+        return runs
+
+    def job(self, name, spp, seed, first_sample):
+        from blender.cycles_renders import Job
+        return Job(chosen_scenes.safe(name), self.size, self.size, spp, seed,
+                   first_sample=first_sample)
+
+    def cycles_reference(self, name, scene, spp):
+        """From eight seeds, whose spread tells its noise; kept as long as Blender's version and the
+        scene are the same."""
+        import hashlib
+        import json
+
+        import numpy
+        from calibration import with_weight
+        key = hashlib.sha256(json.dumps([self.cycles.version(), self.cycles.settings, scene,
+                                         self.size, spp]).encode()).hexdigest()[:16]
+        file = self.cycles.folder / f"reference_{chosen_scenes.safe(name)}_{key}.npz"
+        if not file.exists():
+            seeds = 8
+            jobs = [self.job(name, spp * 2 // seeds, 900001 + i, 1) for i in range(seeds)]
+            made = self.cycles.render({chosen_scenes.safe(name): scene}, jobs)
+            images = numpy.array([made[job].colour for job in jobs])
+            numpy.savez(file, image=images.mean(axis=0), variance=images.var(axis=0, ddof=1) / seeds)
+        kept = numpy.load(file)
+        return with_weight(kept["image"], kept["variance"])
+
+
+def ratios_of(pairs, counts):
+    """Rows: by relMSE * seconds at each count, and by the time to each goal."""
+    rows = []
+    for i, count in enumerate(counts):
+        error = (spread(theirs[i].relmse for _, theirs in pairs).median
+                 / spread(ours[i].relmse for ours, _ in pairs).median)
+        rows.append({"by": f"{count} spp", "relmse_ratio": error}
+                    | columns("cpu", [error * theirs[i].cpu_seconds / ours[i].cpu_seconds
+                                      for ours, theirs in pairs])
+                    | columns("wall", [error * theirs[i].seconds / ours[i].seconds
+                                       for ours, theirs in pairs]))
+    for goal in GOALS:
+        found = {key: [] for key in ("cpu", "wall")}
+        for ours, theirs in pairs:
+            for key, seconds in (("cpu", "cpu_seconds"), ("wall", "seconds")):
+                a, b = (x_where(goal, [getattr(r, seconds) for r in runs],
+                                [r.relmse for r in runs]) for runs in (ours, theirs))
+                if a and b:
+                    found[key].append(b / a)
+        if found["cpu"] and found["wall"]:
+            rows.append({"by": f"time to {goal:g}", "relmse_ratio": None}
+                        | columns("cpu", found["cpu"]) | columns("wall", found["wall"]))
+    # The last count's row stands last: it is the one that is told.
+    return rows[len(counts):] + rows[:len(counts)]
+
+
+def columns(key, values):
+    of = spread(values)
+    return {f"{key}_ratio": of.median, f"{key}_low": of.low, f"{key}_high": of.high}

@@ -1,0 +1,66 @@
+"""Long references, made once, and how far measured pictures are from them.
+
+relMSE = mean over pixels and channels of (x - r)^2 / (r^2 + 1e-2 mean(r)^2), without the reference's
+own noise, which its seeds tell; it should be below 1/20 of what is claimed with it.
+"""
+
+import dataclasses
+import statistics
+
+from calibration import layers, side_by_side, square, with_weight
+from chosen_scenes import safe
+from fits import spread
+
+REFERENCE_SEEDS = (900001, 900002)
+TRIMMED = 1e-3  # of the pixels, the worst
+NOISE_ALLOWED = 1 / 20
+
+
+def reference(candela, name, scene, size, spp, filter="box"):
+    parts = side_by_side(lambda seed: layers(candela.cached(
+        f"reference_{safe(name)}_{size}_{seed}", scene, integrator="path", size=square(size),
+        spp=spp, seed=seed, replicates=16, threads=1, filter=filter, aov="variance,heavy_tail")),
+        REFERENCE_SEEDS)
+    count = len(parts)
+    return with_weight(sum(p[0] for p in parts) / count, sum(p[1] for p in parts) / count ** 2)
+
+
+def trimmed(truth, image):
+    """relMSE without the worst pixels, whose noise of the reference stays in."""
+    errors = sorted(((image - truth.image) ** 2 * truth.weight).mean(axis=2).ravel())
+    return float(statistics.fmean(errors[:len(errors) - max(1, round(len(errors) * TRIMMED))]))
+
+
+@dataclasses.dataclass
+class Run:
+    """One picture of one seed."""
+    relmse: float
+    trimmed: float
+    cpu_seconds: float
+    seconds: float
+    spp: float
+    mean_ratio: float  # of the picture's mean to the reference's
+
+
+def measured(candela, scene, truth, **options):
+    from exr import read_exr
+    render = candela.render("measured", scene, png=False, filter="box", **options)
+    return run_of(read_exr(render.exr), truth, render.cpu_seconds, render.seconds, render.spp)
+
+
+def run_of(image, truth, cpu_seconds, seconds, spp):
+    return Run(truth.relmse(image), trimmed(truth, image), cpu_seconds, seconds, spp,
+               float(image.mean() / truth.image.mean()))
+
+
+def summary(runs, truth):
+    """Columns of a table: medians, ranges, and whether the reference is good enough."""
+    relmse = spread(run.relmse for run in runs)
+    cpu = spread(run.cpu_seconds for run in runs)
+    return {"relmse": relmse.median, "relmse_low": relmse.low, "relmse_high": relmse.high,
+            "trimmed": spread(run.trimmed for run in runs).median, "cpu_s": cpu.median,
+            "cpu_low": cpu.low, "cpu_high": cpu.high,
+            "wall_s": spread(run.seconds for run in runs).median,
+            "relmse_cpu_s": spread(run.relmse * run.cpu_seconds for run in runs).median,
+            "reference": "good" if truth.own_relmse() < NOISE_ALLOWED * relmse.median
+            else "too noisy"}
