@@ -77,6 +77,14 @@ def ratios_of(pairs, counts):
                            json.loads(counts))
 
 
+def better_setting(costs):
+    """`costs`: {setting: [relMSE * seconds of the last point, by pair]}."""
+    costs = json.loads(costs)
+    count = len(next(iter(costs.values())))
+    return peers.better_setting([{setting: runs_of([[9, 9, 9], [1, values[i], 1]])
+                                  for setting, values in costs.items()} for i in range(count)])
+
+
 def errors(shape, reference_noise, picture_noise):
     """relMSE and its trimmed version of a noisy picture against a noisy reference of grey 2, and what
     they are to be: the picture's variance over its denominator; one pixel is off by 100."""

@@ -136,6 +136,11 @@ TEST_F(Unit_Benchmarks, PeersRatiosAreTheirsOverOurs) {
   EXPECT_NEAR(rows[2]["relmse_ratio"], 0.5, 1e-12);
 }
 
+TEST_F(Unit_Benchmarks, TheBetterSettingIsThatOfTheLeastMedian) {
+  EXPECT_EQ(ask({"better_setting", R"({"a": [1, 5, 9], "b": [4, 4, 90]})"}), "b");
+  EXPECT_EQ(ask({"better_setting", R"({"a": [1, 3, 9], "b": [4, 4, 90]})"}), "a");
+}
+
 // relMSE is the picture's own, without the reference's noise. Its standard error over 64 x 64 x 3
 // values of variance v: (v + r) sqrt(2 / 12288) / v with r of the reference: 1.6 % here.
 TEST_F(Unit_Benchmarks, TheReferencesNoiseIsTakenOff) {

@@ -127,6 +127,20 @@ TEST_F(Unit_SceneGen, LargeMeshesAreFlatOrSmoothAsSmallOnesAre) {
   }
 }
 
+TEST_F(Unit_SceneGen, TheForestShowsTenMillionTrianglesAndStoresFew) {
+  const std::string folder = fresh_folder("forest");
+  ASSERT_EQ(Program({python, "-B", CANDELA_SOURCE_DIR "/tools/dev/scene_gen/main.py", "forest",
+                     "--out", folder},
+                    ErrorStream::File)
+                .finish()
+                .exit_code,
+            0);
+  const Json info =
+      Json::parse(run_candela({"info", folder + "/forest.yaml", "--json", "--strict"}).output);
+  EXPECT_GT(info["instanced_triangles"], 10'000'000);
+  EXPECT_LT(info["triangles"], 50'000);
+}
+
 TEST_F(Unit_SceneGen, TheCommandWritesWhatItSaysAndRefusesInASentence) {
   const std::string folder = fresh_folder("command");
   const auto run = [&](const std::string& albedo) {

@@ -28,10 +28,11 @@ class Technique:
 
 SAME_KERNEL = {"heuristic": "balance"}
 
-TECHNIQUES = (
+TECHNIQUES = (  # a row is a line
     Technique("kernel for what the scene needs", {"kernel": "general"}, same_picture=True),
     Technique("Embree (off: reference BVH)", {"accel": "bvh"}, same_picture=True),
     Technique("robust mode", {"robust": "off"}, same_picture=True),
+    Technique("adaptive sampling", {"adaptive": "off"}),
     Technique("four replicates (off: one, no stated error)", {"replicates": 1}),
     Technique("light and BSDF samples (off: light alone)", {"sampling": "light"},
               timed_on=SAME_KERNEL),
@@ -39,8 +40,7 @@ TECHNIQUES = (
               timed_on=SAME_KERNEL),
     Technique("directions by the BSDF (off: by the cosine)", {"sampling": "cosine"},
               timed_on=SAME_KERNEL),
-    Technique("power heuristic (off: balance)", {"heuristic": "balance"},
-              timed_on=SAME_KERNEL),
+    Technique("power heuristic (off: balance)", {"heuristic": "balance"}, timed_on=SAME_KERNEL),
 )
 GAIN, LOSS = 1.05, .97
 
@@ -50,7 +50,7 @@ def add_arguments(parser):
     parser.add_argument("--quick", action="store_true", help="48x48, 16 spp, 3 pairs")
     parser.add_argument("--pairs", type=int, help="pictures with and without (8)")
     parser.add_argument("--size", type=int, metavar="N", help="pixels a side (96)")
-    parser.add_argument("--spp", type=int, help="samples of a picture (64)")
+    parser.add_argument("--spp", type=int, help="samples of a picture (128: adaptive sampling's least)")
     parser.add_argument("--threads", type=int, default=1, help="(1)")
 
 
@@ -62,7 +62,7 @@ def run(options):
     candela = Candela(options.program, out / "renders")
     results = Results(out, "Ablation", __doc__, candela.version())
     size = options.size or (48 if options.quick else 96)
-    spp = options.spp or (16 if options.quick else 64)
+    spp = options.spp or (16 if options.quick else 128)
     pairs = options.pairs or (3 if options.quick else 8)
     scenes = chosen_scenes.chosen(candela, out, options.scenes, default_scenes())
     rows = []

@@ -14,6 +14,7 @@ ABOUT = "relMSE against seconds and samples, by sampling and option"
 # left out with candela's own words.
 CURVES = {
     "path": {},
+    "path, not adaptive": {"adaptive": "off"},
     "path, balance heuristic": {"heuristic": "balance"},
     "path, light samples": {"sampling": "light"},
     "path, BSDF samples": {"sampling": "bsdf"},

@@ -7,11 +7,18 @@ beside. Time is of rendering alone. Cycles' CPU time is that of the call that re
 picture of one sample costs (start-up, synchronization, file), in proportion to the other samples.
 Beside it Embree's tutorial path tracer, for speed at equal samples: it draws point lights only, ends
 paths early and writes 8 bits, so nothing is said of its error.
+
+With --all candela has its adaptive sampling, and Cycles the better, by its last point, of a fixed
+number of samples and of its noise threshold.
 """
 
 import dataclasses
+import hashlib
+import json
+import math
 import os
 import pathlib
+import statistics
 
 import chosen_scenes
 import truth
@@ -23,6 +30,9 @@ BLENDER_SCENES = ("point_lit", "sun_lit", "environment_lit")
 # Blender's unit is the metre, the Cornell box's the millimetre.
 SCALES = {"cornell_box_diffuse": .001}
 GOALS = (1e-2, 1e-3)
+PILOTS = 128  # samples a pixel from which on candela's sampling adapts
+THRESHOLD = .4  # of Cycles' noise, over the root of the samples that it should about take
+MOST_ADAPTIVE = 4096
 
 
 def default_scenes():
@@ -34,6 +44,8 @@ def add_arguments(parser):
     parser.add_argument("scenes", nargs="*", metavar="SCENE",
                         help="names: " + ", ".join(default_scenes()))
     parser.add_argument("--quick", action="store_true", help="48x48, 4 and 16 spp, 2 pairs")
+    parser.add_argument("--all", action="store_true",
+                        help="all that candela has against the better of Cycles' settings")
     parser.add_argument("--pairs", type=int, help="runs of each renderer (5)")
     parser.add_argument("--size", type=int, metavar="N", help="pixels a side (128)")
     parser.add_argument("--most", type=int, metavar="SPP", help="samples of the last point (256)")
@@ -54,7 +66,7 @@ def run(options):
                       f"{cycles.version()}; {options.threads} threads")
     bench = Bench(candela, cycles, options.size or (48 if options.quick else 128),
                   ladder(options.most or (16 if options.quick else 256)),
-                  options.pairs or (2 if options.quick else 5), options.threads)
+                  options.pairs or (2 if options.quick else 5), options.threads, options.all)
     points, ratios = [], []
     for name, file in scene_files(candela, out, options.scenes or default_scenes()).items():
         own_points, own_ratios = bench.measure(name, file)
@@ -99,6 +111,7 @@ class Bench:
     counts: list  # of samples a pixel
     pairs: int
     threads: int
+    with_all: bool
 
     def measure(self, name, file):
         """(points, ratios): rows of the two tables."""
@@ -108,33 +121,41 @@ class Bench:
         ours = truth.reference(self.candela, name, file, self.size, spp)
         theirs = self.cycles_reference(name, scene, spp)
         apart = float(ours.image.mean() / theirs.image.mean())
-        pairs = [(self.our_ladder(file, ours, seed), self.their_ladder(name, scene, theirs, seed))
+        pairs = [(self.our_ladder(file, ours, seed), self.their_ladders(name, scene, theirs, seed))
                  for seed in range(1, self.pairs + 1)]
+        setting = better_setting([ladders for _, ladders in pairs])
+        pairs = [(own, ladders[setting]) for own, ladders in pairs]
         points = []
         for i, count in enumerate(self.counts):
-            for who, part, right in (("candela", 0, ours), ("Cycles", 1, theirs)):
+            for who, part, right in (("candela", 0, ours), (setting, 1, theirs)):
                 runs = [pair[part][i] for pair in pairs]
-                points.append({"scene": name, "renderer": who, "spp": count}
+                points.append({"scene": name, "renderer": who,
+                               "spp": statistics.median(run.spp for run in runs)}
                               | truth.summary(runs, right) | {"means_candela_over_Cycles": apart})
         return points, [{"scene": name} | row for row in ratios_of(pairs, self.counts)]
 
     def our_ladder(self, file, right, seed):
-        return [truth.measured(self.candela, file, right, size=f"{self.size}x{self.size}",
-                               spp=spp, seed=seed, threads=self.threads) for spp in self.counts]
+        return [truth.measured(self.candela, file, right, size=f"{self.size}x{self.size}", spp=spp,
+                               seed=seed, threads=self.threads,
+                               adaptive="on" if self.with_all and spp >= PILOTS else "off")
+                for spp in self.counts]
 
-    def their_ladder(self, name, scene, right, seed):
-        """One process: a picture to warm up, one of one sample to take off, and those that count."""
-        most = 16 * self.counts[-1]
-        jobs = [self.job(name, 1, seed + 1000, most), self.job(name, 1, seed, most),
-                *(self.job(name, spp, seed, most + 16) for spp in self.counts)]
-        pictures = self.cycles.render({chosen_scenes.safe(name): scene}, jobs)
-        start = pictures[jobs[1]].cpu_seconds
-        runs = []
-        for job in jobs[2:]:
-            picture = pictures[job]
-            cpu = max(picture.cpu_seconds - start, 0) * job.spp / (job.spp - 1)
-            runs.append(truth.run_of(picture.colour, right, cpu, picture.seconds, job.spp))
-        return runs
+    def their_ladders(self, name, scene, right, seed):
+        """One process: a picture to warm up, one of one sample to take off, and those that count.
+        By setting."""
+        first = 16 * self.counts[-1]
+        start = [self.job(name, 1, seed + 1000, first), self.job(name, 1, seed, first)]
+        ladders = {"Cycles": [self.job(name, spp, seed, first + 16) for spp in self.counts]}
+        if self.with_all:
+            ladders["Cycles, adaptive"] = [
+                dataclasses.replace(self.job(name, MOST_ADAPTIVE, seed, 0),
+                                    noise_threshold=round(THRESHOLD / math.sqrt(spp), 4))
+                for spp in self.counts]
+        pictures = self.cycles.render({chosen_scenes.safe(name): scene},
+                                      start + sum(ladders.values(), []))
+        taken_off = pictures[start[1]].cpu_seconds
+        return {setting: [their_run(pictures[job], right, taken_off) for job in jobs]
+                for setting, jobs in ladders.items()}
 
     def job(self, name, spp, seed, first_sample):
         from blender.cycles_renders import Job
@@ -144,9 +165,6 @@ class Bench:
     def cycles_reference(self, name, scene, spp):
         """From eight seeds, whose spread tells its noise; kept as long as Blender's version and the
         scene are the same."""
-        import hashlib
-        import json
-
         import numpy
         from calibration import with_weight
         key = hashlib.sha256(json.dumps([self.cycles.version(), self.cycles.settings, scene,
@@ -160,6 +178,19 @@ class Bench:
             numpy.savez(file, image=images.mean(axis=0), variance=images.var(axis=0, ddof=1) / seeds)
         kept = numpy.load(file)
         return with_weight(kept["image"], kept["variance"])
+
+
+def their_run(picture, right, taken_off):
+    cpu = max(picture.cpu_seconds - taken_off, 0) * picture.spp / (picture.spp - 1)
+    return truth.run_of(picture.colour, right, cpu, picture.seconds, picture.spp)
+
+
+def better_setting(ladders):
+    """`ladders`: {setting: [Run by point]} of each pair."""
+    def cost(setting):
+        last = [of[setting][-1] for of in ladders]
+        return statistics.median(run.relmse * run.cpu_seconds for run in last)
+    return min(ladders[0], key=cost)
 
 
 def ratios_of(pairs, counts):

@@ -16,10 +16,11 @@ TRIMMED = 1e-3  # of the pixels, the worst
 NOISE_ALLOWED = 1 / 20
 
 
-def reference(candela, name, scene, size, spp, filter="box"):
+def reference(candela, name, scene, size, spp):
     parts = side_by_side(lambda seed: layers(candela.cached(
         f"reference_{safe(name)}_{size}_{seed}", scene, integrator="path", size=square(size),
-        spp=spp, seed=seed, replicates=16, threads=1, filter=filter, aov="variance,heavy_tail")),
+        spp=spp, seed=seed, replicates=16, threads=1, filter="box", adaptive="off",
+        aov="variance,heavy_tail")),
         REFERENCE_SEEDS)
     count = len(parts)
     return with_weight(sum(p[0] for p in parts) / count, sum(p[1] for p in parts) / count ** 2)
