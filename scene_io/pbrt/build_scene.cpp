@@ -66,6 +66,7 @@ class Meshes {
 
   // The shapes in the order in which they are added.
   void add(ShapeStatement& shape) {
+    if (is_curved(shape)) ++curved_count_;
     const bool needs_uvs = has_texture(context_.program, shape.material) || has_texture(shape);
     const std::string key = mesh_key(shape, {context_.scene.path, needs_uvs}, context_.report);
     std::size_t job = jobs_.size();
@@ -75,11 +76,12 @@ class Meshes {
   }
 
   void make() {
+    const std::uint32_t segments = segments_for(curved_count_);
     std::vector<std::optional<Mesh>> meshes(jobs_.size());
     parallel_for(jobs_.size(), [&](std::size_t i) {
       MeshJob& job = jobs_[i];
       const Report report(job.diagnostics);
-      meshes[i] = make_mesh(*job.shape, {context_.scene.path, job.needs_uvs}, report);
+      meshes[i] = make_mesh(*job.shape, {context_.scene.path, job.needs_uvs, segments}, report);
       for (Parameter& parameter : job.shape->statement.parameters)
         if (parameter.numbers.size() > 16) parameter.numbers = {};  // it is in the mesh
     });
@@ -105,6 +107,7 @@ class Meshes {
   std::vector<MeshJob> jobs_;
   std::vector<PlacedShape> shapes_;
   std::map<std::string, std::size_t> job_of_;
+  std::size_t curved_count_ = 0;
 };
 
 // Areas of a mesh in the world and of its texture coordinates.

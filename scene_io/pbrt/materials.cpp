@@ -117,7 +117,7 @@ std::array<Vec3d, 2> read_metal(MaterialReader& reader, std::string_view prefix)
 }
 
 std::size_t Materials::index_of(const MaterialUse& use) {
-  if (use.name.empty()) return use.index;
+  if (use.name.empty()) return first_equal(use.index);
   const auto& named = context_.program.material_named;
   const auto found = named.find(use.name);
   if (found != named.end()) return found->second;
@@ -128,6 +128,21 @@ std::size_t Materials::index_of(const MaterialUse& use) {
         use.place, fmt::format("there is no material {}{}", text::quoted(use.name),
                                did_you_mean(std::string_view(use.name).substr(0, 100), names)));
   return grey;
+}
+
+std::size_t Materials::first_equal(std::size_t index) {
+  if (index == grey) return grey;
+  const auto known = first_equal_.find(index);
+  if (known != first_equal_.end()) return known->second;
+  const Statement& statement = context_.program.materials[index].statement;
+  std::string text = statement.type;
+  for (const Parameter& parameter : statement.parameters) {
+    text += fmt::format("\n{} {}", name_of(parameter.type), parameter.name);
+    for (const double number : parameter.numbers) text += fmt::format(" {}", number);
+    for (const std::string& string : parameter.strings)
+      text += fmt::format(" {}:{}", string.size(), string);
+  }
+  return first_equal_[index] = index_of_text_.try_emplace(text, index).first->second;
 }
 
 const Material& Materials::of(const MaterialUse& use) {
@@ -145,7 +160,8 @@ const Material& Materials::at(std::size_t index) {
 }
 
 void Materials::read_all() {
-  for (std::size_t i = 0; i < context_.program.materials.size(); ++i) (void)at(i);
+  for (std::size_t i = 0; i < context_.program.materials.size(); ++i)
+    if (!context_.program.materials[i].name.empty() || first_equal(i) == i) (void)at(i);
 }
 
 // The type of a named material is a parameter.

@@ -24,6 +24,7 @@ class Materials {
   static constexpr std::size_t grey = none;
 
   [[nodiscard]] std::size_t index_of(const MaterialUse& use);
+  [[nodiscard]] std::size_t first_equal(std::size_t index);
   [[nodiscard]] const description::Material& at(std::size_t index);
   description::Material make(MaterialStatement& statement);
   std::optional<description::Material> mix(Arguments& arguments);
@@ -31,6 +32,10 @@ class Materials {
   Context& context_;
   Textures& textures_;
   std::map<std::size_t, description::Material> made_;
+  // Exporters write the same material before each shape: shapes of one mesh and one material are
+  // instances.
+  std::map<std::string, std::size_t> index_of_text_;
+  std::map<std::size_t, std::size_t> first_equal_;
   int depth_ = 0;  // mixtures of mixtures
 };
 

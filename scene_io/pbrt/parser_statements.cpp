@@ -1,5 +1,6 @@
 // The directives that declare something.
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 #include "scene_io/pbrt/shape.h"
 
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -19,9 +20,9 @@ MaybeMesh mesh_of(Arguments& arguments, const ShapeOptions& options) {
   const std::string& type = arguments.statement().type;
   if (type == "trianglemesh") return triangle_mesh(arguments);
   if (type == "plymesh") return ply_mesh(arguments, options);
-  if (type == "sphere") return sphere(arguments);
-  if (type == "disk") return disk(arguments);
-  if (type == "cylinder") return cylinder(arguments);
+  if (type == "sphere") return sphere(arguments, options);
+  if (type == "disk") return disk(arguments, options);
+  if (type == "cylinder") return cylinder(arguments, options);
   if (type == "bilinearmesh") return bilinear_mesh(arguments);
   if (type == "loopsubdiv") return loop_subdivision(arguments);
   return std::nullopt;
@@ -51,6 +52,17 @@ void refuse(const ShapeStatement& shape, const Report& report) {
 }
 
 }  // namespace
+
+bool is_curved(const ShapeStatement& shape) {
+  const std::string& type = shape.statement.type;
+  return type == "sphere" || type == "disk" || type == "cylinder";
+}
+
+// A sphere has the square of its segments in triangles: half as many rows, two triangles a cell.
+std::uint32_t segments_for(std::size_t curved_shapes) {
+  const double most = 8e6 / static_cast<double>(std::max<std::size_t>(curved_shapes, 1));
+  return static_cast<std::uint32_t>(std::clamp(std::sqrt(most), 12.0, double{finest_segments}));
+}
 
 std::string mesh_key(const ShapeStatement& shape, const ShapeOptions& options,
                      const Report& report) {

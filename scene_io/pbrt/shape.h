@@ -14,9 +14,17 @@
 
 namespace candela::pbrt {
 
+inline constexpr std::uint32_t finest_segments = 128;
+
+// Of a full circle, in a scene with so many curved shapes: they take 8 million triangles at most,
+// or 144 each.
+[[nodiscard]] std::uint32_t segments_for(std::size_t curved_shapes);
+[[nodiscard]] bool is_curved(const ShapeStatement& shape);
+
 struct ShapeOptions {
   const std::string& scene_path;
-  bool needs_uvs = false;  // the material is textured: meshes without get pbrt's
+  bool needs_uvs = false;                    // the material is textured: meshes without get pbrt's
+  std::uint32_t segments = finest_segments;  // of a full circle: see segments_for()
 };
 
 // What tells one mesh from another: shapes with equal keys have equal meshes. Empty: it is alone.

@@ -14,9 +14,9 @@ using MaybeMesh = std::optional<description::Mesh>;
 
 [[nodiscard]] MaybeMesh triangle_mesh(Arguments& arguments);
 [[nodiscard]] MaybeMesh ply_mesh(Arguments& arguments, const ShapeOptions& options);
-[[nodiscard]] MaybeMesh sphere(Arguments& arguments);
-[[nodiscard]] MaybeMesh disk(Arguments& arguments);
-[[nodiscard]] MaybeMesh cylinder(Arguments& arguments);
+[[nodiscard]] MaybeMesh sphere(Arguments& arguments, const ShapeOptions& options);
+[[nodiscard]] MaybeMesh disk(Arguments& arguments, const ShapeOptions& options);
+[[nodiscard]] MaybeMesh cylinder(Arguments& arguments, const ShapeOptions& options);
 [[nodiscard]] MaybeMesh bilinear_mesh(Arguments& arguments);
 [[nodiscard]] MaybeMesh loop_subdivision(Arguments& arguments);
 

@@ -12,10 +12,6 @@ namespace {
 
 using description::Mesh;
 
-// Around, and from pole to pole: chords are within 0.03 % of the radius from a sphere.
-constexpr std::uint32_t columns = 128;
-constexpr std::uint32_t rows = 64;
-
 double clamped_angle(Arguments& arguments) {
   return std::clamp(arguments.number("phimax").value_or(360), 0.0, 360.0) * (pi_double / 180);
 }
@@ -29,8 +25,9 @@ std::optional<double> radius_of(Arguments& arguments) {
   return std::nullopt;
 }
 
-std::uint32_t columns_for(double phi_max) {
-  return std::max(3u, static_cast<std::uint32_t>(std::ceil(columns * phi_max / (2 * pi_double))));
+std::uint32_t columns_for(double phi_max, const ShapeOptions& options) {
+  const double columns = std::ceil(options.segments * phi_max / (2 * pi_double));
+  return std::max(3u, static_cast<std::uint32_t>(columns));
 }
 
 double area_of(const Mesh& mesh) {
@@ -42,8 +39,8 @@ double area_of(const Mesh& mesh) {
 }
 
 // So much larger than the chord must a polygon's radius be for the circle's circumference.
-double circumference_factor(double phi_max) {
-  const double half_step = phi_max / columns_for(phi_max) / 2;
+double circumference_factor(double phi_max, std::uint32_t columns) {
+  const double half_step = phi_max / columns / 2;
   return half_step > 0 ? half_step / std::sin(half_step) : 1;
 }
 
@@ -85,13 +82,14 @@ void append_grid(std::uint32_t grid_columns, std::uint32_t grid_rows,
 }
 
 // u around, v from the lower end to the upper. At the poles all of a row is one point.
-MaybeMesh sphere(Arguments& arguments) {
+MaybeMesh sphere(Arguments& arguments, const ShapeOptions& options) {
   const auto radius = radius_of(arguments);
   if (!radius) return std::nullopt;
   const double r = *radius;
   const double z0 = std::clamp(arguments.number("zmin").value_or(-r), -r, r);
   const double z1 = std::clamp(arguments.number("zmax").value_or(r), -r, r);
   const double phi_max = clamped_angle(arguments);
+  const std::uint32_t columns = columns_for(phi_max, options);
   const double theta0 = std::acos(std::min(z0, z1) / r);
   const double theta1 = std::acos(std::max(z0, z1) / r);
   const auto surface = [&](double u, double v) {
@@ -102,7 +100,7 @@ MaybeMesh sphere(Arguments& arguments) {
     return SurfaceSample{normal * r, normal};
   };
   Mesh mesh;
-  append_grid(columns_for(phi_max), rows, surface, as_is, mesh);
+  append_grid(columns, options.segments / 2, surface, as_is, mesh);
   const double area = area_of(mesh) / (r * r);
   const double exact = phi_max * std::abs(z1 - z0) / r;
   if (area > 0)
@@ -111,13 +109,14 @@ MaybeMesh sphere(Arguments& arguments) {
 }
 
 // u around, v from the rim inwards.
-MaybeMesh disk(Arguments& arguments) {
+MaybeMesh disk(Arguments& arguments, const ShapeOptions& options) {
   const auto radius = radius_of(arguments);
   if (!radius) return std::nullopt;
   const double height = arguments.number("height").value_or(0);
   const double inner = std::clamp(arguments.number("innerradius").value_or(0), 0.0, *radius);
   const double phi_max = clamped_angle(arguments);
-  const double step = phi_max / columns_for(phi_max);
+  const std::uint32_t columns = columns_for(phi_max, options);
+  const double step = phi_max / columns;
   const double factor = step > 0 ? std::sqrt(step / std::sin(step)) : 1;
   const auto surface = [&](double u, double v) {
     const double r = (*radius + (inner - *radius) * v) * factor;
@@ -125,17 +124,18 @@ MaybeMesh disk(Arguments& arguments) {
     return SurfaceSample{{r * std::cos(phi), r * std::sin(phi), height}, {0, 0, 1}};
   };
   Mesh mesh;
-  append_grid(columns_for(phi_max), 1, surface, as_is, mesh);
+  append_grid(columns, 1, surface, as_is, mesh);
   return mesh;
 }
 
-MaybeMesh cylinder(Arguments& arguments) {
+MaybeMesh cylinder(Arguments& arguments, const ShapeOptions& options) {
   const auto radius = radius_of(arguments);
   if (!radius) return std::nullopt;
   const double z0 = arguments.number("zmin").value_or(-1);
   const double z1 = arguments.number("zmax").value_or(1);
   const double phi_max = clamped_angle(arguments);
-  const double r = *radius * circumference_factor(phi_max);
+  const std::uint32_t columns = columns_for(phi_max, options);
+  const double r = *radius * circumference_factor(phi_max, columns);
   const auto surface = [&](double u, double v) {
     const double phi = angle_at(u, phi_max);
     const Vec3d normal(std::cos(phi), std::sin(phi), 0);
@@ -143,7 +143,7 @@ MaybeMesh cylinder(Arguments& arguments) {
                          normal};
   };
   Mesh mesh;
-  append_grid(columns_for(phi_max), 1, surface, as_is, mesh);
+  append_grid(columns, 1, surface, as_is, mesh);
   return mesh;
 }
 

@@ -13,7 +13,7 @@ namespace candela::text {
 struct FileLimits {
   std::uint64_t bytes = std::uint64_t{8} << 30;           // of the file itself
   std::uint64_t inflated_bytes = std::uint64_t{2} << 30;  // of what a .gz holds
-  // A .gz may be inflated so many times, and to `small_bytes` in any case: scenes come to 30 times,
+  // A .gz may be inflated so many times, and to `small_bytes` in any case: scenes come to 15 times,
   // bombs to 1000.
   std::uint64_t inflation = 100;
   std::uint64_t small_bytes = std::uint64_t{1} << 26;

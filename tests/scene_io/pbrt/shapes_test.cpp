@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/math/constants.h"
+#include "scene_io/pbrt/shape.h"
 #include "tests/scene_io/pbrt/pbrt_text.h"
 
 namespace candela {
@@ -113,6 +114,34 @@ TEST(Unit_PbrtShapes, EqualShapesShareAMesh) {
   ASSERT_EQ(scene.instances.size(), 3u);
   EXPECT_EQ(scene.instances[0].mesh, scene.instances[1].mesh);
   EXPECT_TRUE(scene.instances[1].material_override.is_valid());
+}
+
+// Exporters write the same material before each shape.
+TEST(Unit_PbrtShapes, EqualMaterialsAreOne) {
+  const auto scene = pbrt_world(R"(
+    Material "diffuse" "rgb reflectance" [ .1 .2 .3 ]
+    Shape "disk"
+    Material "diffuse" "rgb reflectance" [ .1 .2 .3 ]
+    Shape "disk"
+    Material "diffuse" "rgb reflectance" [ .1 .2 .4 ]
+    Shape "disk")");
+  EXPECT_EQ(scene.meshes.size(), 1u);
+  EXPECT_EQ(scene.materials.size(), 2u);
+  EXPECT_FALSE(scene.instances.at(1).material_override.is_valid());
+}
+
+TEST(Unit_PbrtShapes, ManyCurvedShapesAreCoarser) {
+  EXPECT_EQ(pbrt::segments_for(1), 128u);
+  EXPECT_EQ(pbrt::segments_for(488), 128u);
+  EXPECT_EQ(pbrt::segments_for(2000), 63u);
+  EXPECT_EQ(pbrt::segments_for(1'000'000), 12u);
+  std::string text;
+  for (int i = 0; i < 2000; ++i) text += "Shape \"sphere\"\n";
+  const auto scene = pbrt_world(text);
+  EXPECT_EQ(scene.instances.size(), 2000u);
+  ASSERT_EQ(scene.meshes.size(), 1u);
+  EXPECT_EQ(scene.meshes[0].triangles.size(), 2u * 63 * 30);  // poles are triangles, not quads
+  EXPECT_NEAR(area_of(scene.meshes[0]), 4 * pi_double, 1e-9);
 }
 
 TEST(Unit_PbrtShapes, PatchesAreTheirSurface) {
