@@ -192,6 +192,17 @@ template <FeatureSet F, class A>
 
 // From what the path's ray met to its next ray, which takes its place; false where the path ends.
 // `first_hit`: what the film's layers keep of the camera ray.
+// What is left of light that crossed what the surface holds.
+template <FeatureSet F>
+inline void absorb_within(const Material& material, const SurfacePoint& point, float distance,
+                          PathState& path) {
+  if constexpr ((F.models & model_bit(BsdfModel::Dielectric)) != 0) {
+    if (point.is_front || !material.is_absorbing) return;
+    Rgb depth = material.absorption * distance;
+    path.throughput *= Rgb(decay(depth.x), decay(depth.y), decay(depth.z));
+  }
+}
+
 template <FeatureSet F, class A>
 [[nodiscard]] inline bool step(const PathContext<A>& context, const StepNumbers& numbers,
                                std::uint32_t bounce, const Hit& hit, Ray& ray, PathState& path,
@@ -206,6 +217,7 @@ template <FeatureSet F, class A>
   const Material& material = scene.materials[geometry.material.index];
   Vec3f wo = -ray.direction;
   SurfacePoint point = surface_point_at<F>(scene, hit, material, wo);
+  absorb_within<F>(material, point, hit.t, path);
   if (geometry.is_emissive())
     add_emission<F>(scene, context.options, geometry, hit, ray.direction, path);
   if (bounce == 0 && context.options.aovs != 0)

@@ -96,8 +96,11 @@ struct LabSurface {
       const Rgb f0{normal_reflectance(bsdf.coat->eta())};
       return glossy_surface(coated_diffuse_albedo(bsdf, 1), f0, ggx_width(bsdf.alpha));
     }
-    case BsdfModel::CoatedConductor:
-      return {};
+    case BsdfModel::CoatedConductor: {
+      const Rgb f0 = coated_conductor_albedo(bsdf, 1);
+      return bsdf.is_smooth ? smooth_surface(f0)
+                            : glossy_surface(Rgb{0}, f0, std::max(bsdf.alpha, bsdf.metal_widths.x));
+    }
     case BsdfModel::AnisotropicConductor:
       return glossy_surface(Rgb{0}, conductor_reflectance(bsdf.eta, bsdf.k), bsdf.alpha);
     case BsdfModel::AnisotropicDielectric:

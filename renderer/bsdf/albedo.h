@@ -4,6 +4,7 @@
 #pragma once
 
 #include "renderer/bsdf/bsdf.h"
+#include "renderer/bsdf/coated_conductor.h"
 #include "renderer/bsdf/coated_diffuse.h"
 #include "renderer/bsdf/compensated_cook_torrance.h"
 #include "renderer/bsdf/conductor.h"
@@ -98,7 +99,7 @@ namespace candela {
     case BsdfModel::CoatedDiffuse:
       return coated_diffuse_whole_albedo(bsdf, cos_o);
     case BsdfModel::CoatedConductor:
-      return Rgb{0};
+      return coated_conductor_albedo(bsdf, cos_o);
     case BsdfModel::AnisotropicConductor: {
       Bsdf mean = bsdf;
       mean.alpha = std::sqrt(bsdf.alpha * bsdf.alpha_across);

@@ -46,7 +46,9 @@ struct Bsdf {
   // Anisotropic models and coats: the width along the frame's y, `alpha` being that along x.
   float alpha_across = 1;
   const CoatTable* coat = nullptr;          // coated models
-  const CoatedMetalTable* metal = nullptr;  // CoatedConductor
+  const CoatedMetalTable* metal = nullptr;  // CoatedConductor; its lobe's widths:
+  Vec2f metal_widths{1};
+  int metal_bounces = 0;  // off the metal, at most; 0: no limit
 };
 
 // f(wo, wi) |cos(theta_i)| and the density with which sample_bsdf() would have chosen wi.

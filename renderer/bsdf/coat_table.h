@@ -71,11 +71,7 @@ class CoatTable {
   [[nodiscard]] float smooth_transmittance(float cos_theta) const {
     const DielectricFresnel fresnel = fresnel_dielectric(cos_theta, eta_);
     if (!(fresnel.cos_transmitted > 0)) return 0;
-    constexpr double binary = 1.44269504088896340736;  // 1 / ln 2
-    constexpr double most = 200;                       // e^-most is no light
-    const double depth = std::min(most, double{thickness_} / double{fresnel.cos_transmitted});
-    const auto left = static_cast<float>(binary_exponential(-binary * depth));
-    return (1 - fresnel.reflectance) * left;
+    return (1 - fresnel.reflectance) * decay(thickness_ / fresnel.cos_transmitted);
   }
   [[nodiscard]] Row make_row(double alpha) const;
 

@@ -9,6 +9,7 @@
 #include "renderer/bsdf/albedo.h"  // albedo_estimate
 #include "renderer/bsdf/anisotropic.h"
 #include "renderer/bsdf/bsdf.h"
+#include "renderer/bsdf/coated_conductor.h"
 #include "renderer/bsdf/coated_diffuse.h"
 #include "renderer/bsdf/compensated_cook_torrance.h"
 #include "renderer/bsdf/conductor.h"
@@ -83,6 +84,8 @@ template <ModelSet models = all_models>
         return evaluate_coated_diffuse(bsdf, wo, wi);
       break;
     case BsdfModel::CoatedConductor:
+      if constexpr (has_model<models>(BsdfModel::CoatedConductor))
+        return evaluate_coated_conductor(bsdf, wo, wi);
       break;
     case BsdfModel::AnisotropicConductor:
       if constexpr (has_model<models>(BsdfModel::AnisotropicConductor))
@@ -144,6 +147,8 @@ template <ModelSet models = all_models>
         return sample_coated_diffuse(bsdf, wo, lobe, direction);
       break;
     case BsdfModel::CoatedConductor:
+      if constexpr (has_model<models>(BsdfModel::CoatedConductor))
+        return sample_coated_conductor(bsdf, wo, lobe, direction);
       break;
     case BsdfModel::AnisotropicConductor:
       if constexpr (has_model<models>(BsdfModel::AnisotropicConductor))

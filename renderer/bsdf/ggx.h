@@ -95,7 +95,7 @@ inline constexpr float smallest_ggx_width = 1e-4f;
   return ratio * ratio / (pi * a.x * a.y);
 }
 
-// [Heitz14, eq. 86], of a unit direction on either side.
+// [Heitz14], of a unit direction on either side.
 [[nodiscard]] inline float smith_root(const Vec3f& w, float a) {
   return smith_root(w.z, a);
 }
@@ -134,7 +134,7 @@ inline constexpr float smallest_ggx_width = 1e-4f;
   return 2 * distribution * cos_half / (wo.z + smith_root(wo, a));
 }
 
-// By the smaller width [Eto23, listing 2].
+// By the smaller width [Eto23].
 [[nodiscard]] inline float ggx_reflection_bound(const Vec3f& wo, Vec2f a) {
   return ggx_reflection_bound(wo, std::min(a.x, a.y));
 }

@@ -155,9 +155,12 @@ struct ConductorMaterial {
 
 struct DielectricMaterial {
   double ior = 1.5;
-  ScalarInput roughness{0.0, {}, 0};                 // GGX width; 0 is smooth
-  Vec3d transmittance{1.0};                          // factor of each refraction (MTL's Tf)
-  bool is_thin = false;                              // straight through, both interfaces at once
+  ScalarInput roughness{0.0, {}, 0};  // GGX width; 0 is smooth
+  Vec3d transmittance{1.0};           // factor of each refraction (MTL's Tf)
+  bool is_thin = false;               // straight through, both interfaces at once
+  // Of what the surface holds, a unit of the file's length: exp(-absorption * distance) is left of
+  // light that arrives at the surface from within.
+  Vec3d absorption{0.0};
   std::optional<ScalarInput> roughness_across = {};  // as for Conductor
 };
 

@@ -119,6 +119,7 @@ class Check {
     at_least(glass.ior, 1, "the refractive index");
     widths(glass.roughness, glass.roughness_across, "the roughness");
     colour(glass.transmittance, "the transmittance");
+    positive_colour(glass.absorption, "the absorption");
   }
   void operator()(const CoatedDiffuseMaterial& coated) const {
     input(coated.reflectance, "the reflectance");

@@ -1,21 +1,35 @@
 #include "renderer/description/validate_texture.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
 namespace candela::description {
 namespace {
 
+constexpr std::uint32_t most_depth = 64;
+constexpr std::uint32_t most_lookups = 1024;
+
 bool is_finite_pair(const Vec2d& v) {
   return std::isfinite(v.x) && std::isfinite(v.y);
 }
 
-// Says everything about one texture.
+// What looking a texture up takes.
+struct Cost {
+  std::uint32_t depth = 1;
+  std::uint32_t lookups = 1;
+};
+
+// Says everything about one texture, and sums up what its inputs take.
 class Check {
  public:
-  Check(const SceneDescription& scene, std::size_t index, Diagnostics& diagnostics)
-      : scene_(scene), index_(index), diagnostics_(diagnostics) {}
+  // `costs` of the textures before it.
+  Check(const SceneDescription& scene, const std::vector<Cost>& costs, Diagnostics& diagnostics)
+      : scene_(scene), costs_(costs), index_(costs.size()), diagnostics_(diagnostics) {}
+
+  [[nodiscard]] Cost cost() const { return cost_; }
 
   void operator()(const ImageTexture& t) const {
     if (t.image.index >= scene_.images.size()) error("its image does not exist");
@@ -23,21 +37,21 @@ class Check {
     if (!(t.factor >= 0 && std::isfinite(t.factor)))
       error(fmt::format("its factor is {}, expected at least 0", t.factor));
   }
-  void operator()(const ProductTexture& t) const {
+  void operator()(const ProductTexture& t) {
     input(t.first);
     input(t.second);
   }
-  void operator()(const MixTexture& t) const {
+  void operator()(const MixTexture& t) {
     input(t.first);
     input(t.second);
     input(t.amount);
   }
-  void operator()(const CheckerboardTexture& t) const {
+  void operator()(const CheckerboardTexture& t) {
     mapping(t.mapping);
     input(t.even);
     input(t.odd);
   }
-  void operator()(const DotsTexture& t) const {
+  void operator()(const DotsTexture& t) {
     mapping(t.mapping);
     input(t.inside);
     input(t.outside);
@@ -61,14 +75,19 @@ class Check {
       if (!(v[c] >= 0 && std::isfinite(v[c])))
         return error(fmt::format("a value is {}, expected finite numbers of at least 0", v[c]));
   }
-  void input(const ColourInput& i) const {
+  void input(const ColourInput& i) {
     value(i.factor);
     if (i.map && i.map.index >= scene_.images.size()) error("an image does not exist");
-    if (i.texture && i.texture.index >= index_)
-      error("a texture that it uses does not stand before it");
+    if (!i.texture) return;
+    if (i.texture.index >= index_) return error("a texture that it uses does not stand before it");
+    const Cost& inner = costs_[i.texture.index];
+    cost_ = {std::max(cost_.depth, inner.depth + 1),
+             std::min(cost_.lookups + inner.lookups, 2 * most_lookups)};
   }
 
   const SceneDescription& scene_;
+  const std::vector<Cost>& costs_;
+  Cost cost_;
   std::size_t index_;
   Diagnostics& diagnostics_;
 };
@@ -76,8 +95,18 @@ class Check {
 }  // namespace
 
 void check_textures(const SceneDescription& scene, Diagnostics& diagnostics) {
-  for (std::size_t i = 0; i < scene.textures.size(); ++i)
-    std::visit(Check(scene, i, diagnostics), scene.textures[i].kind);
+  std::vector<Cost> costs;
+  costs.reserve(scene.textures.size());
+  for (const Texture& texture : scene.textures) {
+    Check check(scene, costs, diagnostics);
+    std::visit(check, texture.kind);
+    costs.push_back(check.cost());
+    if (costs.back().depth > most_depth || costs.back().lookups > most_lookups)
+      diagnostics.error(texture.span,
+                        fmt::format("texture '{}' is made of more than {} others, or nested deeper "
+                                    "than {}",
+                                    texture.name, most_lookups, most_depth));
+  }
 }
 
 }  // namespace candela::description

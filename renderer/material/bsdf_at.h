@@ -6,6 +6,7 @@
 #pragma once
 
 #include "renderer/bsdf/bsdf.h"
+#include "renderer/bsdf/coated_conductor.h"
 #include "renderer/bsdf/coated_diffuse.h"
 #include "renderer/bsdf/dielectric.h"
 #include "renderer/bsdf/fresnel.h"
@@ -205,6 +206,27 @@ template <bool textured>
 }
 
 template <bool textured>
+[[nodiscard]] inline Bsdf coated_conductor_at(const Material& material,
+                                              const TextureStore& textures, Vec2f uv) {
+  const Vec2f coat = coat_widths_at<textured>(material, textures, uv);
+  const Vec2f metal{scalar_at<textured>(material.metal_roughness, textures, uv),
+                    scalar_at<textured>(material.metal_roughness_across, textures, uv)};
+  const float eta = material.coat->eta();
+  const Vec2f widths{coated_metal_width(eta, coat.x, metal.x),
+                     coated_metal_width(eta, coat.y, metal.y)};
+  return {.model = BsdfModel::CoatedConductor,
+          .is_smooth = coat.x == 0 && !(std::max(widths.x, widths.y) >= smallest_ggx_width),
+          .alpha = coat.x,
+          .eta = material.eta,
+          .k = material.k,
+          .alpha_across = coat.y,
+          .coat = material.coat.get(),
+          .metal = material.metal.get(),
+          .metal_widths = ggx_width(widths),
+          .metal_bounces = material.coat_bounces};
+}
+
+template <bool textured>
 [[nodiscard]] inline Bsdf dielectric_at(const Material& material, const TextureStore& textures,
                                         Vec2f uv, bool is_front_side) {
   const float eta = is_front_side ? material.eta.x : 1 / material.eta.x;
@@ -273,6 +295,8 @@ template <ModelSet models = all_models, bool textured = true>
         return coated_diffuse_at<textured>(material, textures, uv);
       break;
     case MaterialModel::CoatedConductor:
+      if constexpr (has(BsdfModel::CoatedConductor))
+        return coated_conductor_at<textured>(material, textures, uv);
       break;
   }
   return {};

@@ -59,9 +59,13 @@ struct Material {
   Rgb eta{1.5f};  // Dielectric: all channels alike
   Rgb k{0};
   Rgb transmittance{1};
+  bool is_absorbing = false;  // Dielectric: what it holds, by its absorption a unit of length
+  Rgb absorption{0};
   // Coated models; `roughness` is the coat's. Shared by materials that are coated alike.
   std::shared_ptr<const CoatTable> coat;
   std::shared_ptr<const CoatedMetalTable> metal;
+  ScalarParameter metal_roughness{0, {}, 0};         // CoatedConductor: of the metal
+  ScalarParameter metal_roughness_across{0, {}, 0};  // along dp/dv
   int coat_bounces = 0;               // how often light may leave the surface below; 0: no limit
   Rgb emission{0};                    // radiance
   ScalarParameter opacity{1, {}, 3};  // in [0,1]

@@ -119,6 +119,13 @@ inline void swap_if(bool condition, float& a, float& b) {
   return series * std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52);
 }
 
+// e^-x for x >= 0, relative error below 1e-7; 0 where that is below the normal floats.
+[[nodiscard]] inline float decay(float x) {
+  const double binary = double{x} * -1.44269504088896340736;  // 1 / ln 2
+  if (!(binary > -126)) return 0;
+  return static_cast<float>(binary_exponential(binary));
+}
+
 // base^exponent for a finite base and 0 < exponent <= 4, relative error below 1e-7; 1 stays 1.
 // Negative bases and NaN count as 0. Results beyond the normal floats are infinity or 0, so that
 // flushing of denormals changes nothing.

@@ -37,12 +37,13 @@ void compile_materials(const SceneDescription& description, const CompileOptions
                        Scene& scene, DropCounts& dropped, Diagnostics& diagnostics) {
   const std::vector<bool> used = used_materials(description);
   CoatTables coats;
+  TextureCompiler textures(description, scene.textures, diagnostics);
   for (std::size_t i = 0; i < description.materials.size(); ++i) {
     const description::Material& material = description.materials[i];
     scene.material_names.push_back(material.name);
     if (used[i]) {
-      scene.materials.push_back(
-          compile_material(description, material, options, scene.textures, coats, diagnostics));
+      scene.materials.push_back(compile_material(material, options, textures, coats));
+      scene.materials.back().absorption /= static_cast<float>(scene.normalisation.scale);
     } else {
       scene.materials.emplace_back();
       ++dropped["materials that nothing wears"];

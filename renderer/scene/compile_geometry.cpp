@@ -90,7 +90,9 @@ std::uint32_t vertex_of(const MeshArrays& arrays, std::uint32_t v,
 
 bool reads_uv(const Material& material, bool reads_opacity) {
   return material.diffuse.texture || material.specular.texture || material.roughness.texture ||
-         material.roughness_across.texture || material.is_anisotropic || material.height || material.normal_map || (reads_opacity && material.opacity.texture);
+         material.roughness_across.texture || material.metal_roughness.texture ||
+         material.metal_roughness_across.texture || material.is_anisotropic || material.height ||
+         material.normal_map || (reads_opacity && material.opacity.texture);
 }
 
 // Normals point to the side that windings call outside; where they disagree the normals are right.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "renderer/bsdf/coat_table.h"
+#include "renderer/bsdf/coated_metal_table.h"
 #include "renderer/bsdf/energy_loss.h"
 #include "renderer/material/bsdf_at.h"
 
@@ -13,26 +14,21 @@ namespace {
 using description::ColourInput;
 using description::ScalarInput;
 
-// What a step below needs to register a map.
-struct Registrar {
-  const description::SceneDescription& scene;
-  TextureStore& textures;
-  Diagnostics& diagnostics;
-
-  [[nodiscard]] TextureHandle operator()(description::ImageHandle map) const {
-    return map ? textures.add(scene.images[map.index], diagnostics) : TextureHandle{};
-  }
-};
-
-ColourParameter colour(const ColourInput& input, const Registrar& texture) {
-  return {Rgb(input.factor), texture(input.map)};
+ColourParameter colour(const ColourInput& input, TextureCompiler& texture) {
+  const TextureValue value = texture.input(input);
+  return {Rgb(value.constant), value.texture};
 }
 
-ScalarParameter scalar(const ScalarInput& input, const Registrar& texture) {
-  const TextureHandle map = texture(input.map);
+ScalarParameter scalar(const ScalarInput& input, TextureCompiler& texture) {
+  if (input.texture) {
+    const TextureValue value = texture.texture(input.texture);
+    const int channel = std::max(0, input.channel);
+    return {value.constant[channel], value.texture, channel};
+  }
+  const TextureHandle map = texture.image(input.map);
   int channel = input.channel;
   if (channel == description::alpha_or_first)
-    channel = map && texture.textures.info(map).has_alpha ? 3 : 0;
+    channel = map && texture.store().info(map).has_alpha ? 3 : 0;
   return {static_cast<float>(input.factor), map, channel};
 }
 
@@ -66,7 +62,7 @@ void set_lab_opacity(const description::LabMaterial& lab, const TextureStore& te
 
 struct ModelCompiler {
   const CompileOptions& options;
-  const Registrar& texture;
+  TextureCompiler& texture;
   CoatTables& coats;
   Material& out;
 
@@ -86,7 +82,7 @@ struct ModelCompiler {
     out.specular = colour(m.specular, texture);
     out.roughness.constant = width_of_exponent(m.shininess);
     out.shininess = static_cast<float>(m.shininess);
-    set_lab_opacity(m, texture.textures, out);
+    set_lab_opacity(m, texture.store(), out);
     // ks = 0 asks for no highlight, though Schlick's term would still have one at grazing angles.
     if (!has_map_or_colour(out.specular)) out.model = MaterialModel::Diffuse;
   }
@@ -130,6 +126,8 @@ struct ModelCompiler {
     set_widths(m.roughness, m.roughness_across);
     out.eta = Rgb(static_cast<float>(m.ior));
     out.transmittance = Rgb(m.transmittance);
+    if (!m.is_thin) out.absorption = Rgb(m.absorption);
+    out.is_absorbing = !is_black(out.absorption);
   }
 
   void operator()(const description::CoatedDiffuseMaterial& m) const {
@@ -138,7 +136,13 @@ struct ModelCompiler {
     set_coat(m.coat);
   }
   void operator()(const description::CoatedConductorMaterial& m) const {
-    (*this)(description::ConductorMaterial{.eta = m.eta, .k = m.k, .roughness = m.roughness});
+    out.model = MaterialModel::CoatedConductor;
+    set_conductor(m.eta / m.coat.ior, m.k / m.coat.ior);
+    out.metal_roughness = scalar(m.roughness, texture);
+    out.metal_roughness_across =
+        m.roughness_across ? scalar(*m.roughness_across, texture) : out.metal_roughness;
+    set_coat(m.coat);
+    set_metal_table();
   }
   void operator()(const description::DiffuseTransmissionMaterial& m) const {
     out.model = MaterialModel::DiffuseTransmission;
@@ -158,6 +162,22 @@ struct ModelCompiler {
     const ScalarParameter& b = out.roughness_across;
     out.is_anisotropic = a.texture != b.texture || a.channel != b.channel ||
                          (!a.texture && a.constant != b.constant);
+  }
+  // Of mean widths; where textures vary them there is none, and light of further bounces lacks.
+  void set_metal_table() const {
+    const ScalarParameter* const widths[] = {&out.roughness, &out.roughness_across,
+                                             &out.metal_roughness, &out.metal_roughness_across};
+    for (const ScalarParameter* const width : widths)
+      if (width->texture) return;
+    Bsdf bsdf = bsdf_at(out, texture.store(), Vec2f(0), true);
+    if (bsdf.is_smooth) return;
+    const auto mean = [](float a, float b) { return std::sqrt(a * b); };
+    const CoatedMetalLayers layers{
+        mean(bsdf.alpha, bsdf.alpha_across),
+        mean(out.metal_roughness.constant, out.metal_roughness_across.constant)};
+    bsdf.alpha = bsdf.alpha_across = layers.coat_alpha;
+    bsdf.metal_widths = Vec2f(mean(bsdf.metal_widths.x, bsdf.metal_widths.y));
+    out.metal = std::make_shared<const CoatedMetalTable>(bsdf, layers);
   }
   void set_coat(const description::Coat& coat) const {
     set_widths(coat.roughness, coat.roughness_across);
@@ -186,22 +206,21 @@ std::shared_ptr<const CoatTable> CoatTables::table(float eta, float thickness, f
   return table;
 }
 
-Material compile_material(const description::SceneDescription& scene,
-                          const description::Material& material, const CompileOptions& options,
-                          TextureStore& textures, CoatTables& coats, Diagnostics& diagnostics) {
+Material compile_material(const description::Material& material, const CompileOptions& options,
+                          TextureCompiler& texture, CoatTables& coats) {
   Material out;
-  const Registrar texture{scene, textures, diagnostics};
   std::visit(ModelCompiler{options, texture, coats, out}, material.model);
   if (out.energy_compensation) static_cast<void>(energy_loss_table());  // now, not while rendering
   out.emission = Rgb(material.emission);
   out.emits_both_sides = material.emits_both_sides;
-  if (material.opacity.map || material.opacity.factor != 1) {
+  if (material.opacity.map || material.opacity.texture || material.opacity.factor != 1) {
     out.opacity = scalar(material.opacity, texture);
     out.lab_opacity = false;
   }
-  out.height = texture(material.height);
+  out.height = material.height_texture ? texture.texture(material.height_texture).texture
+                                       : texture.image(material.height);
   out.height_scale = static_cast<float>(material.height_scale);
-  out.normal_map = texture(material.normal_map);
+  out.normal_map = texture.image(material.normal_map);
   return out;
 }
 
@@ -211,7 +230,8 @@ void add_features(const Material& material, SceneFeatures& features) {
   features.bump |= bump;
   features.textures |= bump || material.diffuse.texture || material.specular.texture ||
                        material.roughness.texture || material.roughness_across.texture ||
-                       material.is_anisotropic;
+                       material.metal_roughness.texture ||
+                       material.metal_roughness_across.texture || material.is_anisotropic;
 }
 
 }  // namespace candela

@@ -8,6 +8,7 @@
 
 #include "renderer/description/scene_description.h"
 #include "renderer/scene/compile.h"
+#include "renderer/scene/compile_textures.h"
 #include "renderer/scene/scene.h"
 
 namespace candela {
@@ -22,10 +23,10 @@ class CoatTables {
   std::map<std::array<float, 3>, std::shared_ptr<const CoatTable>> tables_;
 };
 
-[[nodiscard]] Material compile_material(const description::SceneDescription& scene,
-                                        const description::Material& material,
-                                        const CompileOptions& options, TextureStore& textures,
-                                        CoatTables& coats, Diagnostics& diagnostics);
+// Lengths are those of the file.
+[[nodiscard]] Material compile_material(const description::Material& material,
+                                        const CompileOptions& options, TextureCompiler& texture,
+                                        CoatTables& coats);
 
 // Adds what the material needs of a kernel.
 void add_features(const Material& material, SceneFeatures& features);

@@ -22,9 +22,14 @@ struct TextureStore::Files {
   std::map<std::string, std::unique_ptr<TextureFile>> by_path;
 };
 
-// One way to look into one file.
+// One way to look into one file, or a procedural texture.
 class Texture {
  public:
+  Texture(const Procedural& procedural, const TextureInfo& info)
+      : is_ready_(true),
+        is_special_(true),
+        procedural_(std::make_unique<const Procedural>(procedural)),
+        info_(info) {}
   Texture(TextureFile& file, Encoding encoding, Wrap wrap)
       : file_(&file), encoding_(encoding), wrap_(wrap) {
     info_ = {file.width(), file.height(), file.channels(), file.channels() % 2 == 0, file.bytes()};
@@ -33,6 +38,7 @@ class Texture {
   [[nodiscard]] bool is(const TextureFile& file, Encoding encoding, Wrap wrap) const {
     return file_ == &file && encoding_ == encoding && wrap_ == wrap;
   }
+  [[nodiscard]] bool is_image() const { return file_ != nullptr; }
   [[nodiscard]] TextureFile& file() const { return *file_; }
   [[nodiscard]] Wrap wrap() const { return wrap_; }
   [[nodiscard]] const TextureInfo& info() const { return info_; }
@@ -45,45 +51,51 @@ class Texture {
 
   [[nodiscard]] Vec4f texel(int x, int y) {
     if (!is_ready_.load(std::memory_order_acquire)) prepare();
-    if (is_constant_) return constant_;
+    if (is_special_) return constant_;
     // A file may have fewer pixels than its header said when it was added.
     const int column = std::min(x, view_.width - 1);
     const int row = std::min(y, view_.height - 1);
     return filters_.all(view_, {{column, column, 0}, {row, row, 0}});
   }
 
-  [[nodiscard]] Vec4f lookup(Vec2f uv) {
+  // Inputs of procedural textures are in `store`.
+  [[nodiscard]] Vec4f lookup(const TextureStore& store, Vec2f uv) {
     if (!is_ready_.load(std::memory_order_acquire)) prepare();
-    if (is_constant_) return constant_;
+    if (is_special_) return special(store, uv);
     return filters_.all(view_, footprint_of(uv, view_.width, view_.height, wrap_));
   }
 
-  [[nodiscard]] float lookup_alpha(Vec2f uv) {
+  [[nodiscard]] float lookup_alpha(const TextureStore& store, Vec2f uv) {
     if (!is_ready_.load(std::memory_order_acquire)) prepare();
-    if (is_constant_) return constant_.w;
+    if (is_special_) return special(store, uv).w;
     return filters_.alpha(view_, footprint_of(uv, view_.width, view_.height, wrap_));
   }
 
  private:
+  // Of what is no image of several texels.
+  [[nodiscard]] Vec4f special(const TextureStore& store, Vec2f uv) const {
+    return procedural_ ? evaluate_procedural(*procedural_, store, uv) : constant_;
+  }
   void prepare() {
     std::call_once(prepare_once_, [this] {
       const TexelArray& texels = file_->texels();
       view_ = {texels.samples.get(), texels.width, texels.height};
       filters_ = texel_filters(texels.type, texels.channels, encoding_, wrap_ == Wrap::Black);
-      is_constant_ = is_single_texel(texels);
-      if (is_constant_) constant_ = filters_.all(view_, Footprint{});
+      is_special_ = is_single_texel(texels);
+      if (is_special_) constant_ = filters_.all(view_, Footprint{});
       is_ready_.store(true, std::memory_order_release);
     });
   }
 
-  TextureFile* file_;
+  TextureFile* file_ = nullptr;
   std::atomic<bool> is_ready_{false};
-  bool is_constant_ = false;
-  Encoding encoding_;
-  Wrap wrap_;
+  bool is_special_ = false;  // a constant, or procedural
+  Encoding encoding_ = Encoding::Linear;
+  Wrap wrap_ = Wrap::Repeat;
   TexelView view_;
   TexelFilters filters_;
   Vec4f constant_{0};
+  std::unique_ptr<const Procedural> procedural_;
   TextureInfo info_;
   std::once_flag prepare_once_;
 };
@@ -117,12 +129,41 @@ TextureHandle TextureStore::add(const description::Image& image, Diagnostics& di
   return TextureHandle(textures_.size() - 1);
 }
 
+namespace {
+
+// As fine as the finest of its inputs, where it looks at them.
+TextureInfo info_of(const Procedural& procedural, const TextureStore& textures) {
+  const bool is_pattern =
+      procedural.kind == ProceduralKind::Checkerboard || procedural.kind == ProceduralKind::Dots;
+  constexpr float pattern_size = 1024;  // patterns have edges that no texel is fine enough for
+  Vec2f size(is_pattern ? pattern_size : 1.0f);
+  for (const TextureValue& input : procedural.inputs) {
+    if (!input.texture) continue;
+    const TextureInfo& info = textures.info(input.texture);
+    size = glm::max(size, Vec2f(static_cast<float>(info.width), static_cast<float>(info.height)));
+  }
+  constexpr float largest = 1 << 20;
+  const Vec2f seen = glm::clamp(size * glm::abs(procedural.uv_scale), Vec2f(1), Vec2f(largest));
+  return {static_cast<int>(seen.x), static_cast<int>(seen.y), 4, false, 0};
+}
+
+}  // namespace
+
+TextureHandle TextureStore::add(const Procedural& procedural) {
+  textures_.push_back(std::make_unique<Texture>(procedural, info_of(procedural, *this)));
+  return TextureHandle(textures_.size() - 1);
+}
+
+bool TextureStore::is_image(TextureHandle texture) const {
+  return textures_[texture.index]->is_image();
+}
+
 Vec4f TextureStore::lookup(TextureHandle texture, Vec2f uv) const {
-  return textures_[texture.index]->lookup(uv);
+  return textures_[texture.index]->lookup(*this, uv);
 }
 
 float TextureStore::lookup_alpha(TextureHandle texture, Vec2f uv) const {
-  return textures_[texture.index]->lookup_alpha(uv);
+  return textures_[texture.index]->lookup_alpha(*this, uv);
 }
 
 Vec4f TextureStore::texel(TextureHandle texture, int x, int y) const {
@@ -149,6 +190,7 @@ TextureStore::Range widened_by_rounding(const ValueRange& range) {
 TextureStore::Range TextureStore::range_in_triangle(TextureHandle texture, const Vec2f (&uv)[3],
                                                     int channel) const {
   const Texture& used = *textures_[texture.index];
+  if (!used.is_image()) return {0, std::numeric_limits<float>::infinity()};
   const TexelArray& texels = used.file().texels();
   const std::optional<int> stored = stored_channel(texels, channel);
   if (!stored) return {1, 1};
@@ -163,6 +205,7 @@ TextureStore::Range TextureStore::range_in_triangle(TextureHandle texture, const
 TextureStore::RangeGrid TextureStore::range_grid(TextureHandle texture, int channel,
                                                  int cell_side) const {
   const Texture& used = *textures_[texture.index];
+  if (!used.is_image()) return {1, 1, Wrap::Repeat, {}};
   const TexelArray& texels = used.file().texels();
   const std::optional<int> stored = stored_channel(texels, channel);
   if (!stored) return {1, 1, Wrap::Repeat, {{1, 1}}};
@@ -190,7 +233,8 @@ std::size_t TextureStore::size() const {
 }
 
 bool TextureStore::is_decoded(TextureHandle texture) const {
-  return textures_[texture.index]->file().is_decoded();
+  const Texture& used = *textures_[texture.index];
+  return !used.is_image() || used.file().is_decoded();
 }
 
 std::size_t TextureStore::decoded_bytes() const {

@@ -1,5 +1,5 @@
 // Textures: image files kept in their own bit depth, decoded when a ray first needs them, looked up
-// bilinearly.
+// bilinearly; and textures made of them (procedural.h).
 //
 // uv: v = 0 is the image's bottom row, texel centres lie at (i + 0.5) / size. Any float is a valid
 // coordinate; what is not finite counts as 0.
@@ -18,16 +18,15 @@
 #include "renderer/base/handle.h"
 #include "renderer/description/scene_description.h"
 #include "renderer/math/vec.h"
+#include "renderer/texture/procedural.h"
 
 namespace candela {
-
-class Texture;
-using TextureHandle = Handle<Texture>;
 
 using description::Encoding;
 using description::Wrap;
 
-// What the file's header says; read without decoding a pixel.
+// What the file's header says; read without decoding a pixel. Of procedural textures: a size whose
+// texels are about as fine as what they show, and no bytes.
 struct TextureInfo {
   int width = 0;
   int height = 0;
@@ -51,6 +50,9 @@ class TextureStore {
   // their pixels.
   TextureHandle add(const description::Image& image, Diagnostics& diagnostics);
 
+  // Its inputs are textures of this store.
+  TextureHandle add(const Procedural& procedural);
+
   // Bilinear, decoded to linear by the texture's encoding (alpha is never decoded). Greyscale files
   // repeat their value in r, g, b; files without alpha have alpha 1. Values above 1 pass (HDR), and
   // so do negative ones of float files with Encoding::Linear. Colour is not premultiplied by alpha
@@ -59,13 +61,14 @@ class TextureStore {
   [[nodiscard]] Vec4f lookup(TextureHandle texture, Vec2f uv) const;
   // lookup().w, without the work for colour.
   [[nodiscard]] float lookup_alpha(TextureHandle texture, Vec2f uv) const;
-  // One texel, decoded to linear; row 0 is the file's first, 0 <= x < width, 0 <= y < height. For
-  // tables that are built over all texels (environment maps), not for kernels.
+  // One texel of an image, decoded to linear; row 0 is the file's first, 0 <= x < width, 0 <= y <
+  // height. For tables that are built over all texels (environment maps), not for kernels.
   [[nodiscard]] Vec4f texel(TextureHandle texture, int x, int y) const;
 
   // The smallest and largest stored value of `channel` (0..2 colour, 3: alpha; 1 where the file has
   // none) over all texels that a bilinear lookup within the triangle of uvs can touch; decodes.
-  // Integers are in [0,1]. Conservative: may be wider than exact.
+  // Integers are in [0,1]. Conservative: may be wider than exact;
+  // of procedural textures it is everything from 0 on.
   struct Range {
     float low = 0;
     float high = 1;
@@ -74,7 +77,8 @@ class TextureStore {
                                         int channel) const;
 
   // The same by cells: one range for all lookups whose footprint (footprint.h) begins in one cell
-  // of `cell_side` x `cell_side` texels, row by row. Without cells for Wrap::Black. A texture that
+  // of `cell_side` x `cell_side` texels, row by row. Without cells for Wrap::Black and
+  // procedural textures. A texture that
   // is the same everywhere has the size 1x1.
   struct RangeGrid {
     int width = 1;  // in texels
@@ -85,6 +89,8 @@ class TextureStore {
   [[nodiscard]] RangeGrid range_grid(TextureHandle texture, int channel, int cell_side) const;
 
   [[nodiscard]] const TextureInfo& info(TextureHandle texture) const;
+  // Whether it is an image file and no procedural texture; only images have paths.
+  [[nodiscard]] bool is_image(TextureHandle texture) const;
   [[nodiscard]] const std::string& path(TextureHandle texture) const;
   [[nodiscard]] std::size_t size() const;
   // Which have been decoded so far, and the bytes they hold.

@@ -1,11 +1,16 @@
 // BSDFs and directions that the tests of this folder go through.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "renderer/bsdf/bsdf.h"
+#include "renderer/bsdf/coated_conductor.h"
 #include "renderer/bsdf/coated_diffuse.h"
+#include "renderer/bsdf/coated_metal_table.h"
 #include "renderer/sampling/sobol.h"
 
 namespace candela::tests {
@@ -75,6 +80,27 @@ inline Bsdf coated_diffuse(float along, float across, Rgb kd) {
           .coat = &table};
 }
 
+// Rough coats over rough metal.
+inline Bsdf coated_conductor(float coat_alpha, float metal_alpha) {
+  static const CoatTable table(1.5f, 0.01f, -1);
+  static std::map<std::pair<float, float>, std::unique_ptr<const CoatedMetalTable>> metals;
+  const Bsdf metal = conductor(metal_alpha);
+  Bsdf bsdf{.model = BsdfModel::CoatedConductor,
+            .is_smooth = coat_alpha == 0 && metal_alpha == 0,
+            .alpha = coat_alpha,
+            .eta = metal.eta / 1.5f,
+            .k = metal.k / 1.5f,
+            .alpha_across = coat_alpha,
+            .coat = &table,
+            .metal_widths = Vec2f(coated_metal_width(1.5f, coat_alpha, metal_alpha))};
+  if (bsdf.is_smooth) return bsdf;
+  std::unique_ptr<const CoatedMetalTable>& known = metals[{coat_alpha, metal_alpha}];
+  const CoatedMetalLayers layers{coat_alpha, metal_alpha};
+  if (!known) known = std::make_unique<const CoatedMetalTable>(bsdf, layers);
+  bsdf.metal = known.get();
+  return bsdf;
+}
+
 // The models with densities.
 inline std::vector<BsdfCase> rough_cases() {
   const Rgb steel{0.56f, 0.57f, 0.58f};
@@ -108,6 +134,8 @@ inline std::vector<BsdfCase> rough_cases() {
       {"anisotropic_dielectric", anisotropic_dielectric(0.2f, 0.6f, 1.5f)},
       {"anisotropic_dielectric_inside", anisotropic_dielectric(0.8f, 0.4f, 1 / 1.5f)},
       {"sheet", sheet({0.2f, 0.5f, 0.1f}, {0.7f, 0.4f, 0.1f})},
+      {"coated_conductor_0.2_0.3", coated_conductor(0.2f, 0.3f)},
+      {"coated_conductor_0.5_0.05", coated_conductor(0.5f, 0.05f)},
       {"coated_diffuse_0.1", coated_diffuse(0.1f, 0.1f, {0.9f, 0.5f, 0.2f})},
       {"coated_diffuse_0.5_0.2", coated_diffuse(0.5f, 0.2f, {0.9f, 0.5f, 0.2f})},
   };

@@ -50,6 +50,9 @@ std::vector<Bsdf> extreme_bsdfs() {
       all.push_back(tests::coated_diffuse(along, across, Rgb{1}));
     }
   all.push_back(tests::coated_diffuse(0, 0, Rgb{1}));
+  for (const float coat : {0.0f, 1e-3f, 1.0f})
+    for (const float metal : {0.0f, 1e-3f, 1.0f})
+      all.push_back(tests::coated_conductor(coat, metal));
   all.push_back(tests::sheet(Rgb{0}, Rgb{1}));
   all.push_back(tests::sheet(Rgb{0}, Rgb{0}));
   all.push_back({.model = BsdfModel::Mirror, .diffuse = Rgb{1}});

@@ -75,6 +75,31 @@ TEST(Unit_SurfaceKinds, InterfacesAreNotThere) {
   EXPECT_EQ(moments.variance(), 0);
 }
 
+// A slab in a white sky, seen from above: both interfaces, all reflections between them, and what
+// it takes of a crossing. In any unit of length.
+TEST(Statistical_SurfaceKinds, GlassAbsorbsByTheWayWithin) {
+  for (const double unit : {1.0, 1000.0}) {
+    description::DielectricMaterial glass;
+    glass.absorption = Vec3d(0.5, 2, 0) / unit;
+    SceneDescription scene = empty_scene();
+    add_mesh(scene, box(Vec3d(-1, -1, -0.2) * unit, Vec3d(1, 1, 0.2) * unit),
+             add_material(scene, glass));
+    add_light(scene, description::ConstantEnvironment{Vec3d(1.0), true});
+    set_camera(scene, Vec3d(0.3, 0.2, 100) * unit, Vec3d(0.3, 0.2, 0) * unit, 0.01);
+    const Image image = rendered(scene, settings_of(16, 256)).film.to_image(false);
+    for (int c = 0; c < 3; ++c) {
+      statistics::Moments found;
+      for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) found.add(double{image.pixel(x, y)[c]});
+      const double f = 0.04;
+      const double left = std::exp(-0.4 * glass.absorption[c] * unit);
+      const double again = square(f * left);
+      const double expected = f + square(1 - f) * left * (1 + f * left) / (1 - again);
+      EXPECT_NEAR(found.mean(), expected, 1e-4 + 5 * found.standard_error()) << c;
+    }
+  }
+}
+
 // Brushed metal, its grooves along u, seen from above under a light 20 degrees aside: along the
 // grooves, or across them where they spread it.
 double brushed_metal(const description::Mesh& wall, const Vec3d& aside) {

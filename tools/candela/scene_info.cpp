@@ -64,6 +64,7 @@ std::vector<TextureRow> texture_rows(const description::SceneDescription& descri
   std::map<std::string, TextureRow> rows;  // by file: equal files share their pixels
   for (std::size_t i = 0; i < textures.size(); ++i) {
     const TextureHandle handle(i);
+    if (!textures.is_image(handle)) continue;
     const TextureInfo& info = textures.info(handle);
     rows[same_path_key(textures.path(handle))] = {
         textures.path(handle),      info.width, info.height, info.channels, info.bytes, true,

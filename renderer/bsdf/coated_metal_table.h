@@ -1,0 +1,43 @@
+// What the metal's lobe of a coated conductor is multiplied by, colour by colour, so that what
+// comes out of the coat from below is as much as light that is followed from layer to layer brings
+// out.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "renderer/bsdf/bsdf.h"
+#include "renderer/bsdf/fresnel.h"
+
+namespace candela {
+
+// The layers as light meets them: widths as they are, 0 for smooth.
+struct CoatedMetalLayers {
+  float coat_alpha = 0;
+  float metal_alpha = 0;
+};
+
+class CoatedMetalTable {
+ public:
+  // `bsdf`: the coated conductor without a table, of one width a layer, not smooth.
+  CoatedMetalTable(const Bsdf& bsdf, const CoatedMetalLayers& layers);
+
+  // Of one direction; the lobe gets that of both.
+  [[nodiscard]] Rgb scale(float cos_theta) const { return interpolate(scales_, cos_theta); }
+  // What comes out from below of light from this direction.
+  [[nodiscard]] Rgb albedo(float cos_theta) const { return interpolate(albedos_, cos_theta); }
+
+ private:
+  static constexpr std::size_t intervals = 16;  // of the root of the cosine
+  using Row = std::array<Rgb, intervals + 1>;
+  [[nodiscard]] static Rgb interpolate(const Row& row, float cos_theta) {
+    const float x = std::sqrt(clamp_unit(cos_theta)) * static_cast<float>(intervals);
+    const std::size_t i = std::min(static_cast<std::size_t>(x), intervals - 1);
+    return row[i] + (row[i + 1] - row[i]) * (x - static_cast<float>(i));
+  }
+
+  Row scales_{};
+  Row albedos_{};
+};
+
+}  // namespace candela

@@ -1,0 +1,107 @@
+#include "renderer/scene/compile_textures.h"
+
+#include <algorithm>
+
+namespace candela {
+namespace {
+
+Vec4f constant_of(const Vec3d& value) {
+  return {Vec3f(value), 1};
+}
+
+void set_mapping(const description::UvMapping& mapping, Procedural& out) {
+  out.uv_scale = Vec2f(mapping.scale);
+  out.uv_offset = Vec2f(mapping.offset);
+}
+
+bool is_identity(const description::UvMapping& mapping) {
+  return mapping.scale == Vec2d(1.0) && mapping.offset == Vec2d(0.0);
+}
+
+bool is_pattern(const Procedural& p) {
+  return p.kind == ProceduralKind::Checkerboard || p.kind == ProceduralKind::Dots ||
+         p.kind == ProceduralKind::Bilinear;
+}
+
+struct Builder {
+  TextureCompiler& compile;
+
+  Procedural operator()(const description::ImageTexture& t) const {
+    Procedural out{.kind = ProceduralKind::Image,
+                   .factor = static_cast<float>(t.factor),
+                   .is_inverted = t.is_inverted};
+    set_mapping(t.mapping, out);
+    out.inputs[0].texture = compile.image(t.image);
+    return out;
+  }
+  Procedural operator()(const description::ProductTexture& t) const {
+    return {.kind = ProceduralKind::Product,
+            .inputs = {compile.input(t.first), compile.input(t.second)}};
+  }
+  Procedural operator()(const description::MixTexture& t) const {
+    return {.kind = ProceduralKind::Mix,
+            .inputs = {compile.input(t.first), compile.input(t.second), compile.input(t.amount)}};
+  }
+  Procedural operator()(const description::CheckerboardTexture& t) const {
+    Procedural out{.kind = ProceduralKind::Checkerboard,
+                   .inputs = {compile.input(t.even), compile.input(t.odd)}};
+    set_mapping(t.mapping, out);
+    return out;
+  }
+  Procedural operator()(const description::DotsTexture& t) const {
+    Procedural out{.kind = ProceduralKind::Dots,
+                   .inputs = {compile.input(t.inside), compile.input(t.outside)}};
+    set_mapping(t.mapping, out);
+    return out;
+  }
+  Procedural operator()(const description::BilinearTexture& t) const {
+    Procedural out{.kind = ProceduralKind::Bilinear};
+    set_mapping(t.mapping, out);
+    const Vec3d* const corners[] = {&t.v00, &t.v01, &t.v10, &t.v11};
+    for (std::size_t i = 0; i < 4; ++i) out.inputs[i].constant = constant_of(*corners[i]);
+    return out;
+  }
+};
+
+// An image as it is.
+const description::ImageTexture* plain_image(const description::Texture& texture) {
+  const auto* image = std::get_if<description::ImageTexture>(&texture.kind);
+  const bool is_plain =
+      image && is_identity(image->mapping) && image->factor == 1 && !image->is_inverted;
+  return is_plain ? image : nullptr;
+}
+
+}  // namespace
+
+TextureHandle TextureCompiler::image(description::ImageHandle image) {
+  return image ? store_.add(scene_.images[image.index], diagnostics_) : TextureHandle{};
+}
+
+TextureValue TextureCompiler::input(const description::ColourInput& input) {
+  if (input.texture) return texture(input.texture);
+  return {constant_of(input.factor), image(input.map)};
+}
+
+// Where nothing varies the value is that of any place.
+TextureValue TextureCompiler::added(const Procedural& procedural) {
+  const bool varies =
+      is_pattern(procedural) ||
+      std::any_of(procedural.inputs.begin(), procedural.inputs.end(),
+                  [](const TextureValue& input) { return input.texture.is_valid(); });
+  if (!varies) return {evaluate_procedural(procedural, store_, Vec2f(0)), {}};
+  return {Vec4f(1), store_.add(procedural)};
+}
+
+TextureValue TextureCompiler::texture(description::TextureHandle handle) {
+  std::optional<TextureValue>& known = compiled_[handle.index];
+  if (!known) {
+    const description::Texture& texture = scene_.textures[handle.index];
+    if (const auto* plain = plain_image(texture))
+      known = TextureValue{Vec4f(1), image(plain->image)};
+    else
+      known = added(std::visit(Builder{*this}, texture.kind));
+  }
+  return *known;
+}
+
+}  // namespace candela

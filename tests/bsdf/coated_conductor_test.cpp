@@ -1,0 +1,80 @@
+// The coated metal against light followed bounce by bounce.
+#include "renderer/bsdf/coated_conductor.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "renderer/bsdf/dispatch.h"
+#include "renderer/sampling/hash.h"
+#include "tests/bsdf/bsdf_cases.h"
+#include "tests/bsdf/layered_walk.h"
+#include "tests/statistics/moments.h"
+
+namespace candela {
+namespace {
+
+using tests::direction_of;
+
+// The green channel's metal of bsdf_cases.h.
+tests::LayeredSurface layers_of(double coat_alpha, double metal_alpha) {
+  const Bsdf metal = tests::conductor(0.1f);
+  return {.coat_alpha = coat_alpha,
+          .metal = std::complex<double>(double{metal.eta.y}, -double{metal.k.y}),
+          .metal_alpha = metal_alpha};
+}
+
+statistics::Moments walked(const tests::LayeredSurface& surface, double cos_o) {
+  statistics::Moments moments;
+  for (std::uint64_t i = 0; i < 100'000; ++i) {
+    const tests::WalkEnd end = tests::walk_layers(surface, cos_o, i + 29);
+    moments.add(end.coat + end.below);
+  }
+  return moments;
+}
+
+statistics::Moments sampled(const Bsdf& bsdf, const Vec3f& wo) {
+  statistics::Moments moments;
+  for (std::uint64_t i = 0; i < 100'000; ++i) {
+    const std::uint64_t bits = mix_bits(i + 3);
+    const BsdfSample sample =
+        sample_bsdf(bsdf, wo, unit_float(static_cast<std::uint32_t>(mix_bits(bits))),
+                    {unit_float(static_cast<std::uint32_t>(bits)),
+                     unit_float(static_cast<std::uint32_t>(bits >> 32))});
+    moments.add(double{sample.weight.y});
+  }
+  return moments;
+}
+
+// Two layers of any width: the whole albedo, within 2 % and five errors.
+TEST(Agreement_CoatedConductor, AlbedoIsThatOfARandomWalk) {
+  statistics::Moments differences;
+  for (const double coat : {0.0, 0.05, 0.2, 0.6})
+    for (const double metal : {0.0, 0.05, 0.2, 0.6}) {
+      const Bsdf bsdf =
+          tests::coated_conductor(static_cast<float>(coat), static_cast<float>(metal));
+      for (const float cos_o : {1.0f, 0.7f, 0.3f, 0.1f}) {
+        const statistics::Moments expected = walked(layers_of(coat, metal), double{cos_o});
+        const statistics::Moments found = sampled(bsdf, direction_of(cos_o, 0.4f));
+        const double error = std::hypot(expected.standard_error(), found.standard_error());
+        EXPECT_NEAR(found.mean(), expected.mean(), 0.02 * expected.mean() + 5 * error)
+            << fmt::format("coat {} metal {} cosine {}", coat, metal, cos_o);
+        differences.add(std::abs(found.mean() - expected.mean()) / expected.mean());
+      }
+    }
+  EXPECT_LT(differences.mean(), 0.01);
+  RecordProperty("mean_relative_difference", fmt::format("{:.4f}", differences.mean()));
+}
+
+TEST(Unit_CoatedConductor, SmoothLayersAreOneMirror) {
+  const Bsdf bsdf = tests::coated_conductor(0, 0);
+  EXPECT_TRUE(is_only_delta(bsdf));
+  for (const float cos_o : {1.0f, 0.4f, 0.05f}) {
+    const BsdfSample sample = sample_bsdf(bsdf, direction_of(cos_o, 1), 0.3f, {0.1f, 0.2f});
+    ASSERT_TRUE(sample.is_delta);
+    const statistics::Moments expected = walked(layers_of(0, 0), double{cos_o});
+    EXPECT_NEAR(sample.weight.y, expected.mean(), 1e-3 + 5 * expected.standard_error());
+  }
+}
+
+}  // namespace
+}  // namespace candela
