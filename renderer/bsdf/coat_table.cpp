@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "renderer/base/parallel.h"
 #include "renderer/bsdf/ggx.h"
 #include "renderer/math/constants.h"
 
@@ -138,8 +139,10 @@ CoatTable::CoatTable(float eta, float thickness, float alpha) : eta_(eta), thick
     rows_.push_back(make_row(double{alpha}));
     return;
   }
-  for (std::size_t i = 0; i <= row_intervals; ++i)
-    rows_.push_back(make_row(square(square(static_cast<double>(i) / row_intervals))));
+  rows_.resize(row_intervals + 1);
+  parallel_for(rows_.size(), [&](std::size_t i) {
+    rows_[i] = make_row(square(square(static_cast<double>(i) / row_intervals)));
+  });
 }
 
 }  // namespace candela
