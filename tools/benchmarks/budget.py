@@ -27,6 +27,8 @@ LAMPS = 200
 
 def add_arguments(parser):
     parser.add_argument("--record", action="store_true", help="make these the figures on record")
+    parser.add_argument("--kernels", action="store_true",
+                        help="also count the general kernel: what the scene's own spares")
     parser.add_argument("--quick", action="store_true", help="the first two scenes only")
     parser.add_argument("--file", type=pathlib.Path, default=RECORD, metavar="FILE.json",
                         help="the figures on record (tools/benchmarks/budget.json)")
@@ -47,10 +49,10 @@ class Count:
     measured_with: dict
 
 
-def counted(options, name, scene):
+def counted(options, name, scene, *more):
     # --strict decodes the textures before the first tile; else the first that asks pays for it.
     words = [options.program, "render", scene, "-o", options.out / f"{name}.exr", "--size", SIZE,
-             "--spp", SPP, "--threads", 1, "--strict", "--quiet"]
+             "--spp", SPP, "--threads", 1, "--strict", "--quiet", *more]
     profile = callgrind.count(options.out / f"{name}.callgrind", words)
     embree, library = callgrind.embree_of(profile)
     return Count(round(profile.total / SAMPLES, 1), round(embree / SAMPLES, 1),
@@ -87,6 +89,16 @@ def tell(record, counts):
               f"{f'{count.all / before - 1:+.2%}' if before else '':>8} {count.embree:13.1f}")
 
 
+def tell_kernels(options, scenes, counts):
+    """The scene's own kernel over the general one, which gives the same bits."""
+    print("\nthe scene's own kernel over the general one:")
+    for name, scene in scenes.items():
+        general = counted(options, name, scene, "--kernel", "general")
+        own = counts[name]
+        print(f"  {name:20} {own.all / general.all:.3f}, without Embree's instructions "
+              f"{(own.all - own.embree) / (general.all - general.embree):.3f}", flush=True)
+
+
 def write_record(path, counts):
     with_what = next(iter(counts.values())).measured_with
     path.write_text(json.dumps(
@@ -98,11 +110,13 @@ def write_record(path, counts):
 def run(options):
     options.out = options.out.resolve()
     options.out.mkdir(parents=True, exist_ok=True)
-    chosen = list(fixed_scenes(options.out).items())[:2 if options.quick else None]
-    counts = {name: counted(options, name, scene) for name, scene in chosen}
+    scenes = dict(list(fixed_scenes(options.out).items())[:2 if options.quick else None])
+    counts = {name: counted(options, name, scene) for name, scene in scenes.items()}
     file = json.loads(options.file.read_text()) if options.file.exists() else {}
     record = file.get("instructions_per_sample", {})
     tell(record, counts)
+    if options.kernels:
+        tell_kernels(options, scenes, counts)
     if options.record:
         if options.quick:
             sys.exit("tools/bench: --record needs all scenes; expected no --quick beside it")

@@ -35,7 +35,7 @@ def write_ply(path, mesh):
     if mesh.normals is not None:
         points, names = numpy.concatenate([points, mesh.normals], axis=1), ("x", "y", "z", "nx",
                                                                             "ny", "nz")
-    else:
+    elif len(points) != faces.size:
         points, faces = points[faces].reshape(-1, 3), numpy.arange(faces.size).reshape(-1, 3)
     lines = ["ply", "format binary_little_endian 1.0", f"element vertex {len(points)}",
              *(f"property float {name}" for name in names), f"element face {len(faces)}",
