@@ -17,10 +17,18 @@ import budget  # noqa: E402
 import callgrind  # noqa: E402
 import fits  # noqa: E402
 import limit  # noqa: E402
+import main  # noqa: E402
 import numpy  # noqa: E402
 import peers  # noqa: E402
 import results  # noqa: E402
 import truth  # noqa: E402
+
+
+def helps():
+    """What --help prints, of all and of each measurement."""
+    parser, commands = main.parser_and_commands()
+    return {"all": parser.format_help()} | {name: command.format_help()
+                                            for name, command in commands.items()}
 
 
 def profile(path):

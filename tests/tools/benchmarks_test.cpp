@@ -32,6 +32,21 @@ class Unit_Benchmarks : public testing::Test {
   }
 };
 
+// A percent sign in a line of help is enough to end in an exception.
+TEST_F(Unit_Benchmarks, EveryMeasurementHasItsHelp) {
+  const Json helps = ask({"helps"});
+  EXPECT_EQ(helps.size(), 15u);
+  const std::string command = file_text(CANDELA_SOURCE_DIR "/tools/bench");
+  const std::string page = file_text(CANDELA_SOURCE_DIR "/docs/benchmarks.md");
+  for (const auto& [name, text] : helps.items()) {
+    EXPECT_NE(text.get<std::string>().find("--help"), std::string::npos) << name;
+    if (name == "all") continue;
+    EXPECT_NE(helps["all"].get<std::string>().find("\n    " + name), std::string::npos) << name;
+    EXPECT_NE(command.find("tools/bench " + name + " "), std::string::npos) << name;
+    EXPECT_NE(page.find("`" + name + "`"), std::string::npos) << name;
+  }
+}
+
 // Costs of calls stand in the file twice: with the callee and, as a sum, after `calls=`.
 TEST_F(Unit_Benchmarks, CallgrindsInstructionsAreCountedOnce) {
   const std::string file = fresh_folder("callgrind") + "/profile";

@@ -14,23 +14,24 @@ NAMES = ("ablation", "accel", "adaptive", "budget", "calibration", "convergence"
          "memory", "peers", "replicates", "robust", "scaling", "stress")
 
 
-def arguments():
+def parser_and_commands():
     parser = argparse.ArgumentParser(prog="tools/bench", description="Measures candela.")
     commands = parser.add_subparsers(required=True, metavar="MEASUREMENT")
     for name in NAMES:
         module = importlib.import_module(name)
-        command = commands.add_parser(name, help=module.ABOUT, description=module.ABOUT)
+        command = commands.add_parser(name, help=module.ABOUT.replace("%", "%%"),
+                                      description=module.ABOUT)
         command.add_argument("--out", type=pathlib.Path, default=pathlib.Path("bench") / name,
                              metavar="DIR", help=f"folder for what it makes (bench/{name})")
         command.add_argument("--program", type=pathlib.Path, help=argparse.SUPPRESS,
                              default=ROOT / "build" / "release" / "candela")
         module.add_arguments(command)
         command.set_defaults(run=module.run)
-    return parser.parse_args()
+    return parser, commands.choices
 
 
 def main():
-    options = arguments()
+    options = parser_and_commands()[0].parse_args()
     from renders import CandelaFailed
     try:
         sys.exit(options.run(options))

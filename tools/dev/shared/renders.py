@@ -63,10 +63,11 @@ class Candela:
 
     def cached(self, name, scene, **options):
         """The same without PNG, once: what stays the same over many runs, such as references.
-        Another version, scene or option makes it anew; after a change of the program itself the
-        folder is to be deleted."""
+        Another version, content of the scene's files or option makes it anew; after a change of the
+        program itself the folder is to be deleted."""
         asked = self.folder / f"{name}.asked.json"
-        key = json.dumps([self.version(), str(scene), {k: str(v) for k, v in options.items()}])
+        key = json.dumps([self.version(), self.info(scene)["scene_hash"],
+                          {k: str(v) for k, v in options.items()}])
         exr, stats = self.folder / f"{name}.exr", self.folder / f"{name}.json"
         if asked.exists() and asked.read_text() == key and exr.exists():
             return Render(name, exr, None, json.loads(stats.read_text()))
