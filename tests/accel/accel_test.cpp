@@ -86,7 +86,9 @@ void expect_any_length(const A& accelerator, const std::vector<Ray>& rays) {
       const Ray scaled{ray.origin, ray.direction * scale, ray.t_max / scale};
       ASSERT_TRUE(is_traceable(scaled));
       const bool found = accelerator.occluded(scaled);
-      if (exponent > -30) ASSERT_EQ(found, expected) << "2^" << exponent;
+      if (exponent > -30) {
+        ASSERT_EQ(found, expected) << "2^" << exponent;
+      }
     }
   }
 }

@@ -88,9 +88,10 @@ TEST(Unit_TriangleLight, SampleAndPdfAgreeAndEndOnTheTriangle) {
       EXPECT_EQ(s.radiance, Rgb(1, 2, 3));
       EXPECT_NEAR(length(s.wi), 1, 3e-7);
       const double distance = distance_to(c, s.wi);
-      if (distance > 0)  // else rounding took the direction past an edge
+      if (distance > 0) {  // else rounding took the direction past an edge
         EXPECT_NEAR(light_pdf({}, light, s.wi, static_cast<float>(distance)) / s.pdf, 1, 1e-5)
             << c.name;
+      }
       // The segment ends on the near side of the exact plane, within twice the stated bound.
       const Vec3d n = normalize(cross(Vec3d(c.vertices[1]) - Vec3d(c.vertices[0]),
                                       Vec3d(c.vertices[2]) - Vec3d(c.vertices[0])));

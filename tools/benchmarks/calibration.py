@@ -201,7 +201,7 @@ def stops(candela, options):
                                     error=goal, size=square(size), seed=seed, threads=1,
                                     aov="variance,heavy_tail")
             relmse = truth.relmse(layers(render)[0])
-            return math.sqrt(max(relmse, 0)) / goal, render.stats["max_samples"]
+            return math.sqrt(max(relmse, 0)) / goal, render.stats["mean_samples"]
 
         ratios, samples = zip(*side_by_side(stop, range(1, options.stops + 1)))
         row = {"scene": scene.name, "goal": goal, "runs": len(ratios),
