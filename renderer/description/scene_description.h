@@ -151,6 +151,8 @@ struct ConductorMaterial {
   bool energy_compensation = false;   // as for CookTorrance
   // The width along dp/dv; then `roughness` is that along dp/du. Without energy_compensation.
   std::optional<ScalarInput> roughness_across = {};
+  // At normal incidence, in place of eta and k: that of n = 1 and k = 2 sqrt(r / (1 - r)).
+  std::optional<ColourInput> reflectance = {};
 };
 
 struct DielectricMaterial {

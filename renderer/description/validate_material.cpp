@@ -113,6 +113,12 @@ class Check {
   void operator()(const ConductorMaterial& conductor) const {
     positive_colour(conductor.eta, "eta");
     positive_colour(conductor.k, "k");
+    if (conductor.reflectance) input(*conductor.reflectance, "the reflectance");
+    if (conductor.reflectance && conductor.energy_compensation)
+      diagnostics_.error(material_.span,
+                         fmt::format("material '{}': energy compensation needs eta and k, not a "
+                                     "reflectance",
+                                     material_.name));
     widths(conductor.roughness, conductor.roughness_across, "the roughness");
   }
   void operator()(const DielectricMaterial& glass) const {

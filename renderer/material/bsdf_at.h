@@ -111,6 +111,26 @@ template <bool textured>
   return bsdf;
 }
 
+// Above it k would be infinite.
+inline constexpr float largest_metal_reflectance = 0.9999f;
+
+struct MetalIndex {
+  Rgb eta, k;
+};
+
+// eta and k, or those with eta = 1 that give a textured reflectance r at normal incidence:
+// k = 2 sqrt(r / (1 - r)).
+template <bool textured>
+[[nodiscard]] inline MetalIndex metal_index_at(const Material& material,
+                                               const TextureStore& textures, Vec2f uv) {
+  if (!textured || !material.specular.texture) return {material.eta, material.k};
+  Rgb r = glm::min(colour_at<textured>(material.specular, textures, uv),
+                   Rgb{largest_metal_reflectance});
+  return {Rgb{1},
+          {2 * std::sqrt(r.x / (1 - r.x)), 2 * std::sqrt(r.y / (1 - r.y)),
+           2 * std::sqrt(r.z / (1 - r.z))}};
+}
+
 template <bool textured>
 [[nodiscard]] inline Bsdf conductor_at(const Material& material, const TextureStore& textures,
                                        Vec2f uv) {
@@ -124,11 +144,12 @@ template <bool textured>
             .f0 = material.f0,
             .eta = material.eta,
             .k = material.k};
+  MetalIndex metal = metal_index_at<textured>(material, textures, uv);
   return {.model = BsdfModel::Conductor,
           .is_smooth = !(alpha >= smallest_ggx_width),
           .alpha = ggx_width(alpha),
-          .eta = material.eta,
-          .k = material.k};
+          .eta = metal.eta,
+          .k = metal.k};
 }
 
 // The smaller of two widths counts as at least the smallest where the larger one is rough.
@@ -145,11 +166,12 @@ template <bool textured>
                                                    const TextureStore& textures, Vec2f uv) {
   const Vec2f widths = widths_at<textured>(material, textures, uv);
   const bool is_smooth = !(std::max(widths.x, widths.y) >= smallest_ggx_width);
+  MetalIndex metal = metal_index_at<textured>(material, textures, uv);
   return {.model = is_smooth ? BsdfModel::Conductor : BsdfModel::AnisotropicConductor,
           .is_smooth = is_smooth,
           .alpha = ggx_width(widths.x),
-          .eta = material.eta,
-          .k = material.k,
+          .eta = metal.eta,
+          .k = metal.k,
           .alpha_across = ggx_width(widths.y)};
 }
 

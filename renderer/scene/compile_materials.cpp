@@ -60,6 +60,16 @@ void set_lab_opacity(const description::LabMaterial& lab, const TextureStore& te
   if (textures.info(out.diffuse.texture).has_alpha) out.opacity.texture = out.diffuse.texture;
 }
 
+// k of a metal with n = 1 by its reflectance at normal incidence.
+Vec3d extinction_of(const Vec3d& reflectance) {
+  Vec3d k;
+  for (int c = 0; c < 3; ++c) {
+    const double r = std::min(reflectance[c], static_cast<double>(largest_metal_reflectance));
+    k[c] = 2 * std::sqrt(r / (1 - r));
+  }
+  return k;
+}
+
 struct ModelCompiler {
   const CompileOptions& options;
   TextureCompiler& texture;
@@ -119,6 +129,9 @@ struct ModelCompiler {
     set_widths(m.roughness, m.roughness_across);
     out.energy_compensation = m.energy_compensation;
     set_conductor(m.eta, m.k);
+    if (!m.reflectance) return;
+    out.specular = colour(*m.reflectance, texture);
+    if (!out.specular.texture) set_conductor(Vec3d(1.0), extinction_of(m.reflectance->factor));
   }
 
   void operator()(const description::DielectricMaterial& m) const {

@@ -11,6 +11,7 @@
 #include "scene_io/pbrt/camera.h"
 #include "scene_io/pbrt/lights.h"
 #include "scene_io/pbrt/materials.h"
+#include "scene_io/pbrt/media.h"
 #include "scene_io/pbrt/shape.h"
 #include "scene_io/pbrt/textures.h"
 #include "scene_io/pbrt/transforms.h"
@@ -135,12 +136,13 @@ Areas areas_of(const Mesh& mesh, const Transform& world_from_object) {
 class ShapeMaterials {
  public:
   ShapeMaterials(Context& context, Textures& textures, Materials& materials)
-      : context_(context), textures_(textures), materials_(materials) {}
+      : context_(context), textures_(textures), materials_(materials), media_(context) {}
 
   MaterialHandle of(ShapeStatement& shape, const Mesh& mesh) {
     Key key;
     key.base = &materials_.of(shape.material);
     read_alpha(shape, key);
+    if (!shape.inside.name.empty()) read_medium(shape, key);
     const bool is_bumped = key.base->height || key.base->height_texture;
     if (shape.area_light != none || is_bumped) {
       const Areas areas = areas_of(mesh, shape.world_from_object);
@@ -158,6 +160,7 @@ class ShapeMaterials {
     std::array<double, 3> emission{};
     bool emits_both_sides = false;
     double height_scale = 1;
+    std::array<double, 3> absorption{};  // of glass
     // Of the shape's alpha.
     double opacity = 1;
     std::uint32_t opacity_map = Handle<int>::none, opacity_texture = Handle<int>::none;
@@ -171,6 +174,16 @@ class ShapeMaterials {
     key.opacity = std::clamp(alpha->factor, 0.0, 1.0);
     key.opacity_map = alpha->map.index;
     key.opacity_texture = alpha->texture.index;
+  }
+
+  void read_medium(const ShapeStatement& shape, Key& key) {
+    const Vec3d absorption = media_.absorption_of(shape.inside);
+    const auto* glass = std::get_if<description::DielectricMaterial>(&key.base->model);
+    if (glass && !glass->is_thin)
+      key.absorption = {absorption.x, absorption.y, absorption.z};
+    else if (absorption != Vec3d(0.0))
+      context_.warn_once("medium", shape.inside.place,
+                         "media are rendered within glass only: elsewhere all is as clear as air");
   }
 
   // pbrt's heights are lengths in the world; candela's are in the uv square's edge on the surface.
@@ -196,6 +209,8 @@ class ShapeMaterials {
     material.emission = {key.emission[0], key.emission[1], key.emission[2]};
     material.emits_both_sides = key.emits_both_sides;
     material.height_scale = key.height_scale;
+    if (auto* glass = std::get_if<description::DielectricMaterial>(&material.model))
+      glass->absorption = {key.absorption[0], key.absorption[1], key.absorption[2]};
     material.opacity.factor = key.opacity;
     material.opacity.map.index = key.opacity_map;
     material.opacity.texture.index = key.opacity_texture;
@@ -207,6 +222,7 @@ class ShapeMaterials {
   Context& context_;
   Textures& textures_;
   Materials& materials_;
+  Media media_;
   std::map<Key, MaterialHandle> made_;
   std::map<std::size_t, Emission> emissions_;
 };

@@ -19,7 +19,7 @@ struct GraphicsState {
   Transform transform;            // current object -> world, at the shutter's opening
   bool sets_transform = true;     // ActiveTransform: false for EndTime
   bool is_reversed = false;       // ReverseOrientation
-  bool has_medium = false;        // MediumInterface names one
+  MediumUse inside;               // MediumInterface
   std::size_t area_light = none;  // of Program::area_lights
   MaterialUse material;
   // Of the directive Attribute, by target; null where there are none.

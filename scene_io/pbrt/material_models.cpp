@@ -33,43 +33,19 @@ DiffuseMaterial diffuse(MaterialReader& reader) {
 
 ConductorMaterial conductor(MaterialReader& reader) {
   ConductorMaterial metal;
-  const auto [eta, k] = read_metal(reader, "");
+  const Parameter* reflectance = reader.arguments.find("reflectance");
+  if (reflectance && reflectance->type == ParameterType::Texture) {
+    metal.reflectance = reader.reflectance("reflectance", 0.5);
+    reader.arguments.accept({"eta", "k"});
+  } else {
+    const auto [eta, k] = read_metal(reader, "");
+    metal.eta = eta;
+    metal.k = k;
+  }
   const Widths widths = read_widths(reader);
-  metal.eta = eta;
-  metal.k = k;
   metal.roughness = widths.along;
   metal.roughness_across = widths.across;
   return metal;
-}
-
-bool has_textured_reflectance(const Arguments& arguments) {
-  const auto& parameters = arguments.statement().parameters;
-  return std::any_of(parameters.begin(), parameters.end(), [](const Parameter& parameter) {
-    return parameter.name == "reflectance" && parameter.type == ParameterType::Texture;
-  });
-}
-
-// Microfacets that reflect as the texture says at all angles, where a metal's reflectance rises
-// towards 1 at grazing ones.
-void set_textured_metal(MaterialReader& reader, Material& material) {
-  const ColourInput reflectance = reader.reflectance("reflectance", 0.5);
-  const Widths widths = read_widths(reader);
-  reader.context.warn_once("textured metal", reader.arguments.statement().place,
-                           "a metal whose reflectance is a texture reflects so at all angles: it "
-                           "does not brighten at grazing ones");
-  const bool is_smooth =
-      widths.along.factor == 0 && !widths.along.map && !widths.along.texture && !widths.across;
-  if (is_smooth) {
-    material.model = description::MirrorMaterial{reflectance};
-    return;
-  }
-  description::CookTorranceMaterial metal;
-  metal.diffuse = {Vec3d(0.0), {}, {}};
-  metal.specular = reflectance;
-  metal.roughness = widths.along;
-  metal.f0 = Vec3d(1.0);
-  metal.geometry = description::GeometryModel::Smith;
-  material.model = metal;
 }
 
 DielectricMaterial dielectric(MaterialReader& reader) {
@@ -164,8 +140,6 @@ bool set_model(MaterialReader& reader, std::string_view type, Material& material
     material.model = diffuse(reader);
   else if (type == "coateddiffuse")
     material.model = coated_diffuse(reader);
-  else if (type == "conductor" && has_textured_reflectance(reader.arguments))
-    set_textured_metal(reader, material);
   else if (type == "conductor")
     material.model = conductor(reader);
   else if (type == "coatedconductor")

@@ -116,17 +116,24 @@ void Parser::named_material() {
 }
 
 void Parser::make_named_medium() {
-  const auto statement = read_statement(AttributeTarget::Medium);
-  if (statement)
-    warn_once("medium", statement->place,
-              "media are not rendered: what is within them is as clear as air");
+  auto statement = read_statement(AttributeTarget::Medium);
+  if (!statement) return;
+  const std::string name = std::exchange(statement->type, {});
+  const Place place = statement->place;
+  if (!program_.media.try_emplace(name, std::move(*statement)).second)
+    report_.error(place, fmt::format("the medium {} is defined twice", text::quoted(name)));
 }
 
 void Parser::medium_interface() {
+  const Place place{file_, tokens_->peek().offset};
   const auto inside = read_string("the name of a medium");
   if (!inside) return;
-  state_.has_medium = !inside->empty();
-  if (tokens_->peek().kind == TokenKind::String) (void)read_string("the name of a medium");
+  state_.inside = {*inside, place};
+  if (tokens_->peek().kind != TokenKind::String) return;
+  const auto outside = read_string("the name of a medium");
+  if (outside && !outside->empty())
+    warn_once("outside", place,
+              "media are rendered within glass only: what is outside is as clear as air");
 }
 
 void Parser::reverse_orientation() {
@@ -159,7 +166,7 @@ void Parser::shape() {
   auto statement = read_statement(AttributeTarget::Shape);
   if (!statement) return;
   ShapeStatement shape{std::move(*statement), state_.transform,  state_.is_reversed,
-                       state_.material,       state_.area_light, state_.has_medium};
+                       state_.material,       state_.area_light, state_.inside};
   if (is_singular(shape.world_from_object))
     return report_.error(shape.statement.place,
                          "the current transform is singular and flattens this shape");

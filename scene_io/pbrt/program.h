@@ -34,6 +34,12 @@ struct MaterialUse {
   Place place;
 };
 
+// The medium within a surface by its name; empty: none.
+struct MediumUse {
+  std::string name;
+  Place place;
+};
+
 struct LightStatement {
   Statement statement;
   Transform world_from_light;
@@ -45,7 +51,7 @@ struct ShapeStatement {
   bool is_reversed = false;  // ReverseOrientation
   MaterialUse material;
   std::size_t area_light = none;  // of Program::area_lights
-  bool has_medium = false;
+  MediumUse inside;
 };
 
 struct ObjectUse {
@@ -60,6 +66,7 @@ struct Program {
   std::map<std::string, TextureStatement> float_textures, spectrum_textures;
   std::vector<MaterialStatement> materials;
   std::map<std::string, std::size_t> material_named;
+  std::map<std::string, Statement> media;
   std::vector<LightStatement> lights;
   std::vector<Statement> area_lights;
   std::deque<ShapeStatement> shapes;

@@ -34,7 +34,7 @@ std::vector<std::string> scene_files() {
 
 TEST(Unit_Assets, LoadAndCompileWithoutDiagnostics) {
   ASSERT_GE(files_with(".yaml").size(), 4u);
-  ASSERT_GE(files_with(".pbrt").size(), 2u);
+  ASSERT_GE(files_with(".pbrt").size(), 3u);
   for (const std::string& file : scene_files()) {
     const Result<description::SceneDescription> description = load(file, {});
     EXPECT_EQ(all_of(description.diagnostics), "");

@@ -44,6 +44,22 @@ TEST(Unit_BsdfAt, MapsReplaceFactors) {
   EXPECT_FLOAT_EQ(bsdf_at(rough, picture.store, {}, true).alpha, 128.0f / 255);
 }
 
+// White would have an infinite k; it reflects .9999.
+TEST(Unit_BsdfAt, MetalsReflectTheirMapAtNormalIncidence) {
+  const Picture picture({51, 0, 255, 255});
+  Material metal{.model = MaterialModel::Conductor};
+  metal.specular.texture = picture.handle;
+  for (const bool is_anisotropic : {false, true}) {
+    metal.is_anisotropic = is_anisotropic;
+    const Bsdf bsdf = bsdf_at(metal, picture.store, {}, true);
+    const Rgb reflectance = fresnel_conductor(1, bsdf.eta, bsdf.k);
+    EXPECT_NEAR(reflectance.x, 0.2f, 1e-6f);
+    EXPECT_NEAR(reflectance.y, 0, 1e-6f);
+    EXPECT_NEAR(reflectance.z, 0.9999f, 1e-6f);
+    EXPECT_GT(fresnel_conductor(0.05f, bsdf.eta, bsdf.k).x, 0.5f);  // brighter at grazing angles
+  }
+}
+
 TEST(Unit_BsdfAt, LabMapsCarryTheExponentInAlpha) {
   const Picture picture({51, 51, 51, 64});
   Material material{.model = MaterialModel::Lab};

@@ -193,6 +193,16 @@ TEST(Unit_PbrtMaterials, MetalsByTheirReflectance) {
   expect_near((below * below + k2) / (above * above + k2), {0.9, 0.5, 0});
 }
 
+TEST(Unit_PbrtMaterials, MetalsOfATexture) {
+  const auto scene = pbrt_world(
+      "Texture \"t\" \"spectrum\" \"checkerboard\"\nMaterial \"conductor\" \"texture reflectance\" "
+      "\"t\" \"float roughness\" .01 Shape \"disk\"");
+  const auto& metal = std::get<ConductorMaterial>(scene.materials.at(0).model);
+  ASSERT_TRUE(metal.reflectance);
+  EXPECT_EQ(metal.reflectance->texture.index, 0u);
+  EXPECT_NEAR(metal.roughness.factor, 0.1, 1e-12);
+}
+
 TEST(Unit_PbrtMaterials, Types) {
   const auto coated = std::get<CoatedDiffuseMaterial>(
       material_of(
@@ -233,6 +243,25 @@ TEST(Unit_PbrtMaterials, MaterialsAndTexturesMayFollow) {
     Texture "last" "spectrum" "scale" "rgb tex" [ .5 .25 .125 ] "float scale" .5)");
   EXPECT_EQ(std::get<DiffuseMaterial>(scene.materials.at(0).model).reflectance.factor,
             Vec3d(0.25, 0.125, 0.0625));
+}
+
+TEST(Unit_PbrtMedia, WhatGlassHoldsAbsorbs) {
+  const std::string medium =
+      "MakeNamedMedium \"green\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [ 1 2 3 ] \"rgb "
+      "sigma_s\" [ 0 0 0 ] \"float scale\" 2\nMaterial \"dielectric\"\n";
+  const auto scene =
+      pbrt_world(medium + "Shape \"disk\"\nMediumInterface \"green\" \"\"\nShape \"disk\"");
+  ASSERT_EQ(scene.materials.size(), 2u);
+  const auto absorption = [&](std::size_t i) {
+    return std::get<DielectricMaterial>(scene.materials[i].model).absorption;
+  };
+  EXPECT_EQ(absorption(0), Vec3d(0.0));
+  EXPECT_EQ(absorption(1), Vec3d(2, 4, 6));
+  EXPECT_EQ(pbrt_world_error(medium + "MediumInterface \"gren\" \"\"\nShape \"disk\""),
+            "4:17: there is no medium 'gren', did you mean 'green'?");
+  EXPECT_EQ(pbrt_world_warning("MakeNamedMedium \"m\" \"string type\" \"cloud\"\nMediumInterface "
+                               "\"m\" \"\" Shape \"disk\""),
+            "2:17: media of type 'cloud' are not rendered: 'm' is as clear as air");
 }
 
 TEST(Unit_PbrtMaterials, HeightsAreLengthsInTheWorld) {
