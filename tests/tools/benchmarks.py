@@ -13,6 +13,7 @@ ROOT = pathlib.Path(sys.argv[1])
 sys.path += [str(ROOT / "tools" / "benchmarks"), str(ROOT / "tools" / "dev" / "shared")]
 
 import ablation  # noqa: E402
+import before  # noqa: E402
 import budget  # noqa: E402
 import callgrind  # noqa: E402
 import fits  # noqa: E402
@@ -78,6 +79,10 @@ def verdicts(ratios):
     name = ablation.TECHNIQUES[0].name
     return ablation.verdicts([{"technique": name, "scene": scene, "time_to_error": ratio}
                               for scene, ratio in json.loads(ratios).items()])
+
+
+def before_and_now(pairs):
+    return before.compared([runs_of(pair) for pair in json.loads(pairs)])
 
 
 def ratios_of(pairs, counts):

@@ -35,7 +35,7 @@ class Unit_Benchmarks : public testing::Test {
 // A percent sign in a line of help is enough to end in an exception.
 TEST_F(Unit_Benchmarks, EveryMeasurementHasItsHelp) {
   const Json helps = ask({"helps"});
-  EXPECT_EQ(helps.size(), 15u);
+  EXPECT_EQ(helps.size(), 16u);
   const std::string command = file_text(CANDELA_SOURCE_DIR "/tools/bench");
   const std::string page = file_text(CANDELA_SOURCE_DIR "/docs/benchmarks.md");
   for (const auto& [name, text] : helps.items()) {
@@ -149,6 +149,16 @@ TEST_F(Unit_Benchmarks, PeersRatiosAreTheirsOverOurs) {
   EXPECT_NEAR(rows[1]["wall_ratio"], 4, 1e-12);
   EXPECT_NEAR(rows[2]["cpu_ratio"], 2, 1e-12);
   EXPECT_NEAR(rows[2]["relmse_ratio"], 0.5, 1e-12);
+}
+
+TEST_F(Unit_Benchmarks, EarlierBuildsAreHeldAgainstThisOne) {
+  const Json row =
+      ask({"before_and_now",
+           "[[[0.2, 3, 2], [0.1, 1, 1]], [[0.4, 6, 4], [0.1, 2, 4]], [[0.4, 8, 8], [0.1, 2, 2]]]"});
+  EXPECT_NEAR(row["relmse_ratio"], 4, 1e-12);
+  EXPECT_NEAR(row["cpu_ratio"], 12, 1e-12);
+  EXPECT_NEAR(row["cpu_high"], 16, 1e-12);
+  EXPECT_NEAR(row["wall_low"], 4, 1e-12);
 }
 
 TEST_F(Unit_Benchmarks, TheBetterSettingIsThatOfTheLeastMedian) {

@@ -10,8 +10,8 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "tools" / "dev" / "shared"))  # what tools/figures uses too
 
-NAMES = ("ablation", "accel", "adaptive", "budget", "calibration", "convergence", "cycles", "limit",
-         "memory", "peers", "replicates", "robust", "scaling", "stress")
+NAMES = ("ablation", "accel", "adaptive", "before", "budget", "calibration", "convergence", "cycles",
+         "limit", "memory", "peers", "replicates", "robust", "scaling", "stress")
 
 
 def parser_and_commands():
