@@ -8,6 +8,8 @@
 #include <numeric>
 #include <optional>
 
+#include "renderer/sampling/sampler_block.h"
+
 namespace candela {
 
 // Half-open range of sample indices.
@@ -33,7 +35,7 @@ inline constexpr double smallest_growth = 1.1;
 
 // Samples that are traced together (trace_block.h): ranges that are cut at their multiples are
 // the fastest.
-inline constexpr std::uint32_t whole_block = 16;
+inline constexpr std::uint32_t whole_block = sampler_lanes;
 
 // Where the round after `done` samples ends: multiples of the replicates, so that all hold equally
 // many, and of whole blocks, too, as soon as the growth allows. Four samples a replicate first.

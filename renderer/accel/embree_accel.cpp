@@ -335,7 +335,7 @@ LaneMask EmbreeAccel::occluded(const RayBlock& rays, LaneMask lanes) const {
   embree::occluded_block(state_->world.get(), valid.lanes.data(), embree_rays, query);
   LaneMask occluded = 0;
   for (std::uint32_t i = 0; i < block_size; ++i)
-    occluded |= static_cast<LaneMask>(embree_rays.tfar[i] < 0) << i;  // as above
+    occluded |= static_cast<LaneMask>(embree_rays.tfar[i] < 0) << i;  // -infinity
   return occluded & lanes;
 }
 

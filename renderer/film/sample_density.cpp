@@ -6,6 +6,7 @@
 
 #include "renderer/film/error_estimate.h"
 #include "renderer/film/heavy_tails.h"
+#include "renderer/sampling/sampler_block.h"
 
 namespace candela {
 namespace {
@@ -94,9 +95,8 @@ SampleDensity::SampleDensity(const Film& pilot)
 
 std::uint32_t SampleDensity::samples(int x, int y, std::uint32_t mean) const {
   if (mean == 0) return 0;
-  constexpr std::uint32_t whole_block = 16;  // traced together: the fastest multiples
   const double wanted = static_cast<double>(at(x, y)) * mean;
-  const std::uint32_t whole = std::lcm(replicates_, whole_block);
+  const std::uint32_t whole = std::lcm(replicates_, sampler_lanes);  // traced together
   const std::uint32_t step = wanted < 0.75 * whole ? replicates_ : whole;
   const double steps = std::max(std::floor(wanted / step + 0.5), 1.0);
   return static_cast<std::uint32_t>(steps) * step;

@@ -10,7 +10,7 @@
 
 namespace candela {
 
-inline constexpr std::size_t sampler_lanes = 16;
+inline constexpr std::uint32_t sampler_lanes = 16;
 template <class T>
 using SamplerLanes = std::array<T, sampler_lanes>;
 
