@@ -18,8 +18,9 @@ namespace candela {
 // direction `wi`. 0 where grazing makes it overflow: sampling gives up the same points.
 [[nodiscard]] inline float triangle_light_pdf(const Light& light, const Vec3f& wi, float distance) {
   const float projected_area = std::abs(dot(light.normal, wi)) * light.area;
+  if (!(projected_area > 0)) return 0;  // within the triangle's plane
   const float pdf = distance * distance / projected_area;
-  return pdf <= std::numeric_limits<float>::max() ? pdf : 0.0f;  // neither Inf nor NaN
+  return pdf <= std::numeric_limits<float>::max() ? pdf : 0.0f;
 }
 
 [[nodiscard]] inline LightSample sample_triangle_light(const Light& light, const SurfacePoint& from,

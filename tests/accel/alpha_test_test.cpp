@@ -194,13 +194,7 @@ TEST(Unit_AlphaTest, BothAcceleratorsStopAtTheSameLayer) {
 
 // Spatial splits call a filter several times for one triangle: its answer may not change.
 TEST(Unit_AlphaTest, AcceleratorsAgreeOnCutoutsInInstances) {
-  Scene scene = test::scene_of(test::random_soup(20, 0.3f, 41));
-  test::add_cutout(scene, test::random_soup(2000, 0.5f, 42), 0.5f);
-  test::add_instances(scene, test::random_soup(1000, 0.4f, 43),
-                      {test::placement({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}),
-                       test::placement({0, 1, 0}, {1, 0, 0}, {0, 0, 0.5f}, {0, 1, 0})});
-  scene.geometries.back().has_cutouts = true;
-  scene.geometries.back().material = MaterialHandle(1);
+  const Scene scene = test::scene_of_all_kinds();
   const BvhAccel bvh(scene);
   const EmbreeAccel embree(scene);
   std::mt19937 random(44);

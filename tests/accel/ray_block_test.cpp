@@ -43,18 +43,6 @@ std::vector<RayBlock> scattered_blocks(std::size_t count, std::uint32_t seed) {
   return blocks;
 }
 
-// Triangles, cut-outs, and instances of both.
-Scene mixed_scene() {
-  Scene scene = test::scene_of(test::random_soup(500, 0.3f, 41));
-  test::add_cutout(scene, test::random_soup(2000, 0.5f, 42), 0.5f);
-  test::add_instances(scene, test::random_soup(1000, 0.4f, 43),
-                      {test::placement({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}),
-                       test::placement({0, 1, 0}, {1, 0, 0}, {0, 0, 0.5f}, {0, 1, 0})});
-  scene.geometries.back().has_cutouts = true;
-  scene.geometries.back().material = MaterialHandle(1);
-  return scene;
-}
-
 // Every lane's answer, for lanes at random, against the single ray's.
 template <Accelerator A>
 void expect_single_answers(const A& accelerator, const std::vector<RayBlock>& blocks,
@@ -85,7 +73,7 @@ TEST(Unit_RayBlock, LanesAreVisitedFromTheLowest) {
 }
 
 TEST(Unit_RayBlock, EmbreeAnswersAsForSingleRays) {
-  const Scene scene = mixed_scene();
+  const Scene scene = test::scene_of_all_kinds();
   for (const bool robust : {false, true}) {
     const EmbreeAccel embree(scene, {.robust = robust});
     expect_single_answers(embree, pixel_blocks(2000, 1), Coherence::Coherent);
@@ -95,13 +83,13 @@ TEST(Unit_RayBlock, EmbreeAnswersAsForSingleRays) {
 }
 
 TEST(Unit_RayBlock, TheOwnTreeAnswersAsForSingleRays) {
-  const Scene scene = mixed_scene();
+  const Scene scene = test::scene_of_all_kinds();
   expect_single_answers(BvhAccel(scene), pixel_blocks(1000, 4), Coherence::Coherent);
 }
 
 // A lane that does not count may hold anything.
 TEST(Unit_RayBlock, LanesThatDoNotCountChangeNothing) {
-  const Scene scene = mixed_scene();
+  const Scene scene = test::scene_of_all_kinds();
   const EmbreeAccel embree(scene);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (RayBlock rays : scattered_blocks(200, 5)) {

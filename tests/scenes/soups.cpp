@@ -169,4 +169,15 @@ Soup scaled(Soup soup, float factor) {
   return soup;
 }
 
+Scene scene_of_all_kinds() {
+  Scene scene = scene_of(random_soup(20, 0.3f, 41));
+  add_cutout(scene, random_soup(2000, 0.5f, 42), 0.5f);
+  add_instances(scene, random_soup(1000, 0.4f, 43),
+                {placement({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}),
+                 placement({0, 1, 0}, {1, 0, 0}, {0, 0, 0.5f}, {0, 1, 0})});
+  scene.geometries.back().has_cutouts = true;
+  scene.geometries.back().material = MaterialHandle(1);
+  return scene;
+}
+
 }  // namespace candela::test

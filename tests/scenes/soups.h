@@ -28,6 +28,9 @@ void add_cutout(Scene& scene, const Soup& soup, float opacity);
 // set.
 void add_instances(Scene& scene, const Soup& soup, std::vector<Instance> instances);
 
+// Opaque triangles, cut-outs, and two instances of cut-outs, all across each other.
+[[nodiscard]] Scene scene_of_all_kinds();
+
 // A placement with the normals' columns filled in.
 [[nodiscard]] Instance placement(const Vec3f& x, const Vec3f& y, const Vec3f& z,
                                  const Vec3f& translation);
