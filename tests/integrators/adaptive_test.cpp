@@ -15,7 +15,8 @@ namespace {
 using namespace test;
 
 // Pixels whose samples are exponential about 1: the few of a pilot that are small by chance look
-// as if there were no noise. One number a sample, its own for each seed.
+// as if there were no noise. One number a sample, its own for each seed. (A pilot that is pooled by
+// counts would pass: its counts are smoothed over too many pixels. Unit_Film holds the weights.)
 TileCounts exponential_tile(const TilePass& pass, Film& film) {
   for (int y = pass.tile.y0; y < pass.tile.y1; ++y)
     for (int x = pass.tile.x0; x < pass.tile.x1; ++x) {
