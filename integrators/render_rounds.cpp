@@ -97,10 +97,7 @@ class Loop {
       if (progress_ && result.error) progress_->state_error(result.error->rmse);
       expect(result.error);
     }
-    if (pilot_) {
-      film_ = with_pilot();
-      result.error = estimate_error(film_);
-    }
+    if (pilot_) film_ = with_pilot();
     result.stop = *stop;
     result.counts = counts_;
     return result;

@@ -13,6 +13,12 @@ static_assert(sampler_lanes == block_size);
   return {unit_float(points.x[lane]), unit_float(points.y[lane])};
 }
 
+// Whether anything in the scene reads the number that picks a lobe.
+template <FeatureSet F>
+[[nodiscard]] inline bool needs_lobes(const Scene& scene) {
+  return (F.models & scene.features.bsdf_models & models_with_lobes) != 0;
+}
+
 class BlockNumbers {
  public:
   // Of what a scene has no use for, nothing is drawn.
@@ -22,9 +28,7 @@ class BlockNumbers {
       samplers.sample_1d(bounce, Dimension::LightChoice, light_choice_);
       samplers.sample_2d(bounce, Dimension::LightPoint, light_point_);
     }
-    if ((F.models & models_with_lobes) != 0 &&
-        (scene.features.bsdf_models & models_with_lobes) != 0)
-      samplers.sample_1d(bounce, Dimension::LobeChoice, lobe_);
+    if (needs_lobes<F>(scene)) samplers.sample_1d(bounce, Dimension::LobeChoice, lobe_);
     samplers.sample_2d(bounce, Dimension::Direction, direction_);
     if (bounce >= first_bounce_with_roulette)
       samplers.sample_1d(bounce, Dimension::Roulette, roulette_);
@@ -52,8 +56,7 @@ template <FeatureSet F>
     numbers.light_choice = sampler.sample_1d_bits(bounce, Dimension::LightChoice);
     numbers.light_point = sampler.sample_2d(bounce, Dimension::LightPoint);
   }
-  if ((F.models & models_with_lobes) != 0)
-    numbers.lobe = sampler.sample_1d(bounce, Dimension::LobeChoice);
+  if (needs_lobes<F>(scene)) numbers.lobe = sampler.sample_1d(bounce, Dimension::LobeChoice);
   numbers.direction = sampler.sample_2d(bounce, Dimension::Direction);
   if (bounce >= first_bounce_with_roulette)
     numbers.roulette = sampler.sample_1d(bounce, Dimension::Roulette);

@@ -6,28 +6,28 @@
 namespace candela {
 namespace {
 
-Vec2f widths_of(const Bsdf& bsdf) {
-  return ggx_width(Vec2f{bsdf.alpha, bsdf.alpha_across});
+Vec2f valid_widths(const Bsdf& bsdf) {
+  return ggx_width(widths_of(bsdf));
 }
 
 }  // namespace
 
 BsdfEvaluation evaluate_anisotropic_conductor(const Bsdf& bsdf, const Vec3f& wo, const Vec3f& wi) {
-  return evaluate_rough_conductor(bsdf, widths_of(bsdf), wo, wi);
+  return evaluate_rough_conductor(bsdf, valid_widths(bsdf), wo, wi);
 }
 
 BsdfSample sample_anisotropic_conductor(const Bsdf& bsdf, const Vec3f& wo, Vec2f direction) {
-  const Vec3f wi = sample_ggx_reflection(wo, widths_of(bsdf), direction);
+  const Vec3f wi = sample_ggx_reflection(wo, valid_widths(bsdf), direction);
   return to_sample(wi, evaluate_anisotropic_conductor(bsdf, wo, wi));
 }
 
 BsdfEvaluation evaluate_anisotropic_dielectric(const Bsdf& bsdf, const Vec3f& wo, const Vec3f& wi) {
-  return evaluate_rough_dielectric(bsdf, widths_of(bsdf), wo, wi);
+  return evaluate_rough_dielectric(bsdf, valid_widths(bsdf), wo, wi);
 }
 
 BsdfSample sample_anisotropic_dielectric(const Bsdf& bsdf, const Vec3f& wo, float lobe,
                                          Vec2f direction) {
-  return sample_rough_dielectric(bsdf, widths_of(bsdf), wo, lobe, direction);
+  return sample_rough_dielectric(bsdf, valid_widths(bsdf), wo, lobe, direction);
 }
 
 }  // namespace candela

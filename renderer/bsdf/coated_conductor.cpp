@@ -1,7 +1,7 @@
 #include "renderer/bsdf/coated_conductor.h"
 
 #include "renderer/bsdf/albedo.h"
-#include "renderer/bsdf/coated_diffuse.h"  // has_smooth_coat
+#include "renderer/bsdf/coat.h"
 #include "renderer/bsdf/coated_metal_table.h"
 #include "renderer/bsdf/microfacet.h"
 #include "renderer/bsdf/mirror.h"
@@ -10,17 +10,6 @@
 
 namespace candela {
 namespace {
-
-Vec2f coat_widths(const Bsdf& bsdf) {
-  return {bsdf.alpha, bsdf.alpha_across};
-}
-float mean_coat_width(const Bsdf& bsdf) {
-  return std::sqrt(bsdf.alpha * bsdf.alpha_across);
-}
-
-float coat_reflectance(const Bsdf& bsdf, float cosine) {
-  return fresnel_dielectric(cosine, bsdf.coat->eta()).reflectance;
-}
 
 // Within the coat, still upwards.
 Vec3f refracted(const Bsdf& bsdf, const Vec3f& w) {
@@ -63,7 +52,7 @@ BsdfEvaluation evaluate(const Bsdf& bsdf, const Vec3f& wo, const Vec3f& wi, floa
   const BsdfEvaluation metal = evaluate_coated_metal(bsdf, wo, wi);
   if (has_smooth_coat(bsdf)) return {metal.value, (1 - p_coat) * metal.pdf};
   const MicrofacetReflection reflection =
-      reflect_microfacets(GeometryTerm::Smith, coat_widths(bsdf), wo, wi);
+      reflect_microfacets(GeometryTerm::Smith, widths_of(bsdf), wo, wi);
   return {metal.value + coat_reflectance(bsdf, reflection.cos_half) * reflection.value,
           p_coat * reflection.pdf + (1 - p_coat) * metal.pdf};
 }
@@ -116,7 +105,7 @@ BsdfSample sample_coated_conductor(const Bsdf& bsdf, const Vec3f& wo, float lobe
   const bool picks_coat = lobe < p_coat;
   if (picks_coat && has_smooth_coat(bsdf))
     return mirror_sample(wo, Rgb{coat_reflectance(bsdf, wo.z) / p_coat});
-  const Vec3f wi = picks_coat ? sample_ggx_reflection(wo, coat_widths(bsdf), direction)
+  const Vec3f wi = picks_coat ? sample_ggx_reflection(wo, widths_of(bsdf), direction)
                               : sample_coated_metal(bsdf, wo, direction);
   return to_sample(wi, evaluate(bsdf, wo, wi, p_coat));
 }

@@ -8,19 +8,6 @@
 namespace candela {
 namespace {
 
-Vec2f widths_of(const Bsdf& bsdf) {
-  return {bsdf.alpha, bsdf.alpha_across};
-}
-
-// What crosses hardly knows directions: one width for both.
-float mean_width(const Bsdf& bsdf) {
-  return std::sqrt(bsdf.alpha * bsdf.alpha_across);
-}
-
-float coat_reflectance(const Bsdf& bsdf, float cosine) {
-  return fresnel_dielectric(cosine, bsdf.coat->eta()).reflectance;
-}
-
 float coat_probability(const Bsdf& bsdf, float cos_o) {
   return specular_probability(coat_reflectance(bsdf, cos_o),
                               average(coated_diffuse_albedo(bsdf, cos_o)));
@@ -30,8 +17,8 @@ float coat_probability(const Bsdf& bsdf, float cos_o) {
 BsdfEvaluation evaluate(const Bsdf& bsdf, const Vec3f& wo, const Vec3f& wi, float p_coat) {
   if (!(wi.z > 0)) return {};
   const CoatTable& coat = *bsdf.coat;
-  const float through =
-      coat.transmittance(wo.z, mean_width(bsdf)) * coat.transmittance(wi.z, mean_width(bsdf));
+  const float through = coat.transmittance(wo.z, mean_coat_width(bsdf)) *
+                        coat.transmittance(wi.z, mean_coat_width(bsdf));
   const Rgb diffuse = bsdf.diffuse * (through * wi.z * inverse_pi);
   if (has_smooth_coat(bsdf)) return {diffuse, (1 - p_coat) * cosine_hemisphere_pdf(wi.z)};
   const MicrofacetReflection reflection =
@@ -55,8 +42,8 @@ Rgb coated_reflectance(const CoatTable& coat, float alpha, const Rgb& kd, int bo
 }
 
 Rgb coated_diffuse_albedo(const Bsdf& bsdf, float cos_o) {
-  return bsdf.diffuse * (bsdf.coat->transmittance(cos_o, mean_width(bsdf)) *
-                         bsdf.coat->mean_transmittance(mean_width(bsdf)));
+  return bsdf.diffuse * (bsdf.coat->transmittance(cos_o, mean_coat_width(bsdf)) *
+                         bsdf.coat->mean_transmittance(mean_coat_width(bsdf)));
 }
 
 BsdfEvaluation evaluate_coated_diffuse(const Bsdf& bsdf, const Vec3f& wo, const Vec3f& wi) {

@@ -11,19 +11,13 @@
 // Not inline: so that kernels stay as small as they are without it.
 #pragma once
 
-#include "renderer/bsdf/bsdf.h"
-#include "renderer/bsdf/coat_table.h"
+#include "renderer/bsdf/coat.h"
 
 namespace candela {
 
 // Of the surface's own reflectance kd; `bounces` 0: any number.
 [[nodiscard]] Rgb coated_reflectance(const CoatTable& coat, float alpha, const Rgb& kd,
                                      int bounces);
-
-// Whether the coat mirrors: a delta lobe beside the diffuse one.
-[[nodiscard]] inline bool has_smooth_coat(const Bsdf& bsdf) {
-  return bsdf.alpha == 0;
-}
 
 // What the diffuse part sends back of light from cos_o.
 [[nodiscard]] Rgb coated_diffuse_albedo(const Bsdf& bsdf, float cos_o);

@@ -41,16 +41,20 @@ inline constexpr float smallest_ggx_width = 1e-4f;
 // A visible normal from the sphere's cap seen along wo, z in (-bound, 1]: the full cap (bound =
 // z of the stretched wo) gives D(m) G1(wo) (wo.m) / wo.z [Dupuy23, listing 3]. Zero where float
 // leaves no direction.
-[[nodiscard]] inline Vec3f sample_ggx_cap(const Vec3f& stretched_wo, float bound, float a,
+[[nodiscard]] inline Vec3f sample_ggx_cap(const Vec3f& stretched_wo, float bound, Vec2f a,
                                           Vec2f u) {
   const float z = (1 - u.y) * (1 + bound) - bound;
   const float r = std::sqrt(std::max(0.0f, 1 - z * z));
   SinCos phi = sin_cos_of_turns(u.x);
   Vec3f m = stretched_wo + Vec3f{r * phi.cos, r * phi.sin, z};
-  Vec3f normal{a * m.x, a * m.y, m.z};
+  Vec3f normal{a.x * m.x, a.y * m.y, m.z};
   const float length2 = length_squared(normal);
   if (!(length2 > 0) || !(normal.z > 0)) return Vec3f{0};
   return normal / std::sqrt(length2);
+}
+[[nodiscard]] inline Vec3f sample_ggx_cap(const Vec3f& stretched_wo, float bound, float a,
+                                          Vec2f u) {
+  return sample_ggx_cap(stretched_wo, bound, Vec2f(a), u);
 }
 
 [[nodiscard]] inline Vec3f sample_ggx_visible_normal(const Vec3f& wo, float a, Vec2f u) {
@@ -110,17 +114,6 @@ inline constexpr float smallest_ggx_width = 1e-4f;
   return 2 * cos_theta / (cos_theta + smith_root(w, a));
 }
 
-[[nodiscard]] inline Vec3f sample_ggx_cap(const Vec3f& stretched_wo, float bound, Vec2f a,
-                                          Vec2f u) {
-  const float z = (1 - u.y) * (1 + bound) - bound;
-  const float r = std::sqrt(std::max(0.0f, 1 - z * z));
-  SinCos phi = sin_cos_of_turns(u.x);
-  Vec3f m = stretched_wo + Vec3f{r * phi.cos, r * phi.sin, z};
-  Vec3f normal{a.x * m.x, a.y * m.y, m.z};
-  const float length2 = length_squared(normal);
-  if (!(length2 > 0) || !(normal.z > 0)) return Vec3f{0};
-  return normal / std::sqrt(length2);
-}
 [[nodiscard]] inline Vec3f sample_ggx_visible_normal(const Vec3f& wo, Vec2f a, Vec2f u) {
   Vec3f stretched = normalize(Vec3f{a.x * wo.x, a.y * wo.y, wo.z});
   return sample_ggx_cap(stretched, stretched.z, a, u);

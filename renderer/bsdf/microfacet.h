@@ -6,6 +6,11 @@
 
 namespace candela {
 
+// The widths along x and y of models that tell them apart.
+[[nodiscard]] inline Vec2f widths_of(const Bsdf& bsdf) {
+  return {bsdf.alpha, bsdf.alpha_across};
+}
+
 struct MicrofacetReflection {
   float value = 0;     // D G / (4 cos_o): f |cos_i| / F
   float pdf = 0;       // of sample_ggx_reflection()

@@ -13,7 +13,7 @@ namespace candela {
 
 class SampleDensity {
  public:
-  SampleDensity() = default;  // for nobody to ask
+  SampleDensity() = default;  // of no picture: not to be asked
   // From the pilot of a whole picture with at least two replicates a pixel.
   explicit SampleDensity(const Film& pilot);
 

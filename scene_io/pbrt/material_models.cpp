@@ -26,6 +26,13 @@ double read_ior(MaterialReader& reader, std::string_view name) {
   return 1;
 }
 
+template <class Rough>
+void set_widths(MaterialReader& reader, std::string_view prefix, Rough& rough) {
+  const Widths widths = read_widths(reader, prefix);
+  rough.roughness = widths.along;
+  rough.roughness_across = widths.across;
+}
+
 DiffuseMaterial diffuse(MaterialReader& reader) {
   reader.arguments.accept({"sigma"});
   return {reader.reflectance("reflectance", 0.5)};
@@ -42,18 +49,14 @@ ConductorMaterial conductor(MaterialReader& reader) {
     metal.eta = eta;
     metal.k = k;
   }
-  const Widths widths = read_widths(reader);
-  metal.roughness = widths.along;
-  metal.roughness_across = widths.across;
+  set_widths(reader, "", metal);
   return metal;
 }
 
 DielectricMaterial dielectric(MaterialReader& reader) {
   DielectricMaterial glass;
   glass.ior = read_ior(reader, "eta");
-  const Widths widths = read_widths(reader);
-  glass.roughness = widths.along;
-  glass.roughness_across = widths.across;
+  set_widths(reader, "", glass);
   return glass;
 }
 
@@ -68,9 +71,7 @@ DielectricMaterial thin_dielectric(MaterialReader& reader) {
 // is not there here.
 Coat read_coat(MaterialReader& reader, std::string_view prefix) {
   Coat coat;
-  const Widths widths = read_widths(reader, prefix);
-  coat.roughness = widths.along;
-  coat.roughness_across = widths.across;
+  set_widths(reader, prefix, coat);
   coat.ior = read_ior(reader, fmt::format("{}eta", prefix));
   coat.thickness = std::max(reader.scalar("thickness", 0.01), 0.0);
   const auto depth = reader.arguments.integer("maxdepth").value_or(10);
@@ -90,11 +91,9 @@ CoatedDiffuseMaterial coated_diffuse(MaterialReader& reader) {
 CoatedConductorMaterial coated_conductor(MaterialReader& reader) {
   CoatedConductorMaterial metal;
   const auto [eta, k] = read_metal(reader, "conductor.");
-  const Widths widths = read_widths(reader, "conductor.");
   metal.eta = eta;
   metal.k = k;
-  metal.roughness = widths.along;
-  metal.roughness_across = widths.across;
+  set_widths(reader, "conductor.", metal);
   metal.coat = read_coat(reader, "interface.");
   return metal;
 }

@@ -1,7 +1,5 @@
-#include "renderer/description/validate.h"
-#include "renderer/scene/compile.h"
 #include "scene_io/lab3/read_lab3.h"
-#include "tests/fuzz/check_errors.h"
+#include "tests/fuzz/check_scene.h"
 #include "tests/fuzz/readers.h"
 #include "tests/fuzz/scene_folder.h"
 
@@ -11,12 +9,7 @@ std::string try_lab3(std::string_view bytes) {
   LoadOptions options;
   options.use_mtl_materials = bytes.size() % 2 == 0;
   const auto read = lab3::parse_lab3(scene_folder() + "scene.yaml", bytes, options);
-  if (!read) return fault_of_failure(read.diagnostics);
-  const Diagnostics problems = description::validate(*read);
-  if (problems.has_errors()) return "validation: " + to_string(problems.list().front());
-  const Result<Scene> scene = compile(*read, {.width = 16, .height = 16});
-  if (!scene) return "compile: " + to_string(scene.diagnostics.list().front());
-  return fault_of(read.diagnostics);
+  return fault_of_scene(read);
 }
 
 }  // namespace candela::fuzz
