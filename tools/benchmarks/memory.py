@@ -22,7 +22,7 @@ def add_arguments(parser):
 
 
 def peak_megabytes(candela, name, scene, size):
-    return candela.render(name, scene, png=False, size=size, spp=1).stats["peak_memory_bytes"] * 1e-6
+    return candela.render(name.replace("/", "_"), scene, png=False, size=size, spp=1).stats["peak_memory_bytes"] * 1e-6
 
 
 def row(candela, name, scene, size, baseline):
@@ -82,5 +82,6 @@ def peaks(candela, options):
     print(f"A scene of one triangle peaks at {baseline:.1f} MB. In MB, less that:\n")
     print("| scene | peak | meshes | textures | peak / (meshes + textures) | Embree |")
     print("|---|---|---|---|---|---|")
-    for path in scenes.course_scenes(ROOT):
-        row(candela, path.stem, path, options.size, baseline)
+    files = {path.stem: path for path in scenes.course_scenes(ROOT)} | scenes.pbrt_scenes(ROOT)
+    for name, path in files.items():
+        row(candela, name, path, options.size, baseline)

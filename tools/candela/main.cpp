@@ -1,6 +1,7 @@
 // The way of the data: load, compile, build, render, write.
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,20 @@
 #include "tools/candela/render_run.h"
 #include "tools/candela/render_settings.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace candela::cli {
 namespace {
+
+// The allocator keeps what reading has freed for itself, and building the accelerator, the peak of
+// most renders, asks the system for more.
+void give_back_freed_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
 
 ExitCode render_scene(const RenderArguments& arguments) {
   RenderRun run(arguments);
@@ -35,16 +48,18 @@ ExitCode render_scene(const RenderArguments& arguments) {
   });
   if (!run.accepts(scene) || !run.accepts_scene(*scene)) return run.exit_code();
   description.value.reset();  // its meshes in double are not needed any more
+  give_back_freed_memory();
 
-  const AnyAccelerator accelerator = run.timed(&StageSeconds::build, [&] {
+  std::optional<AnyAccelerator> accelerator = run.timed(&StageSeconds::build, [&] {
     return build_accelerator(*scene, arguments.accelerator, arguments.embree);
   });
 
   ProgressSink* const progress = run.start_rendering(*scene);
   const RenderResult result = run.timed(&StageSeconds::render, [&] {
-    return render(*scene, accelerator, run.options(), progress, &cancel_flag());
+    return render(*scene, *accelerator, run.options(), progress, &cancel_flag());
   });
   run.rendered(*scene, result);
+  if (!arguments.measures_ray_limit) accelerator.reset();  // room for the encoders
   {
     const WritingGuard guard(run.outputs());
     const Image image = result.film.to_image(arguments.is_transparent);

@@ -283,7 +283,7 @@ void RenderRun::measure_ray_limit(const Scene& scene, const AnyAccelerator& acce
                   report_.ray_limit->rays_seconds, report_.ray_limit->rays));
 }
 
-ExitCode RenderRun::finish(const Scene& scene, const AnyAccelerator& accelerator) {
+ExitCode RenderRun::finish(const Scene& scene, const std::optional<AnyAccelerator>& accelerator) {
   const ProgressState state = progress_->state();
   progress_->stop();
   report_samples();
@@ -294,8 +294,8 @@ ExitCode RenderRun::finish(const Scene& scene, const AnyAccelerator& accelerator
                               stop_text(report_), fmt::join(report_.outputs, ", ")));
   else if (!report_.outputs.empty())
     console_.note(fmt::format("wrote {}", fmt::join(report_.outputs, ", ")));
-  if (arguments_.measures_ray_limit && !report_.is_interrupted())
-    measure_ray_limit(scene, accelerator);
+  if (accelerator && arguments_.measures_ray_limit && !report_.is_interrupted())
+    measure_ray_limit(scene, *accelerator);
   write_stats();
   return exit_code_;
 }

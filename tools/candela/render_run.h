@@ -51,7 +51,8 @@ class RenderRun {
   void wrote(const std::string& path, const Diagnostics& problems);
 
   // Says how it went, writes --stats.
-  [[nodiscard]] ExitCode finish(const Scene& scene, const AnyAccelerator& accelerator);
+  [[nodiscard]] ExitCode finish(const Scene& scene,
+                                const std::optional<AnyAccelerator>& accelerator);
   [[nodiscard]] ExitCode exit_code() const { return exit_code_; }
 
  private:
