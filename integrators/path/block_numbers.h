@@ -32,11 +32,13 @@ class BlockNumbers {
     samplers.sample_2d(bounce, Dimension::Direction, direction_);
     if (bounce >= first_bounce_with_roulette)
       samplers.sample_1d(bounce, Dimension::Roulette, roulette_);
+    if (F.textures && scene.features.mixes)
+      samplers.sample_1d(bounce, Dimension::MaterialChoice, material_);
   }
 
   [[nodiscard]] StepNumbers lane(std::size_t i) const {
-    return {light_choice_[i], unit_point(light_point_, i), unit_float(lobe_[i]),
-            unit_point(direction_, i), unit_float(roulette_[i])};
+    return {light_choice_[i],          unit_point(light_point_, i), unit_float(lobe_[i]),
+            unit_point(direction_, i), unit_float(roulette_[i]),    unit_float(material_[i])};
   }
 
  private:
@@ -45,6 +47,7 @@ class BlockNumbers {
   SamplerLanes<std::uint32_t> lobe_{};
   SobolPointLanes direction_{};
   SamplerLanes<std::uint32_t> roulette_{};
+  SamplerLanes<std::uint32_t> material_{};
 };
 
 // The same for a single sample.
@@ -60,6 +63,8 @@ template <FeatureSet F>
   numbers.direction = sampler.sample_2d(bounce, Dimension::Direction);
   if (bounce >= first_bounce_with_roulette)
     numbers.roulette = sampler.sample_1d(bounce, Dimension::Roulette);
+  if (F.textures && scene.features.mixes)
+    numbers.material = sampler.sample_1d(bounce, Dimension::MaterialChoice);
   return numbers;
 }
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "integrators/worn_materials.h"
 #include "renderer/bsdf/ggx.h"
+#include "renderer/description/used_materials.h"
 
 namespace candela {
 namespace {
@@ -45,6 +45,12 @@ struct NameOfDeltaLight {
   std::string_view operator()(const SpotLight& light) const {
     return light.intensity == Vec3d(0.0) ? "" : "a spot light";
   }
+  std::string_view operator()(const GoniometricLight& light) const {
+    return light.intensity == Vec3d(0.0) ? "" : "a goniometric light";
+  }
+  std::string_view operator()(const ProjectionLight& light) const {
+    return light.intensity == Vec3d(0.0) ? "" : "a projection light";
+  }
   std::string_view operator()(const DirectionalLight& light) const {
     return light.irradiance == Vec3d(0.0) ? "" : "a directional light";
   }
@@ -56,11 +62,11 @@ struct NameOfDeltaLight {
 
 void check_lobes(const SceneDescription& scene, SamplingStrategy strategy,
                  Diagnostics& diagnostics) {
-  const std::vector<bool> worn = worn_materials(scene);
+  const std::vector<bool> is_used = used_materials(scene);
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const Material& material = scene.materials[i];
     const std::string_view lobe = std::visit(NameOfDeltaLobe{}, material.model);
-    if (worn[i] && !lobe.empty())
+    if (is_used[i] && !lobe.empty())
       diagnostics.error(material.span,
                         fmt::format("material '{}' is {}, in which sampling by '{}' cannot see "
                                     "lights; expected mis or bsdf",

@@ -8,7 +8,7 @@
 namespace candela {
 
 struct FeatureSet {
-  bool textures = true;  // any texture, bump or normal map
+  bool textures = true;  // any texture, of lights too, bump or normal map, mixed materials
   bool instances = true;
   bool delta_lights = true;
   bool environment = true;
@@ -27,6 +27,9 @@ struct FeatureSet {
     if (delta_lights)
       kinds |= light_kind_bit(LightKind::Point) | light_kind_bit(LightKind::Spot) |
                light_kind_bit(LightKind::Directional);
+    if (textures) kinds |= light_kind_bit(LightKind::TexturedTriangle);
+    if (textures && delta_lights)
+      kinds |= light_kind_bit(LightKind::Goniometric) | light_kind_bit(LightKind::Projection);
     if (environment) kinds |= light_kind_bit(LightKind::Environment);
     return kinds;
   }

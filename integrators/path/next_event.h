@@ -19,7 +19,7 @@ namespace candela {
 }
 
 [[nodiscard]] inline LightTables light_tables(const Scene& scene) {
-  return {scene.environment ? &*scene.environment : nullptr, &scene.textures};
+  return {scene.environment ? &*scene.environment : nullptr, &scene.textures, &scene.geometries};
 }
 
 // What a light sample brings if nothing stands in its shadow ray's way.

@@ -10,6 +10,7 @@
 #include "renderer/light/environment.h"
 #include "renderer/material/bsdf_at.h"
 #include "renderer/material/bump.h"
+#include "renderer/material/mixed_material.h"
 
 namespace candela {
 
@@ -29,6 +30,7 @@ struct StepNumbers {
   float lobe = 0;
   Vec2f direction{0};
   float roulette = 0;
+  float material = 0;
 };
 
 // Light that the path met; `light_pdf` is the light sampler's density of its direction, 0 where it
@@ -67,7 +69,24 @@ inline void add_emission(const Scene& scene, const RenderOptions& options, const
   const float pdf =
       path.is_delta ? 0.0f
                     : triangle_light_pdf(light, wi, hit.t) * scene.light_sampler.probability(index);
-  add_met_light<F>(options, triangle_light_radiance(light, -wi), pdf, path);
+  Rgb radiance = triangle_light_radiance(light, -wi);
+  if constexpr (F.textures) {
+    if (light.texture) radiance *= emission_factor(light, geometry, scene.textures, hit.u, hit.v);
+  }
+  add_met_light<F>(options, radiance, pdf, path);
+}
+
+// The material that a hit meets: of mixtures the part that u in [0, 1) chooses.
+template <FeatureSet F>
+[[nodiscard]] inline const Material& material_at(const Scene& scene, const Geometry& geometry,
+                                                 const Hit& hit, float u) {
+  const Material& material = scene.materials[geometry.material.index];
+  if constexpr (F.textures) {
+    if (material.model == MaterialModel::Mix)
+      return material_of_mix(scene.materials, material, scene.textures,
+                             uv_at(geometry, hit.triangle, hit.u, hit.v), u);
+  }
+  return material;
 }
 
 template <FeatureSet F>
@@ -97,9 +116,9 @@ template <FeatureSet F>
 // What the film's layers keep. Out of line: the loop below need not have all of it at hand.
 template <FeatureSet F>
 [[gnu::noinline]] void record_camera_hit(const Scene& scene, const Camera& camera, const Ray& ray,
-                                         const Hit& hit, FilmSample& sample) {
+                                         const Hit& hit, const Material& material,
+                                         FilmSample& sample) {
   const Geometry& geometry = scene.geometries[hit.geometry];
-  const Material& material = scene.materials[geometry.material.index];
   Vec3f wo = -ray.direction;
   SurfacePoint point = surface_point_at<F>(scene, hit, material, wo);
   Bsdf bsdf = bsdf_at<F.models, F.textures>(material, scene.textures, point.uv, point.is_front);
@@ -214,14 +233,14 @@ template <FeatureSet F, class A>
     return false;
   }
   const Geometry& geometry = scene.geometries[hit.geometry];
-  const Material& material = scene.materials[geometry.material.index];
+  const Material& material = material_at<F>(scene, geometry, hit, numbers.material);
   Vec3f wo = -ray.direction;
   SurfacePoint point = surface_point_at<F>(scene, hit, material, wo);
   absorb_within<F>(material, point, hit.t, path);
   if (geometry.is_emissive())
     add_emission<F>(scene, context.options, geometry, hit, ray.direction, path);
   if (bounce == 0 && context.options.aovs != 0)
-    record_camera_hit<F>(scene, context.camera, ray, hit, first_hit);
+    record_camera_hit<F>(scene, context.camera, ray, hit, material, first_hit);
   if (bounce >= context.max_depth) return false;
   return leave_surface<F>(context, numbers, bounce, point, material, wo, ray, path, picked, counts);
 }

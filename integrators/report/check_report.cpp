@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "integrators/worn_materials.h"
+#include "renderer/description/used_materials.h"
 
 namespace candela {
 namespace {
@@ -26,6 +26,7 @@ struct NameOfUnknownModel {
     return "seen from behind";
   }
   std::string_view operator()(const InterfaceMaterial&) const { return "an interface"; }
+  std::string_view operator()(const MixMaterial&) const { return "a mixture"; }
   template <class Known>
   std::string_view operator()(const Known&) const {
     return "";
@@ -56,6 +57,10 @@ void check_material(const Material& material, Diagnostics& diagnostics) {
     diagnostics.error(material.span, fmt::format("material '{}' is {}; expected diffuse, "
                                                  "cook_torrance or a lab3 material",
                                                  material.name, unknown));
+  if (material.emission_map || material.emission_texture)
+    diagnostics.error(material.span, fmt::format("material '{}' emits by a texture; the report "
+                                                 "integrator knows lamps that emit evenly",
+                                                 material.name));
   if (material.emission != Vec3d(0.0) && !std::visit(ReflectsNothing{}, material.model))
     diagnostics.warning(material.span,
                         fmt::format("material '{}' emits and reflects; in the report integrator "
@@ -75,6 +80,12 @@ struct NameOfUnknownLight {
   std::string_view operator()(const SpotLight& light) const {
     return unless_black(light.intensity, "a spot light");
   }
+  std::string_view operator()(const GoniometricLight& light) const {
+    return unless_black(light.intensity, "a goniometric light");
+  }
+  std::string_view operator()(const ProjectionLight& light) const {
+    return unless_black(light.intensity, "a projection light");
+  }
   std::string_view operator()(const DirectionalLight& light) const {
     return unless_black(light.irradiance, "a directional light");
   }
@@ -92,9 +103,9 @@ struct NameOfUnknownLight {
 
 Diagnostics check_report(const SceneDescription& scene) {
   Diagnostics diagnostics;
-  const std::vector<bool> worn = worn_materials(scene);
+  const std::vector<bool> is_used = used_materials(scene);
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
-    if (worn[i]) check_material(scene.materials[i], diagnostics);
+    if (is_used[i]) check_material(scene.materials[i], diagnostics);
   for (const Light& light : scene.lights) {
     const std::string_view unknown = std::visit(NameOfUnknownLight{}, light.kind);
     if (unknown.empty()) continue;

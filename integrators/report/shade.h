@@ -82,7 +82,7 @@ template <class A>
 [[nodiscard]] inline Rgb emitted_towards(const Scene& scene, const Hit& hit, const Vec3f& wo) {
   const Geometry& geometry = scene.geometries[hit.geometry];
   if (!geometry.is_emissive()) return Rgb(0);
-  return emitted_radiance(scene.lights[geometry.first_light + hit.triangle], wo);
+  return triangle_light_radiance(scene.lights[geometry.first_light + hit.triangle], wo);
 }
 
 template <class A>

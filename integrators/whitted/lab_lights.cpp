@@ -1,6 +1,7 @@
 #include "integrators/whitted/lab_lights.h"
 
 #include "renderer/light/make_light.h"
+#include "renderer/math/colour.h"
 
 namespace candela {
 namespace {
@@ -8,8 +9,9 @@ namespace {
 // Sums over the triangles of a lamp, in double.
 struct LampSums {
   double area = 0;
-  Vec3d vector_area{0.0};     // sum of A n
-  Vec3d weighted_place{0.0};  // sum of A times the triangle's centre
+  double weighted_luminance = 0;  // sum of A times the mean of what it emits
+  Vec3d vector_area{0.0};         // sum of A n
+  Vec3d weighted_place{0.0};      // sum of A times the triangle's centre
 };
 
 LampSums sums_of(const Scene& scene, const Geometry& geometry) {
@@ -20,6 +22,7 @@ LampSums sums_of(const Scene& scene, const Geometry& geometry) {
     const Vec3d vector_area = 0.5 * cross(edge1, edge2);
     const double area = length(vector_area);
     sums.area += area;
+    sums.weighted_luminance += area * static_cast<double>(triangle.mean_luminance);
     sums.vector_area += vector_area;
     sums.weighted_place += area * (Vec3d(triangle.position) + (edge1 + edge2) / 3.0);
   }
@@ -50,7 +53,10 @@ Light lamp_light(const Scene& scene, std::uint32_t index) {
   const double seen_area = axis_length > closed_below * sums.area
                                ? projected_area(scene, geometry, sums.vector_area / axis_length)
                                : sums.area * (first.emits_both_sides ? 0.5 : 0.25);
-  const Rgb intensity(Vec3d(first.emission) * (seen_area / pi_double));
+  Vec3d radiance(first.emission);
+  if (first.texture)  // of its factor's colour, as bright as the mean
+    radiance *= sums.weighted_luminance / sums.area / luminance(radiance);
+  const Rgb intensity(radiance * (seen_area / pi_double));
   Light light = make_point_light(Vec3f(sums.weighted_place / sums.area), intensity);
   light.geometry = index;
   return light;

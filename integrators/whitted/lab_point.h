@@ -5,6 +5,7 @@
 #include "integrators/whitted/lab_surface.h"
 #include "renderer/geometry/surface_point.h"
 #include "renderer/material/bump.h"
+#include "renderer/material/mixed_material.h"
 
 namespace candela {
 
@@ -41,7 +42,9 @@ struct LabPoint {
 [[nodiscard]] inline LabPoint lab_point_at(const Scene& scene, const LabRules& rules,
                                            const Hit& hit, const Vec3f& wo) {
   const Geometry& geometry = scene.geometries[hit.geometry];
-  const Material& material = scene.materials[geometry.material.index];
+  const Material& worn = scene.materials[geometry.material.index];
+  const Material& material = greater_part_of_mix(scene.materials, worn, scene.textures,
+                                                 uv_at(geometry, hit.triangle, hit.u, hit.v));
   SurfacePoint place = lab_place(scene, hit, wo);
   if (rules.bump && has_bump(material)) {
     place.front_normal = shading_normal_at(material, scene.textures, place.uv, place.front_normal,
@@ -49,7 +52,9 @@ struct LabPoint {
     place.is_flat = false;
   }
   set_shading_frame(place, wo);
-  return {geometry, material, place, lab_surface_at(material, scene.textures, place.uv),
+  LabSurface surface = lab_surface_at(material, scene.textures, place.uv);
+  if (&worn != &material) surface.alpha = lab_alpha_at(worn, scene.textures, place.uv);
+  return {geometry, material, place, surface,
           rules.lab_normals ? interpolated_normal(scene, hit, place) : place.shading.z};
 }
 

@@ -26,11 +26,13 @@ template <class A>
                                       const Hit& hit, const Vec3f& wo, TileCounts& counts) {
   const LabSurface& surface = point.surface;
   const Vec3f& n = point.normal;
+  const LightTables tables{nullptr, &context.scene.textures, &context.scene.geometries};
   Rgb sum = context.scene.ambient * surface.kd;
   if (point.geometry.is_emissive())
-    sum += emitted_radiance(context.scene.lights[point.geometry.first_light + hit.triangle], wo);
+    sum += emitted_radiance(tables, context.scene.lights[point.geometry.first_light + hit.triangle],
+                            hit.u, hit.v, wo);
   for (const Light& light : context.lights) {
-    const LightSample sample = sample_light({}, light, point.place, Vec2f(0));
+    const LightSample sample = sample_light(tables, light, point.place, Vec2f(0));
     if (!sample.is_valid()) continue;
     const float highlight =
         lab_highlight(context.rules.specular, surface.exponent, n, wo, sample.wi);

@@ -26,12 +26,6 @@ float uniform_of(const Vec3f& origin, const Vec3f& direction, std::uint32_t geom
   return unit_float(static_cast<std::uint32_t>(h >> 32));
 }
 
-Vec2f uv_at(const Geometry& geometry, std::uint32_t triangle, float u, float v) {
-  if (geometry.uvs.empty()) return {0.5f, 0.5f};
-  const auto& [a, b, c] = geometry.triangles[triangle];
-  return geometry.uvs[a] * (1 - u - v) + geometry.uvs[b] * u + geometry.uvs[c] * v;
-}
-
 float value_at(const TextureStore& textures, const ScalarParameter& opacity, Vec2f uv) {
   if (!opacity.texture) return opacity.constant;
   return opacity.channel == alpha_channel ? textures.lookup_alpha(opacity.texture, uv)

@@ -1,27 +1,12 @@
 #include <fmt/format.h>
 
+#include "renderer/description/used_materials.h"
 #include "renderer/description/validate.h"
 #include "renderer/description/validate_light.h"
 #include "renderer/description/world_bounds.h"
 
 namespace candela::description {
 namespace {
-
-std::vector<bool> used_materials(const SceneDescription& scene) {
-  std::vector<bool> is_used(scene.materials.size(), false);
-  const auto use = [&](MaterialHandle material) {
-    if (material.index < is_used.size()) is_used[material.index] = true;
-  };
-  for (const Instance& instance : scene.instances) {
-    if (instance.material_override) {
-      use(instance.material_override);
-    } else if (instance.mesh.index < scene.meshes.size()) {
-      for (const MaterialHandle material : scene.meshes[instance.mesh.index].materials)
-        use(material);
-    }
-  }
-  return is_used;
-}
 
 // Of the scene file's own: libraries (MTL) usually hold more than a scene needs.
 void warn_of_unused_materials(const SceneDescription& scene, Diagnostics& diagnostics) {

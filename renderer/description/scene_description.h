@@ -198,18 +198,30 @@ struct DiffuseTransmissionMaterial {
 // Nothing is there: rays go straight on. It bounds a medium, or nothing.
 struct InterfaceMaterial {};
 
+// At each hit one of two materials that stand before this one in the list: the second with the
+// probability `amount`. What they emit and how much they cover does not count, what this one does.
+// No interfaces: a part that is not there is a matter of `opacity`.
+struct MixMaterial {
+  MaterialHandle first, second;
+  ScalarInput amount{0.5, {}, 0};
+};
+
 struct Material {
   std::string name;
   SourceSpan span;
   std::variant<LabMaterial, CookTorranceMaterial, DiffuseMaterial, MirrorMaterial,
                ConductorMaterial, DielectricMaterial, CoatedDiffuseMaterial,
-               CoatedConductorMaterial, DiffuseTransmissionMaterial, InterfaceMaterial>
+               CoatedConductorMaterial, DiffuseTransmissionMaterial, InterfaceMaterial, MixMaterial>
       model;
   Vec3d emission{0.0};  // radiance; the geometric normal's side, or both
   bool emits_both_sides = false;
-  ScalarInput opacity{1.0, {}, 0};  // coverage in [0,1]: the probability of a hit
-  ImageHandle height;               // bump map: grey heights
-  TextureHandle height_texture{};   // the same by a texture
+  ImageHandle emission_map{};          // a factor of the emission by place
+  TextureHandle emission_texture{};    // the same by a texture
+  bool emission_is_maps_mean = false;  // white emission is the radiance where the map is as bright
+                                       // as its texels' mean luminance
+  ScalarInput opacity{1.0, {}, 0};     // coverage in [0,1]: the probability of a hit
+  ImageHandle height;                  // bump map: grey heights
+  TextureHandle height_texture{};      // the same by a texture
   double height_scale = 1.0;  // height of white, in units of the uv square's edge on the surface
   ImageHandle normal_map;     // tangent-space normals, encoded (n+1)/2
 };
@@ -244,6 +256,25 @@ struct SpotLight {
   Vec3d intensity{1.0};              // on the axis
   double inner_angle_radians = 0.0;  // full within, smooth to 0 at the outer angle
   double outer_angle_radians = 0.0;
+};
+// A point whose intensity an image says by direction. Of the map's axes in the world only the
+// directions count; they stand at right angles.
+struct GoniometricLight {
+  Vec3d position{0.0};
+  Vec3d intensity{1.0};  // times the image, if there is one
+  ImageHandle image;     // of equal areas, as EqualAreaEnvironment's
+  Mat3d world_from_map{1.0};
+  std::optional<double> power = {};  // flux by luminance of white intensity, in place of its size
+};
+// A point that projects an image along the map's +z, its right side towards +x and its upper
+// towards +y.
+struct ProjectionLight {
+  Vec3d position{0.0};
+  Vec3d intensity{1.0};  // times the image
+  ImageHandle image;
+  Mat3d world_from_map{1.0};
+  double angle_degrees = 90.0;  // of the image's shorter side
+  std::optional<double> power = {};
 };
 struct DirectionalLight {
   Vec3d to_light{0.0, 1.0, 0.0};  // unit
@@ -282,8 +313,9 @@ struct EqualAreaEnvironment {
 
 struct Light {
   SourceSpan span;
-  std::variant<PointLight, SpotLight, DirectionalLight, TriangleLight, ConstantEnvironment,
-               CubeEnvironment, LatLongEnvironment, EqualAreaEnvironment>
+  std::variant<PointLight, SpotLight, GoniometricLight, ProjectionLight, DirectionalLight,
+               TriangleLight, ConstantEnvironment, CubeEnvironment, LatLongEnvironment,
+               EqualAreaEnvironment>
       kind;
 };
 

@@ -44,13 +44,13 @@ class Check {
       error("the direction of a light is not of length 1");
   }
   void image(ImageHandle handle) const {
-    if (handle.index >= scene_.images.size()) error("the image of an environment does not exist");
+    if (handle.index >= scene_.images.size()) error("the image of a light does not exist");
   }
   template <class Map>
   void map(const Map& light) const {
     image(light.image);
     colour(light.scale, "scale");
-    for (int c = 0; c < 3; ++c) direction(light.world_from_map[c]);
+    axes(light.world_from_map);
   }
 
   void operator()(const PointLight& light) const {
@@ -68,6 +68,33 @@ class Check {
           fmt::format("the half angles of a spot light are {} and {}, expected 0 <= inner <= "
                       "outer <= pi",
                       inner, outer));
+  }
+  // Of the axes' angles nothing is said: readers do, who know what to do about it.
+  void axes(const Mat3d& world_from_map) const {
+    for (int c = 0; c < 3; ++c) direction(world_from_map[c]);
+  }
+  void power(const std::optional<double>& flux) const {
+    if (flux && !(*flux > 0 && std::isfinite(*flux)))
+      error(fmt::format("the power of a light is {}, expected above 0", *flux));
+  }
+  void operator()(const GoniometricLight& light) const {
+    place(light.position);
+    colour(light.intensity, "intensity");
+    if (light.image) image(light.image);
+    axes(light.world_from_map);
+    power(light.power);
+  }
+  void operator()(const ProjectionLight& light) const {
+    place(light.position);
+    colour(light.intensity, "intensity");
+    image(light.image);
+    axes(light.world_from_map);
+    power(light.power);
+    if (!(light.angle_degrees > 0 && light.angle_degrees < 180))
+      error(
+          fmt::format("the angle of a projection light is {} degrees, expected above 0 and below "
+                      "180",
+                      light.angle_degrees));
   }
   void operator()(const DirectionalLight& light) const {
     direction(light.to_light);
@@ -96,6 +123,8 @@ struct Brightness {
   Vec3d operator()(const SpotLight& light) const {
     return light.outer_angle_radians > 0 ? light.intensity : Vec3d(0.0);
   }
+  Vec3d operator()(const GoniometricLight& light) const { return light.intensity; }
+  Vec3d operator()(const ProjectionLight& light) const { return light.intensity; }
   Vec3d operator()(const DirectionalLight& light) const { return light.irradiance; }
   Vec3d operator()(const TriangleLight& light) const { return light.radiance; }
   Vec3d operator()(const ConstantEnvironment& light) const { return light.radiance; }

@@ -149,8 +149,27 @@ class Check {
                       most));
   }
   void operator()(const InterfaceMaterial&) const {}
+  void operator()(const MixMaterial& mix) const {
+    part(mix.first);
+    part(mix.second);
+    input(mix.amount, "the amount");
+  }
 
  private:
+  // One of a mixture. Those of a mixture stand before it, so that none is made of itself.
+  void part(MaterialHandle handle) const {
+    const auto index = static_cast<std::size_t>(&material_ - scene_.materials.data());
+    if (handle.index >= index)
+      diagnostics_.error(material_.span,
+                         fmt::format("material '{}': a material that it mixes does not stand "
+                                     "before it",
+                                     material_.name));
+    else if (std::holds_alternative<InterfaceMaterial>(scene_.materials[handle.index].model))
+      diagnostics_.error(
+          material_.span,
+          fmt::format("material '{}' mixes an interface, expected an opacity", material_.name));
+  }
+
   const SceneDescription& scene_;
   const Material& material_;
   Diagnostics& diagnostics_;
@@ -163,6 +182,8 @@ void check_material(const SceneDescription& scene, const Material& material,
   const Check check(scene, material, diagnostics);
   std::visit(check, material.model);
   check.positive_colour(material.emission, "the emission");
+  check.image(material.emission_map, "the emission");
+  check.texture(material.emission_texture, "the emission");
   check.input(material.opacity, "the opacity");
   check.image(material.height, "heights");
   check.texture(material.height_texture, "heights");

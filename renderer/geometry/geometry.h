@@ -40,6 +40,14 @@ struct Geometry {
   }
 };
 
+// Texture coordinates at the barycentric weights u and v of vertices 1 and 2.
+[[nodiscard]] inline Vec2f uv_at(const Geometry& geometry, std::uint32_t triangle, float u,
+                                 float v) {
+  if (geometry.uvs.empty()) return {0.5f, 0.5f};
+  const auto& [a, b, c] = geometry.triangles[triangle];
+  return geometry.uvs[a] * (1 - u - v) + geometry.uvs[b] * u + geometry.uvs[c] * v;
+}
+
 // Geometries that are placed together.
 struct Object {
   std::vector<GeometryHandle> geometries;

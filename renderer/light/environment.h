@@ -16,12 +16,12 @@
 
 #include "renderer/light/cube_map.h"
 #include "renderer/light/equal_area_map.h"
+#include "renderer/light/image_radiance.h"
 #include "renderer/light/lat_long_map.h"
 #include "renderer/math/constants.h"
 #include "renderer/math/vec.h"
 #include "renderer/sampling/distribution.h"
 #include "renderer/sampling/warp.h"
-#include "renderer/texture/texture.h"
 
 namespace candela {
 
@@ -62,13 +62,9 @@ namespace environment_detail {
 [[nodiscard]] inline Vec2f uv_of(Vec2f st) {
   return {st.x, 1 - st.y};
 }
-[[nodiscard]] inline float valid_radiance(float x) {
-  return x > 0 && x <= std::numeric_limits<float>::max() ? x : 0.0f;
-}
 [[nodiscard]] inline Rgb look_up(const Environment& e, const TextureStore& textures, int face,
                                  Vec2f st) {
-  const Vec4f texel = textures.lookup(e.faces[static_cast<std::size_t>(face)], uv_of(st));
-  return e.scale * Rgb(valid_radiance(texel.x), valid_radiance(texel.y), valid_radiance(texel.z));
+  return e.scale * image_radiance(textures, e.faces[static_cast<std::size_t>(face)], uv_of(st));
 }
 
 }  // namespace environment_detail

@@ -8,33 +8,51 @@
 #include "renderer/math/constants.h"
 #include "renderer/math/ray.h"
 #include "renderer/math/vec.h"
+#include "renderer/texture/texture.h"
 
 namespace candela {
 
-enum class LightKind : std::uint8_t { Point, Spot, Directional, Triangle, Environment };
+enum class LightKind : std::uint8_t {
+  Point,
+  Spot,
+  Directional,
+  Triangle,
+  Environment,
+  TexturedTriangle,  // as Triangle, which stands for both where nothing else is said
+  Goniometric,       // a point with an image of intensities by direction
+  Projection,        // a point that projects an image
+};
 
 // Which kinds a scene has: kernels specialised on a set leave the others out of their switches.
 using LightKindSet = std::uint32_t;
 constexpr LightKindSet light_kind_bit(LightKind kind) {
   return 1u << static_cast<unsigned>(kind);
 }
-inline constexpr LightKindSet all_light_kinds = 0x1f;
+inline constexpr LightKindSet all_light_kinds = 0xff;
 
 struct Light {
   static constexpr std::uint32_t none = 0xffffffffu;
 
   LightKind kind = LightKind::Point;
   bool emits_both_sides = false;  // Triangle; else only the side of edge1 x edge2
-  // Point, Spot: position; Directional: unit direction towards the light; Triangle: vertex 0
+  // Point, Spot, Goniometric, Projection: position; Directional: unit direction towards the light;
+  // Triangle: vertex 0
   Vec3f position{0};
-  Vec3f edge1{0};  // Triangle: v1 - v0;  Spot: unit axis outwards
-  Vec3f edge2{0};  // Triangle: v2 - v0
-  // Point, Spot: radiant intensity; Directional: irradiance; Triangle: radiance
+  // Triangle: v1 - v0;  Spot: unit axis outwards;  Goniometric, Projection: the map's x axis
+  Vec3f edge1{0};
+  Vec3f edge2{0};  // Triangle: v2 - v0;  Goniometric, Projection: the map's y axis
+  // Point, Spot, Goniometric, Projection: radiant intensity; Directional: irradiance; Triangle:
+  // radiance
   Rgb emission{0};
+  // TexturedTriangle, Goniometric, Projection: a factor of the emission (Goniometric: absent where
+  // it is 1), and the mean luminance of both over the triangle or over all directions
+  TextureHandle texture{};
+  float mean_luminance = 0;
   // Spot: 1 - cos of the angles, which narrow cones need: 1 - cos(0.01 degrees) is half an ulp of 1
   float versine_inner = 0;
   float versine_outer = 0;
-  // Triangle: unit, of edge1 x edge2, and a bound of the error along it of points on the triangle
+  // Triangle: unit, of edge1 x edge2, and a bound of the error along it of points on the triangle;
+  // Goniometric, Projection: the map's z axis
   Vec3f normal{0, 0, 1};
   float offset = 0;
   float area = 0;                 // Triangle; > 0
@@ -43,7 +61,8 @@ struct Light {
 
   // Delta lights have no area: only next-event estimation sees them.
   [[nodiscard]] bool is_delta() const {
-    return kind == LightKind::Point || kind == LightKind::Spot || kind == LightKind::Directional;
+    return kind == LightKind::Point || kind == LightKind::Spot || kind == LightKind::Directional ||
+           kind == LightKind::Goniometric || kind == LightKind::Projection;
   }
 };
 

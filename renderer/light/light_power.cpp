@@ -20,6 +20,7 @@ double spot_solid_angle(const Light& light) {
 double light_power(const Light& light, const Environment* environment, double scene_radius) {
   const double disc = pi_double * square(scene_radius);
   const double emission = double_luminance(light.emission);
+  const auto mean = static_cast<double>(light.mean_luminance);
   switch (light.kind) {
     case LightKind::Point:
       return 4 * pi_double * emission;
@@ -31,6 +32,11 @@ double light_power(const Light& light, const Environment* environment, double sc
       return (light.emits_both_sides ? 2 : 1) * pi_double * light.area * emission;
     case LightKind::Environment:
       return 4 * pi_double * disc * environment->mean_luminance;
+    case LightKind::TexturedTriangle:
+      return (light.emits_both_sides ? 2 : 1) * pi_double * light.area * mean;
+    case LightKind::Goniometric:
+    case LightKind::Projection:
+      return 4 * pi_double * mean;
   }
   return 0;
 }

@@ -2,20 +2,18 @@
 
 #include <algorithm>
 
-#include "renderer/light/environment.h"
+#include "renderer/light/image_radiance.h"
 #include "renderer/math/colour.h"
 
 namespace candela {
 namespace {
-
-using environment_detail::valid_radiance;
 
 bool is_valid(const Rgb& texel) {
   return is_finite(texel) && min_component(texel) >= 0;
 }
 
 float valid_luminance(const Rgb& texel) {
-  return luminance(Rgb(valid_radiance(texel.x), valid_radiance(texel.y), valid_radiance(texel.z)));
+  return luminance(valid_radiance(Vec4f(texel, 1)));
 }
 
 std::uint32_t first_touched(std::uint64_t cell, std::uint64_t cells, std::uint64_t texels) {

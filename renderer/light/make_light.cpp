@@ -35,6 +35,26 @@ Light make_spot_light(const Vec3f& position, const Vec3d& axis, const Rgb& inten
   return light;
 }
 
+Light make_goniometric_light(const Vec3f& position, const Mat3d& world_from_map,
+                             const Rgb& intensity, TextureHandle texture) {
+  Light light = make_point_light(position, intensity);
+  light.kind = LightKind::Goniometric;
+  light.edge1 = Vec3f(world_from_map[0]);
+  light.edge2 = Vec3f(world_from_map[1]);
+  light.normal = Vec3f(world_from_map[2]);
+  light.texture = texture;
+  return light;
+}
+
+Light make_projection_light(const Vec3f& position, const Mat3d& world_from_map,
+                            const Vec2d& half_sides, const Rgb& intensity, TextureHandle texture) {
+  Light light = make_goniometric_light(position, world_from_map, intensity, texture);
+  light.kind = LightKind::Projection;
+  light.edge1 = Vec3f(world_from_map[0] / half_sides.x);
+  light.edge2 = Vec3f(world_from_map[1] / half_sides.y);
+  return light;
+}
+
 Light make_directional_light(const Vec3d& to_light, const Rgb& irradiance) {
   Light light;
   light.kind = LightKind::Directional;

@@ -13,6 +13,16 @@ namespace candela {
 [[nodiscard]] Light make_spot_light(const Vec3f& position, const Vec3d& axis, const Rgb& intensity,
                                     double inner_angle_radians, double outer_angle_radians);
 
+// `world_from_map`: its columns are the map's axes, unit. Without a texture the intensity is the
+// same everywhere. The mean luminance is left to the caller.
+[[nodiscard]] Light make_goniometric_light(const Vec3f& position, const Mat3d& world_from_map,
+                                           const Rgb& intensity, TextureHandle texture);
+
+// `half_sides`: of the image at distance 1.
+[[nodiscard]] Light make_projection_light(const Vec3f& position, const Mat3d& world_from_map,
+                                          const Vec2d& half_sides, const Rgb& intensity,
+                                          TextureHandle texture);
+
 // `to_light` of any length.
 [[nodiscard]] Light make_directional_light(const Vec3d& to_light, const Rgb& irradiance);
 

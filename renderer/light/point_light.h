@@ -19,13 +19,15 @@ namespace candela {
   return t * t * (3 - 2 * t);
 }
 
-[[nodiscard]] inline LightSample sample_point_light(const Light& light, const SurfacePoint& from) {
+// `share(w)`: of the intensity, towards the unit direction w.
+template <class Share>
+[[nodiscard]] inline LightSample sample_from_point(const Light& light, const SurfacePoint& from,
+                                                   const Share& share) {
   Vec3f to_light = light.position - from.position;
   const float distance2 = dot(to_light, to_light);
   if (!(distance2 > 0)) return {};
   Vec3f wi = to_light / std::sqrt(distance2);
-  const float falloff = light.kind == LightKind::Spot ? spot_falloff(light, -wi) : 1.0f;
-  Rgb irradiance = light.emission * (falloff / distance2);
+  Rgb irradiance = light.emission * (share(-wi) / distance2);
   // Nothing outside of the cone; and nearer than floats can tell, the irradiance has no value.
   if (is_black(irradiance) || !is_finite(irradiance)) return {};
   return {.wi = wi,
@@ -33,6 +35,12 @@ namespace candela {
           .pdf = 1,
           .is_delta = true,
           .shadow_ray = shadow_segment(from, to_light, light.position)};
+}
+
+[[nodiscard]] inline LightSample sample_point_light(const Light& light, const SurfacePoint& from) {
+  return sample_from_point(light, from, [&](const Vec3f& w) {
+    return light.kind == LightKind::Spot ? spot_falloff(light, w) : 1.0f;
+  });
 }
 
 }  // namespace candela

@@ -8,8 +8,10 @@
 
 #include "renderer/light/directional_light.h"
 #include "renderer/light/environment.h"
+#include "renderer/light/image_light.h"
 #include "renderer/light/light.h"
 #include "renderer/light/point_light.h"
+#include "renderer/light/textured_triangle_light.h"
 #include "renderer/light/triangle_light.h"
 
 namespace candela {
@@ -18,6 +20,7 @@ namespace candela {
 struct LightTables {
   const Environment* environment = nullptr;
   const TextureStore* textures = nullptr;
+  const std::vector<Geometry>* geometries = nullptr;  // of textured triangles
 };
 
 [[nodiscard]] inline LightSample sample_environment_light(const LightTables& tables,
@@ -49,6 +52,12 @@ template <LightKindSet kinds = all_light_kinds>
       return sample_triangle_light(light, from, u);
     case LightKind::Environment:
       return sample_environment_light(tables, from, u);
+    case LightKind::TexturedTriangle:
+      return sample_textured_triangle_light(light, (*tables.geometries)[light.geometry],
+                                            *tables.textures, from, u);
+    case LightKind::Goniometric:
+    case LightKind::Projection:
+      return sample_image_light(light, *tables.textures, from);
   }
   return {};
 }
@@ -61,8 +70,11 @@ template <LightKindSet kinds = all_light_kinds>
     case LightKind::Point:
     case LightKind::Spot:
     case LightKind::Directional:
+    case LightKind::Goniometric:
+    case LightKind::Projection:
       return 0;
     case LightKind::Triangle:
+    case LightKind::TexturedTriangle:
       return triangle_light_pdf(light, wi, distance);
     case LightKind::Environment:
       return environment_pdf(*tables.environment, wi);
@@ -70,10 +82,15 @@ template <LightKindSet kinds = all_light_kinds>
   return 0;
 }
 
-// Radiance that leaves an emitting triangle towards the unit direction wo (away from it). The side
-// is told by the light's own vertices, as in sampling.
-[[nodiscard]] inline Rgb emitted_radiance(const Light& light, const Vec3f& wo) {
-  return triangle_light_radiance(light, wo);
+// Radiance that leaves an emitting triangle at the barycentric weights (u, v) towards the unit
+// direction wo (away from it). The side is told by the light's own vertices, as in sampling.
+[[nodiscard]] inline Rgb emitted_radiance(const LightTables& tables, const Light& light, float u,
+                                          float v, const Vec3f& wo) {
+  Rgb radiance = triangle_light_radiance(light, wo);
+  if (light.kind == LightKind::TexturedTriangle)
+    radiance *=
+        emission_factor(light, (*tables.geometries)[light.geometry], *tables.textures, u, v);
+  return radiance;
 }
 
 }  // namespace candela

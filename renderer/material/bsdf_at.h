@@ -62,6 +62,8 @@ template <bool textured = true>
       return model_bit(BsdfModel::CoatedDiffuse);
     case MaterialModel::CoatedConductor:
       return model_bit(BsdfModel::CoatedConductor);
+    case MaterialModel::Mix:
+      return 0;
   }
   return 0;
 }
@@ -319,6 +321,8 @@ template <ModelSet models = all_models, bool textured = true>
     case MaterialModel::CoatedConductor:
       if constexpr (has(BsdfModel::CoatedConductor))
         return coated_conductor_at<textured>(material, textures, uv);
+      break;
+    case MaterialModel::Mix:  // its parts have bsdfs
       break;
   }
   return {};

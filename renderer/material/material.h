@@ -1,6 +1,7 @@
 // Compiled materials: constants in linear colour and handles of textures, one flat struct.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 
@@ -28,6 +29,7 @@ enum class MaterialModel : std::uint8_t {
   DiffuseTransmission,
   CoatedDiffuse,
   CoatedConductor,
+  Mix,  // at each hit one of its parts: mixed_material.h
 };
 
 // A texture replaces its constant.
@@ -66,8 +68,12 @@ struct Material {
   std::shared_ptr<const CoatedMetalTable> metal;
   ScalarParameter metal_roughness{0, {}, 0};         // CoatedConductor: of the metal
   ScalarParameter metal_roughness_across{0, {}, 0};  // along dp/dv
-  int coat_bounces = 0;               // how often light may leave the surface below; 0: no limit
+  int coat_bounces = 0;  // how often light may leave the surface below; 0: no limit
+  // Mix: the second of two materials of the scene with the probability `amount`.
+  std::array<MaterialHandle, 2> parts{};
+  ScalarParameter amount{0.5f, {}, 0};
   Rgb emission{0};                    // radiance
+  TextureHandle emission_map{};       // a factor of it by place
   ScalarParameter opacity{1, {}, 3};  // in [0,1]
   bool lab_opacity = false;           // thresholds 0.2 and 0.9 of LAB3 section 8
   // Where the opacity map need not be asked; absent where visibility never asks it.
@@ -75,6 +81,7 @@ struct Material {
   TextureHandle height{};  // bump
   float height_scale = 1;  // see description::Material
   TextureHandle normal_map{};
+  bool reads_uv = false;  // all but the opacity, of its parts, too
 
   [[nodiscard]] bool is_emissive() const { return !is_black(emission); }
 };

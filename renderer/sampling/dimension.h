@@ -12,11 +12,12 @@ enum class Dimension : std::uint8_t {
   Filter,  // 2D: where in the pixel's filter
   Lens,    // 2D
   // once a bounce
-  LightChoice,  // 1D: which light
-  LightPoint,   // 2D: where on it
-  LobeChoice,   // 1D: which lobe of the BSDF
-  Direction,    // 2D: direction within the lobe
-  Roulette,     // 1D
+  LightChoice,     // 1D: which light
+  LightPoint,      // 2D: where on it
+  LobeChoice,      // 1D: which lobe of the BSDF
+  Direction,       // 2D: direction within the lobe
+  Roulette,        // 1D
+  MaterialChoice,  // 1D: which part of a mixture
 };
 
 }  // namespace candela

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/description/used_materials.h"
 #include "renderer/description/validate.h"
 #include "renderer/scene/compile_camera.h"
 #include "renderer/scene/compile_coverage.h"
@@ -18,24 +19,10 @@ namespace {
 
 using description::SceneDescription;
 
-// Which materials a triangle of an instance wears: only their textures are registered.
-std::vector<bool> used_materials(const SceneDescription& description) {
-  std::vector<bool> used(description.materials.size(), false);
-  for (const description::Instance& instance : description.instances) {
-    if (instance.material_override) {
-      used[instance.material_override.index] = true;
-      continue;
-    }
-    for (const description::MaterialHandle material :
-         description.meshes[instance.mesh.index].materials)
-      if (material) used[material.index] = true;
-  }
-  return used;
-}
-
 void compile_materials(const SceneDescription& description, const CompileOptions& options,
                        Scene& scene, DropCounts& dropped, Diagnostics& diagnostics) {
-  const std::vector<bool> used = used_materials(description);
+  // Only their textures are registered.
+  const std::vector<bool> used = description::used_materials(description);
   CoatTables coats;
   TextureCompiler textures(description, scene.textures, diagnostics);
   for (std::size_t i = 0; i < description.materials.size(); ++i) {
@@ -43,7 +30,10 @@ void compile_materials(const SceneDescription& description, const CompileOptions
     scene.material_names.push_back(material.name);
     if (used[i]) {
       scene.materials.push_back(compile_material(material, options, textures, coats));
-      scene.materials.back().absorption /= static_cast<float>(scene.normalisation.scale);
+      Material& compiled = scene.materials.back();
+      compiled.absorption /= static_cast<float>(scene.normalisation.scale);
+      for (const MaterialHandle part : compiled.parts)
+        if (part) compiled.reads_uv |= scene.materials[part.index].reads_uv;
     } else {
       scene.materials.emplace_back();
       ++dropped["materials that nothing wears"];
@@ -51,14 +41,31 @@ void compile_materials(const SceneDescription& description, const CompileOptions
   }
 }
 
+// Those that rays meet on some triangle, and their parts, which stand before them.
+std::vector<bool> met_materials(const Scene& scene) {
+  std::vector<bool> met(scene.materials.size(), false);
+  for (const Geometry& geometry : scene.geometries) met[geometry.material.index] = true;
+  for (std::size_t i = met.size(); i-- > 0;) {
+    const Material& material = scene.materials[i];
+    if (!met[i] || material.model != MaterialModel::Mix) continue;
+    for (const MaterialHandle part : material.parts) met[part.index] = true;
+  }
+  return met;
+}
+
 SceneFeatures features_of(const Scene& scene) {
   SceneFeatures features;
+  const std::vector<bool> met = met_materials(scene);
+  for (std::size_t i = 0; i < met.size(); ++i)
+    if (met[i]) add_features(scene.materials[i], features);
   for (const Geometry& geometry : scene.geometries) {
-    add_features(scene.materials[geometry.material.index], features);
     features.cutouts |= geometry.has_cutouts;
     features.area_lights |= geometry.is_emissive();
   }
-  for (const Light& light : scene.lights) features.delta_lights |= light.is_delta();
+  for (const Light& light : scene.lights) {
+    features.delta_lights |= light.is_delta();
+    features.textures |= light.texture.is_valid();
+  }
   features.environment = scene.environment.has_value();
   features.instances = !scene.instances.empty();
   for (const Camera& camera : scene.cameras) features.thin_lens |= camera.lens_radius > 0;

@@ -88,13 +88,6 @@ std::uint32_t vertex_of(const MeshArrays& arrays, std::uint32_t v,
   return renumbered[v];
 }
 
-bool reads_uv(const Material& material, bool reads_opacity) {
-  return material.diffuse.texture || material.specular.texture || material.roughness.texture ||
-         material.roughness_across.texture || material.metal_roughness.texture ||
-         material.metal_roughness_across.texture || material.is_anisotropic || material.height ||
-         material.normal_map || (reads_opacity && material.opacity.texture);
-}
-
 // Normals point to the side that windings call outside; where they disagree the normals are right.
 void orient_windings(Geometry& geometry) {
   for (auto& t : geometry.triangles)
@@ -162,7 +155,8 @@ void compile_placement(const SceneDescription& description, const CompileOptions
       const auto& chosen = is_partial ? sorted.partial : sorted.opaque;
       if (chosen.empty()) continue;
       const bool reads_opacity = is_partial || !options.decides_cutouts;
-      arrays.uvs = reads_uv(material, reads_opacity) ? mesh.uvs : std::vector<Vec2f>{};
+      const bool reads_uv = material.reads_uv || (reads_opacity && material.opacity.texture);
+      arrays.uvs = reads_uv ? mesh.uvs : std::vector<Vec2f>{};
       placement.geometries.push_back(picked(mesh, arrays, chosen, index, is_mirrored));
       placement.geometries.back().has_cutouts = is_partial;
     }

@@ -7,6 +7,7 @@
 #include "renderer/light/build_environment.h"
 #include "renderer/light/light_power.h"
 #include "renderer/light/make_light.h"
+#include "renderer/scene/compile_image_lights.h"
 
 namespace candela {
 namespace {
@@ -42,7 +43,10 @@ Rgb scaled_intensity(const Normalisation& n, const Vec3d& intensity) {
 
 // The delta light of a kind; nothing for surfaces and environments, which are compiled apart.
 struct DeltaLightCompiler {
+  const SceneDescription& description;
   const Normalisation& n;
+  TextureStore& textures;
+  Diagnostics& diagnostics;
 
   std::optional<Light> operator()(const description::PointLight& light) const {
     return make_point_light(to_normalised(n, light.position), scaled_intensity(n, light.intensity));
@@ -52,12 +56,29 @@ struct DeltaLightCompiler {
                            scaled_intensity(n, light.intensity), light.inner_angle_radians,
                            light.outer_angle_radians);
   }
+  std::optional<Light> operator()(const description::GoniometricLight& light) const {
+    return goniometric_light(light, to_normalised(n, light.position),
+                             scaled_intensity(n, Vec3d(1.0)).x, image(light.image), textures);
+  }
+  std::optional<Light> operator()(const description::ProjectionLight& light) const {
+    return projection_light(light, to_normalised(n, light.position),
+                            scaled_intensity(n, Vec3d(1.0)).x, image(light.image), textures);
+  }
   std::optional<Light> operator()(const description::DirectionalLight& light) const {
     return make_directional_light(light.to_light, Rgb(light.irradiance));
   }
   template <class Other>
   std::optional<Light> operator()(const Other&) const {
     return std::nullopt;
+  }
+
+ private:
+  // Beyond its edges there is nothing to look up: whatever the image says, it does not wrap.
+  [[nodiscard]] TextureHandle image(description::ImageHandle handle) const {
+    if (!handle) return {};
+    description::Image image = description.images[handle.index];
+    image.wrap = description::Wrap::Clamp;
+    return textures.add(image, diagnostics);
   }
 };
 
@@ -85,9 +106,11 @@ struct EnvironmentCompiler {
   }
 };
 
-void add_delta_lights(const SceneDescription& description, Scene& scene, DropCounts& dropped) {
+void add_delta_lights(const SceneDescription& description, Scene& scene, DropCounts& dropped,
+                      Diagnostics& diagnostics) {
+  const DeltaLightCompiler compile{description, scene.normalisation, scene.textures, diagnostics};
   for (const description::Light& light : description.lights) {
-    const auto compiled = std::visit(DeltaLightCompiler{scene.normalisation}, light.kind);
+    const auto compiled = std::visit(compile, light.kind);
     if (!compiled) continue;
     if (is_black(compiled->emission))
       ++dropped["black lights"];
@@ -104,6 +127,9 @@ Light triangle_light(const Geometry& geometry, const Material& material, std::si
       material.emission, material.emits_both_sides);
   light.geometry = static_cast<std::uint32_t>(index);
   light.triangle = static_cast<std::uint32_t>(triangle);
+  if (!material.emission_map) return light;
+  light.kind = LightKind::TexturedTriangle;
+  light.texture = material.emission_map;
   return light;
 }
 
@@ -115,6 +141,7 @@ void add_triangle_lights(Scene& scene) {
     geometry.first_light = static_cast<std::uint32_t>(scene.lights.size());
     for (std::size_t i = 0; i < geometry.triangles.size(); ++i)
       scene.lights.push_back(triangle_light(geometry, material, g, i));
+    if (material.emission_map) set_mean_emission(geometry, scene.textures, scene.lights);
   }
 }
 
@@ -200,7 +227,7 @@ void add_triangle_light_surfaces(SceneDescription& description) {
 
 void compile_lights(const SceneDescription& description, Scene& scene, DropCounts& dropped,
                     Diagnostics& diagnostics) {
-  add_delta_lights(description, scene, dropped);
+  add_delta_lights(description, scene, dropped, diagnostics);
   add_triangle_lights(scene);
   add_environment(description, scene, diagnostics);
   scene.ambient = ambient_of(description);

@@ -7,6 +7,7 @@
 #include "renderer/bsdf/coated_metal_table.h"
 #include "renderer/bsdf/energy_loss.h"
 #include "renderer/material/bsdf_at.h"
+#include "renderer/scene/image_luminance.h"
 
 namespace candela {
 namespace {
@@ -165,6 +166,11 @@ struct ModelCompiler {
   void operator()(const description::InterfaceMaterial&) const {
     out.opacity.constant = 0;  // so that compile_geometry() leaves its triangles out
   }
+  void operator()(const description::MixMaterial& m) const {
+    out.model = MaterialModel::Mix;
+    out.parts = {MaterialHandle(m.first.index), MaterialHandle(m.second.index)};
+    out.amount = scalar(m.amount, texture);
+  }
 
  private:
   void set_widths(const ScalarInput& along, const std::optional<ScalarInput>& across) const {
@@ -211,6 +217,30 @@ struct ModelCompiler {
   }
 };
 
+// The same by a map or texture; times the map's mean where the emission is to be that.
+void set_emission(const description::Material& material, TextureCompiler& texture, Material& out) {
+  out.emission = Rgb(material.emission);
+  out.emits_both_sides = material.emits_both_sides;
+  if (is_black(out.emission)) return;
+  if (material.emission_texture) {
+    const TextureValue value = texture.texture(material.emission_texture);
+    out.emission_map = value.texture;
+    out.emission *= Rgb(value.constant);
+    return;
+  }
+  out.emission_map = texture.image(material.emission_map);
+  if (!out.emission_map || !material.emission_is_maps_mean) return;
+  const double mean = mean_luminance(texture.store(), out.emission_map);
+  out.emission = mean > 0 ? Rgb(material.emission / mean) : Rgb(0);
+}
+
+bool has_texture(const Material& m) {
+  return m.diffuse.texture || m.specular.texture || m.roughness.texture ||
+         m.roughness_across.texture || m.metal_roughness.texture ||
+         m.metal_roughness_across.texture || m.is_anisotropic || m.height || m.normal_map ||
+         m.amount.texture || m.emission_map;
+}
+
 }  // namespace
 
 std::shared_ptr<const CoatTable> CoatTables::table(float eta, float thickness, float alpha) {
@@ -224,8 +254,7 @@ Material compile_material(const description::Material& material, const CompileOp
   Material out;
   std::visit(ModelCompiler{options, texture, coats, out}, material.model);
   if (out.energy_compensation) static_cast<void>(energy_loss_table());  // now, not while rendering
-  out.emission = Rgb(material.emission);
-  out.emits_both_sides = material.emits_both_sides;
+  set_emission(material, texture, out);
   if (material.opacity.map || material.opacity.texture || material.opacity.factor != 1) {
     out.opacity = scalar(material.opacity, texture);
     out.lab_opacity = false;
@@ -234,17 +263,16 @@ Material compile_material(const description::Material& material, const CompileOp
                                        : texture.image(material.height);
   out.height_scale = static_cast<float>(material.height_scale);
   out.normal_map = texture.image(material.normal_map);
+  out.reads_uv = has_texture(out);
   return out;
 }
 
 void add_features(const Material& material, SceneFeatures& features) {
   features.bsdf_models |= bsdf_models(material);
-  const bool bump = material.height.is_valid() || material.normal_map.is_valid();
-  features.bump |= bump;
-  features.textures |= bump || material.diffuse.texture || material.specular.texture ||
-                       material.roughness.texture || material.roughness_across.texture ||
-                       material.metal_roughness.texture ||
-                       material.metal_roughness_across.texture || material.is_anisotropic;
+  const bool is_mix = material.model == MaterialModel::Mix;
+  features.bump |= material.height.is_valid() || material.normal_map.is_valid();
+  features.mixes |= is_mix;
+  features.textures |= is_mix || has_texture(material);
 }
 
 }  // namespace candela

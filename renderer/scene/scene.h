@@ -36,6 +36,7 @@ struct Normalisation {
 struct SceneFeatures {
   bool textures = false;  // any texture at all that shading reads
   bool bump = false;      // height or normal maps
+  bool mixes = false;     // of materials
   bool cutouts = false;
   bool delta_lights = false;
   bool area_lights = false;

@@ -54,11 +54,16 @@ void for_each_image(description::DiffuseTransmissionMaterial& m, const Visit& vi
 }
 template <class Visit>
 void for_each_image(description::InterfaceMaterial&, const Visit&) {}
+template <class Visit>
+void for_each_image(description::MixMaterial& m, const Visit& visit) {
+  visit(m.amount.map);
+}
 
 // Calls visit(ImageHandle&) for each, valid or not.
 template <class Visit>
 void for_each_image(description::Material& material, const Visit& visit) {
   std::visit([&](auto& model) { for_each_image(model, visit); }, material.model);
+  visit(material.emission_map);
   visit(material.opacity.map);
   visit(material.height);
   visit(material.normal_map);

@@ -53,11 +53,17 @@ bool has_texture(const Program& program, const MaterialUse& use) {
   });
 }
 
-bool has_texture(const ShapeStatement& shape) {
-  const ParameterList& parameters = shape.statement.parameters;
-  return std::any_of(parameters.begin(), parameters.end(), [](const Parameter& parameter) {
-    return parameter.type == ParameterType::Texture;
-  });
+bool has_texture(const Program& program, const ShapeStatement& shape) {
+  const auto has = [](const ParameterList& parameters, auto&& is_texture) {
+    return std::any_of(parameters.begin(), parameters.end(), is_texture);
+  };
+  const bool emits_image =
+      shape.area_light != none &&
+      has(program.area_lights[shape.area_light].parameters,
+          [](const Parameter& parameter) { return parameter.name == "filename"; });
+  return emits_image || has_texture(program, shape.material) ||
+         has(shape.statement.parameters,
+             [](const Parameter& parameter) { return parameter.type == ParameterType::Texture; });
 }
 
 // All shapes' meshes, made in parallel, in the scene in the order of the shapes.
@@ -68,7 +74,7 @@ class Meshes {
   // The shapes in the order in which they are added.
   void add(ShapeStatement& shape) {
     if (is_curved(shape)) ++curved_count_;
-    const bool needs_uvs = has_texture(context_.program, shape.material) || has_texture(shape);
+    const bool needs_uvs = has_texture(context_.program, shape);
     const std::string key = mesh_key(shape, {context_.scene.path, needs_uvs}, context_.report);
     std::size_t job = jobs_.size();
     if (!key.empty()) job = job_of_.try_emplace(key, job).first->second;
@@ -143,15 +149,13 @@ class ShapeMaterials {
     key.base = &materials_.of(shape.material);
     read_alpha(shape, key);
     if (!shape.inside.name.empty()) read_medium(shape, key);
-    const bool is_bumped = key.base->height || key.base->height_texture;
+    const bool is_bumped = materials_.is_bumped(*key.base);
     if (shape.area_light != none || is_bumped) {
       const Areas areas = areas_of(mesh, shape.world_from_object);
       if (is_bumped) key.height_scale = height_scale(areas);
       if (shape.area_light != none) read_emission_of(shape, areas, key);
     }
-    const auto known = made_.find(key);
-    if (known != made_.end()) return known->second;
-    return made_[key] = add(key);
+    return of(key);
   }
 
  private:
@@ -159,6 +163,8 @@ class ShapeMaterials {
     const Material* base = nullptr;
     std::array<double, 3> emission{};
     bool emits_both_sides = false;
+    std::uint32_t emission_map = Handle<int>::none;
+    bool emission_is_maps_mean = false;
     double height_scale = 1;
     std::array<double, 3> absorption{};  // of glass
     // Of the shape's alpha.
@@ -166,6 +172,12 @@ class ShapeMaterials {
     std::uint32_t opacity_map = Handle<int>::none, opacity_texture = Handle<int>::none;
     auto operator<=>(const Key&) const = default;
   };
+
+  MaterialHandle of(const Key& key) {
+    const auto known = made_.find(key);
+    if (known != made_.end()) return known->second;
+    return made_[key] = add(key);
+  }
 
   void read_alpha(ShapeStatement& shape, Key& key) {
     Arguments arguments(shape.statement, context_.report);
@@ -179,7 +191,7 @@ class ShapeMaterials {
   void read_medium(const ShapeStatement& shape, Key& key) {
     const Vec3d absorption = media_.absorption_of(shape.inside);
     const auto* glass = std::get_if<description::DielectricMaterial>(&key.base->model);
-    if (glass && !glass->is_thin)
+    if ((glass && !glass->is_thin) || materials_.parts_of(*key.base))
       key.absorption = {absorption.x, absorption.y, absorption.z};
     else if (absorption != Vec3d(0.0))
       context_.warn_once("medium", shape.inside.place,
@@ -202,21 +214,57 @@ class ShapeMaterials {
       context_.report.error(shape.statement.place, "what this shape emits is not finite");
     key.emission = {radiance.x, radiance.y, radiance.z};
     key.emits_both_sides = at->second.emits_both_sides;
+    key.emission_map = at->second.map.index;
+    key.emission_is_maps_mean = at->second.map && at->second.power;
   }
 
   MaterialHandle add(const Key& key) {
     Material material = *key.base;
+    if (const MixParts* parts = materials_.parts_of(*key.base))
+      material.model = mix_of(*parts, key, std::get<description::MixMaterial>(material.model));
     material.emission = {key.emission[0], key.emission[1], key.emission[2]};
     material.emits_both_sides = key.emits_both_sides;
     material.height_scale = key.height_scale;
     if (auto* glass = std::get_if<description::DielectricMaterial>(&material.model))
       glass->absorption = {key.absorption[0], key.absorption[1], key.absorption[2]};
-    material.opacity.factor = key.opacity;
-    material.opacity.map.index = key.opacity_map;
-    material.opacity.texture.index = key.opacity_texture;
-    material.opacity.channel = material.opacity.map ? description::alpha_or_first : 0;
+    material.emission_map.index = key.emission_map;
+    material.emission_is_maps_mean = key.emission_is_maps_mean;
+    set_opacity(key, material);
     context_.scene.materials.push_back(std::move(material));
     return MaterialHandle(context_.scene.materials.size() - 1);
+  }
+
+  // The parts stand before it in the scene.
+  description::MixMaterial mix_of(const MixParts& parts, const Key& key,
+                                  description::MixMaterial mix) {
+    Key part;
+    part.height_scale = key.height_scale;
+    part.absorption = key.absorption;
+    part.base = parts.first;
+    mix.first = of(part);
+    part.base = parts.second;
+    mix.second = of(part);
+    return mix;
+  }
+
+  // The shape's alpha, and what a mixture with an interface leaves.
+  void set_opacity(const Key& key, Material& material) {
+    description::ScalarInput alpha;
+    alpha.factor = key.opacity;
+    alpha.map.index = key.opacity_map;
+    alpha.texture.index = key.opacity_texture;
+    alpha.channel = alpha.map ? description::alpha_or_first : 0;
+    const auto is_constant = [](const description::ScalarInput& input) {
+      return !input.map && !input.texture;
+    };
+    if (is_constant(alpha) && is_constant(material.opacity))
+      material.opacity.factor *= alpha.factor;
+    else if (is_constant(material.opacity) && material.opacity.factor == 1)
+      material.opacity = alpha;
+    else if (!is_constant(alpha) || alpha.factor != 1)
+      context_.warn_once("alpha", {},
+                         "the alpha of shapes whose mixture has an interface is "
+                         "ignored");
   }
 
   Context& context_;

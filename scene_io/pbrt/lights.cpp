@@ -35,19 +35,16 @@ class LightReader {
       distant();
     else if (type == "infinite" || type == "exinfinite")
       infinite();
-    else if (type == "goniometric" || type == "projection")
-      return leave_out();
+    else if (type == "goniometric")
+      goniometric();
+    else if (type == "projection")
+      projection();
     else
       return refuse();
     arguments_.warn_of_unknown();
   }
 
  private:
-  void leave_out() {
-    context_.report.warning(light_.statement.place,
-                            fmt::format("lights of type {} are not supported: it is left out",
-                                        text::quoted(light_.statement.type)));
-  }
   void refuse() {
     const std::string& type = light_.statement.type;
     context_.report.error(light_.statement.place,
@@ -124,6 +121,43 @@ class LightReader {
     add(light);
   }
 
+  // The image's middle is up, along the light's y; without an image it is a point light.
+  void goniometric() {
+    description::GoniometricLight light;
+    light.position = place(Vec3d(0.0));
+    light.intensity = colour("I");
+    light.power = positive("power");
+    light.world_from_map = map_axes(Mat3d(1, 0, 0, 0, 0, 1, 0, 1, 0));
+    if (const Parameter* file = arguments_.find("filename", {ParameterType::String})) {
+      light.image = light_image(*file);
+      if (!light.image) return;
+    }
+    check(light.intensity, light.position);
+    add(light);
+  }
+
+  void projection() {
+    description::ProjectionLight light;
+    light.position = place(Vec3d(0.0));
+    light.intensity = Vec3d(scale() * context_.imaging_ratio);
+    light.power = positive("power");
+    light.angle_degrees = arguments_.number("fov").value_or(90);
+    light.world_from_map = map_axes(Mat3d(1.0));
+    const Parameter* file = arguments_.find("filename", {ParameterType::String});
+    if (!file) file = arguments_.find("mapname", {ParameterType::String});  // pbrt-v3
+    if (!file)
+      return context_.report.error(light_.statement.place,
+                                   "a projection without its image: expected \"string filename\"");
+    if (!(light.angle_degrees > 0 && light.angle_degrees < 180))
+      return arguments_.error(
+          *arguments_.find("fov"),
+          fmt::format("is {}, expected degrees above 0 and below 180", light.angle_degrees));
+    light.image = light_image(*file);
+    if (!light.image) return;
+    check(light.intensity, light.position);
+    add(light);
+  }
+
   void distant() {
     const Vec3d from = arguments_.point("from").value_or(Vec3d(0.0));
     const Vec3d to = arguments_.point("to").value_or(Vec3d(0, 0, 1));
@@ -153,24 +187,34 @@ class LightReader {
   }
 
   // pbrt-v3's maps are latitude-longitude with z up: their centre column looks along -x.
-  template <class Map>
-  void add_map(const Parameter& file, const Vec3d& factor) {
-    Map environment;
-    environment.image =
-        add_image(context_, file, encoding_of_file(file.strings.size() == 1 ? file.strings[0] : ""),
-                  description::Wrap::Clamp);
-    if (!environment.image) return;
-    check(factor);
-    environment.scale = factor;
-    const bool is_lat_long = std::is_same_v<Map, description::LatLongEnvironment>;
-    const Mat3d light_from_map = is_lat_long ? Mat3d(0, -1, 0, 0, 0, 1, 1, 0, 0) : Mat3d(1.0);
-    const Mat3d linear = light_.world_from_light.linear * light_from_map;
-    for (int c = 0; c < 3; ++c) environment.world_from_map[c] = unit_or(linear[c], Vec3d(0, 0, 1));
-    const Mat3d gram = glm::transpose(environment.world_from_map) * environment.world_from_map;
+  description::ImageHandle light_image(const Parameter& file) {
+    return add_image(context_, file,
+                     encoding_of_file(file.strings.size() == 1 ? file.strings[0] : ""),
+                     description::Wrap::Clamp);
+  }
+
+  // The axes of a map in the world, unit.
+  Mat3d map_axes(const Mat3d& light_from_map) const {
+    Mat3d axes = light_.world_from_light.linear * light_from_map;
+    for (int c = 0; c < 3; ++c) axes[c] = unit_or(axes[c], Vec3d(0, 0, 1));
+    const Mat3d gram = glm::transpose(axes) * axes;
     if (std::max({std::abs(gram[0][1]), std::abs(gram[0][2]), std::abs(gram[1][2])}) > 1e-4)
       context_.report.warning(light_.statement.place,
                               "the light's transform is no rotation: its axes are not at right "
                               "angles");
+    return axes;
+  }
+
+  template <class Map>
+  void add_map(const Parameter& file, const Vec3d& factor) {
+    Map environment;
+    environment.image = light_image(file);
+    if (!environment.image) return;
+    check(factor);
+    environment.scale = factor;
+    const bool is_lat_long = std::is_same_v<Map, description::LatLongEnvironment>;
+    environment.world_from_map =
+        map_axes(is_lat_long ? Mat3d(0, -1, 0, 0, 0, 1, 1, 0, 0) : Mat3d(1.0));
     add(environment);
   }
 
@@ -224,10 +268,17 @@ Emission read_emission(Context& context, Statement& statement) {
                                                       text::quoted(statement.type)));
   Emission emission;
   emission.radiance = light_colour(arguments, "L", context.scene.path).value_or(Vec3d(1.0));
-  emission.radiance *= std::max(arguments.number("scale").value_or(1), 0.0) * context.imaging_ratio;
   emission.emits_both_sides = arguments.flag("twosided", false);
   arguments.accept({"samples", "nsamples"});
-  arguments.ignore("filename", "area lights emit evenly");
+  if (const Parameter* file = arguments.find("filename", {ParameterType::String})) {
+    if (const Parameter* L = arguments.find("L")) {
+      arguments.warning(*L, "is ignored: the image says what is emitted");
+      emission.radiance = Vec3d(1.0);
+    }
+    const std::string_view name = file->strings.size() == 1 ? file->strings[0] : "";
+    emission.map = add_image(context, *file, encoding_of_file(name), description::Wrap::Clamp);
+  }
+  emission.radiance *= std::max(arguments.number("scale").value_or(1), 0.0) * context.imaging_ratio;
   emission.power = arguments.number("power");
   if (emission.power && !(*emission.power > 0)) emission.power.reset();
   arguments.warn_of_unknown();

@@ -13,7 +13,8 @@ void read_lights(Context& context);
 struct Emission {
   Vec3d radiance{0.0};
   bool emits_both_sides = false;
-  std::optional<double> power;  // of each triangle, in place of its radiance
+  std::optional<double> power;     // of each triangle, in place of its radiance
+  description::ImageHandle map{};  // a factor of the radiance; with a power, by its mean
 
   // `triangle_area` is that of the shape's mean triangle in the world: pbrt gives each triangle of
   // a mesh the whole power.

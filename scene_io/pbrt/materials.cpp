@@ -14,7 +14,7 @@ using description::ColourInput;
 using description::Material;
 using description::ScalarInput;
 
-constexpr int deepest = 16;  // mixtures of mixtures
+constexpr std::size_t deepest = 16;  // mixtures of mixtures
 
 // Of types that candela knows; those of pbrt-v3 are not suggested.
 constexpr std::string_view type_names[] = {
@@ -42,6 +42,26 @@ ScalarInput width_of(MaterialReader& reader, ScalarInput input, bool remaps) {
 
 // pbrt takes what is smoother than this for smooth.
 constexpr double smooth = 1e-3;
+
+bool is_interface(const Material& material) {
+  return std::holds_alternative<description::InterfaceMaterial>(material.model);
+}
+
+bool has_holes(const Material& material) {
+  return !is_constant(material.opacity) || material.opacity.factor != 1;
+}
+
+// Of the second part. pbrt-v3's may be a colour.
+ScalarInput mix_amount(Arguments& arguments, Textures& textures, bool is_v3) {
+  ScalarInput amount{0.5, {}, 0, {}};
+  const Parameter* given = arguments.find("amount");
+  if (given && is_v3 && given->type == ParameterType::Rgb && given->numbers.size() == 3)
+    amount.factor = (given->numbers[0] + given->numbers[1] + given->numbers[2]) / 3;
+  else
+    amount = textures.scalar(arguments, "amount").value_or(amount);
+  amount.factor = std::clamp(amount.factor, 0.0, 1.0);
+  return amount;
+}
 
 }  // namespace
 
@@ -152,11 +172,26 @@ const Material& Materials::of(const MaterialUse& use) {
 const Material& Materials::at(std::size_t index) {
   const auto known = made_.find(index);
   if (known != made_.end()) return known->second;
-  Material material;
-  material.model = description::DiffuseMaterial{};
-  material.name = "grey";
-  if (index != grey) material = make(context_.program.materials[index]);
-  return made_[index] = std::move(material);
+  if (index == grey) {
+    Material& material = made_[grey];
+    material.model = description::DiffuseMaterial{};
+    material.name = "grey";
+    return material;
+  }
+  Made made = make(context_.program.materials[index]);
+  Material& material = made_[index] = std::move(made.material);
+  if (made.parts) parts_[&material] = *made.parts;
+  return material;
+}
+
+const MixParts* Materials::parts_of(const Material& material) const {
+  const auto found = parts_.find(&material);
+  return found == parts_.end() ? nullptr : &found->second;
+}
+
+bool Materials::is_bumped(const Material& material) const {
+  const MixParts* parts = parts_of(material);
+  return parts ? parts->is_bumped : material.height || material.height_texture;
 }
 
 void Materials::read_all() {
@@ -165,7 +200,7 @@ void Materials::read_all() {
 }
 
 // The type of a named material is a parameter.
-Material Materials::make(MaterialStatement& statement) {
+Materials::Made Materials::make(MaterialStatement& statement) {
   Arguments arguments(statement.statement, context_.report);
   if (const auto type = arguments.string("type")) {
     if (statement.statement.type.empty()) statement.statement.type = *type;
@@ -180,8 +215,10 @@ Material Materials::make(MaterialStatement& statement) {
   material.span = statement.statement.place.span();
   material.model = description::DiffuseMaterial{};
   if (type == "mix") {
-    if (auto mixed = mix(arguments)) material = std::move(*mixed);
-    return material;
+    Made made = mix(arguments).value_or(Made{material, {}});
+    made.material.name = material.name;
+    made.material.span = material.span;
+    return made;
   }
   MaterialReader reader{arguments, context_, textures_};
   if (!set_model(reader, type, material) && !set_v3_model(reader, type, material)) {
@@ -191,45 +228,85 @@ Material Materials::make(MaterialStatement& statement) {
           statement.statement.place,
           fmt::format("{} is no material{}", text::quoted(type),
                       did_you_mean(word, {std::begin(type_names), std::end(type_names)})));
-    return material;
+    return {material, {}};
   }
   textures_.set_heights(arguments, material);
   if (const auto normals = textures_.normal_map(arguments)) material.normal_map = normals;
   arguments.warn_of_unknown();
-  return material;
+  return {material, {}};
 }
 
-// The one that is there in the greater part.
-std::optional<Material> Materials::mix(Arguments& arguments) {
-  const auto amount = textures_.scalar(arguments, "amount");
-  const Parameter* names = arguments.find("materials", {ParameterType::String});
-  arguments.accept({"namedmaterial1", "namedmaterial2"});  // pbrt-v3
-  arguments.warn_of_unknown();
+Materials::Made Materials::made(const Material& material) const {
+  const MixParts* parts = parts_of(material);
+  return {material, parts ? std::optional(*parts) : std::nullopt};
+}
+
+std::optional<Materials::Made> Materials::mix(Arguments& arguments) {
   const Statement& statement = arguments.statement();
-  MaterialUse use{none, {}, statement.place};
-  const bool is_second = amount && amount->factor > 0.5 && is_constant(*amount);
+  const Parameter* names = arguments.find("materials", {ParameterType::String});
+  const bool is_v3 = !names && arguments.has("namedmaterial1");
+  const ScalarInput amount = mix_amount(arguments, textures_, is_v3);
+  std::array<MaterialUse, 2> uses;
+  uses.fill({none, {}, statement.place});
   if (names && names->strings.size() == 2) {
-    use.name = names->strings[is_second ? 1 : 0];
-  } else if (const auto v3 = arguments.string(is_second ? "namedmaterial2" : "namedmaterial1")) {
-    use.name = *v3;
-  } else {
+    for (std::size_t i = 0; i < 2; ++i) uses[i].name = names->strings[i];
+  } else if (is_v3) {  // where the amount is that of the first
+    uses[0].name = arguments.string("namedmaterial2").value_or("");
+    uses[1].name = arguments.string("namedmaterial1").value_or("");
+  }
+  arguments.warn_of_unknown();
+  if (uses[0].name.empty() || uses[1].name.empty()) {
     context_.report.error(statement.place,
                           "a mix without its two materials: expected \"string materials\"");
     return std::nullopt;
   }
-  if (depth_ >= deepest) {
-    context_.report.error(
-        statement.place,
-        fmt::format("mixtures of mixtures more than {} deep, perhaps of itself", deepest));
-    return std::nullopt;
+  const std::array<std::size_t, 2> parts{index_of(uses[0]), index_of(uses[1])};
+  const Material* made_parts[2];
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto [at_part, is_new] = in_progress_.insert(parts[i]);
+    if (!is_new || in_progress_.size() > deepest) {
+      if (is_new) in_progress_.erase(at_part);
+      context_.report.error(
+          statement.place,
+          fmt::format("mixtures of mixtures more than {} deep, or of themselves", deepest));
+      return std::nullopt;
+    }
+    made_parts[i] = &at(parts[i]);
+    in_progress_.erase(parts[i]);
   }
-  context_.warn_once("mix", statement.place,
-                     "mixtures of materials are not supported: the one that is there in the "
-                     "greater part is used alone");
-  ++depth_;
-  Material material = of(use);
-  --depth_;
-  return material;
+  return mixed(amount, *made_parts[0], *made_parts[1], statement.place);
+}
+
+Materials::Made Materials::mixed(const ScalarInput& amount, const Material& first,
+                                 const Material& second, const Place& place) {
+  if (&first == &second || (is_constant(amount) && amount.factor <= 0)) return made(first);
+  if (is_constant(amount) && amount.factor >= 1) return made(second);
+  if (is_interface(first)) return with_hole(amount, second, place);
+  if (is_interface(second)) return with_hole(textures_.complement(amount, place), first, place);
+  if (has_holes(first) || has_holes(second))
+    context_.warn_once("hole", place,
+                       "an interface in a mixture within a mixture is not supported: there it is "
+                       "as if it were not mixed in");
+  Material material;
+  material.model = description::MixMaterial{{}, {}, amount};
+  return {material, MixParts{&first, &second, is_bumped(first) || is_bumped(second)}};
+}
+
+// A part that is not there is a hole.
+Materials::Made Materials::with_hole(const ScalarInput& opacity, const Material& material,
+                                     const Place& place) {
+  Made holey = made(material);
+  if (is_interface(material)) return holey;
+  ScalarInput& own = holey.material.opacity;
+  if (!has_holes(material))
+    own = opacity;
+  else if (is_constant(opacity) && is_constant(own))
+    own.factor *= opacity.factor;
+  else
+    context_.warn_once("hole", place,
+                       "an interface in a mixture within a mixture is not supported: there it is "
+                       "as if it were not mixed in");
+  return holey;
 }
 
 }  // namespace candela::pbrt

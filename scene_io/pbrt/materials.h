@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,12 +12,22 @@
 
 namespace candela::pbrt {
 
+// What a mixture mixes: materials that Materials made.
+struct MixParts {
+  const description::Material* first = nullptr;
+  const description::Material* second = nullptr;
+  bool is_bumped = false;
+};
+
 class Materials {
  public:
   Materials(Context& context, Textures& textures) : context_(context), textures_(textures) {}
 
   // The material of a shape, not in the scene yet. Made once. After an error a grey one.
   [[nodiscard]] const description::Material& of(const MaterialUse& use);
+  // Null where it is no mixture. The handles of a mixture's MixMaterial lead nowhere yet.
+  [[nodiscard]] const MixParts* parts_of(const description::Material& material) const;
+  [[nodiscard]] bool is_bumped(const description::Material& material) const;
   // Those that no shape uses, for their errors.
   void read_all();
 
@@ -26,8 +37,18 @@ class Materials {
   [[nodiscard]] std::size_t index_of(const MaterialUse& use);
   [[nodiscard]] std::size_t first_equal(std::size_t index);
   [[nodiscard]] const description::Material& at(std::size_t index);
-  description::Material make(MaterialStatement& statement);
-  std::optional<description::Material> mix(Arguments& arguments);
+  struct Made {
+    description::Material material;
+    std::optional<MixParts> parts;
+  };
+  [[nodiscard]] Made make(MaterialStatement& statement);
+  [[nodiscard]] Made made(const description::Material& material) const;
+  [[nodiscard]] std::optional<Made> mix(Arguments& arguments);
+  [[nodiscard]] Made mixed(const description::ScalarInput& amount,
+                           const description::Material& first, const description::Material& second,
+                           const Place& place);
+  [[nodiscard]] Made with_hole(const description::ScalarInput& opacity,
+                               const description::Material& material, const Place& place);
 
   Context& context_;
   Textures& textures_;
@@ -36,7 +57,8 @@ class Materials {
   // instances.
   std::map<std::string, std::size_t> index_of_text_;
   std::map<std::size_t, std::size_t> first_equal_;
-  int depth_ = 0;  // mixtures of mixtures
+  std::map<const description::Material*, MixParts> parts_;
+  std::set<std::size_t> in_progress_;  // mixtures whose parts are being made
 };
 
 // What a material function reads with.

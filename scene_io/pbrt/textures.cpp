@@ -138,6 +138,17 @@ std::optional<ScalarInput> Textures::scalar_texture(const Parameter& parameter) 
   return to_scalar(*value);
 }
 
+ScalarInput Textures::complement(const ScalarInput& input, const Place& place) {
+  ScalarInput result;
+  result.factor = 1 - input.factor;
+  if (!input.map && !input.texture) return result;
+  const ColourInput amount{Vec3d(input.factor), input.map, input.texture};
+  const description::MixTexture texture{{Vec3d(1.0), {}, {}}, {Vec3d(0.0), {}, {}}, amount};
+  result.factor = 1;
+  result.texture = add(texture, "1 - amount", place).texture;
+  return result;
+}
+
 void Textures::set_heights(Arguments& arguments, description::Material& material) {
   const Parameter* parameter =
       arguments.find("displacement", {ParameterType::Texture, ParameterType::Float});

@@ -20,6 +20,8 @@ class Textures {
   std::optional<description::ScalarInput> scalar(Arguments& arguments, std::string_view name);
   // The float texture of a parameter of that type.
   std::optional<description::ScalarInput> scalar_texture(const Parameter& parameter);
+  // 1 minus a number.
+  description::ScalarInput complement(const description::ScalarInput& input, const Place& place);
   // Heights: an image or a texture.
   void set_heights(Arguments& arguments, description::Material& material);
   // A file of normals.

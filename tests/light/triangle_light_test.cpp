@@ -107,12 +107,12 @@ TEST(Unit_TriangleLight, SampleAndPdfAgreeAndEndOnTheTriangle) {
 TEST(Unit_TriangleLight, EmitsOnTheSideOfItsWindingOrOnBoth) {
   const std::array<Vec3f, 3> vertices{Vec3f(0), {1, 0, 0}, {0, 1, 0}};
   const Light one = make_triangle_light(vertices, Rgb(2), false);
-  EXPECT_EQ(emitted_radiance(one, {0, 0, 1}), Rgb(2));
-  EXPECT_EQ(emitted_radiance(one, {0, 0, -1}), Rgb(0));
+  EXPECT_EQ(triangle_light_radiance(one, {0, 0, 1}), Rgb(2));
+  EXPECT_EQ(triangle_light_radiance(one, {0, 0, -1}), Rgb(0));
   EXPECT_TRUE(sample_light({}, one, light_test::at({0, 0, 1}), {0.5f, 0.25f}).is_valid());
   EXPECT_FALSE(sample_light({}, one, light_test::at({0, 0, -1}), {0.5f, 0.25f}).is_valid());
   const Light both = make_triangle_light(vertices, Rgb(2), true);
-  EXPECT_EQ(emitted_radiance(both, {0, 0, -1}), Rgb(2));
+  EXPECT_EQ(triangle_light_radiance(both, {0, 0, -1}), Rgb(2));
   EXPECT_TRUE(sample_light({}, both, light_test::at({0, 0, -1}), {0.5f, 0.25f}).is_valid());
 }
 

@@ -154,12 +154,20 @@ struct Dim {
 
   void operator()(description::PointLight& light) const { light.intensity *= factor; }
   void operator()(description::SpotLight& light) const { light.intensity *= factor; }
+  void operator()(description::GoniometricLight& light) const { dim_intensity(light); }
+  void operator()(description::ProjectionLight& light) const { dim_intensity(light); }
   void operator()(description::DirectionalLight& light) const { light.irradiance *= factor; }
   void operator()(description::TriangleLight& light) const { light.radiance *= factor; }
   void operator()(description::ConstantEnvironment& light) const { light.radiance *= factor; }
   void operator()(description::LatLongEnvironment& light) const { light.scale *= factor; }
   void operator()(description::EqualAreaEnvironment& light) const { light.scale *= factor; }
   void operator()(description::CubeEnvironment&) const { ADD_FAILURE() << "cannot dim a skybox"; }
+
+ private:
+  template <class Light>
+  void dim_intensity(Light& light) const {
+    light.intensity *= factor;
+  }
 };
 
 void dim_lights(description::SceneDescription& scene, double factor) {

@@ -45,9 +45,14 @@ std::string kind_name(LightKind kind) {
     case LightKind::Directional:
       return "directional";
     case LightKind::Triangle:
+    case LightKind::TexturedTriangle:
       return "triangle";
     case LightKind::Environment:
       return "environment";
+    case LightKind::Goniometric:
+      return "goniometric";
+    case LightKind::Projection:
+      return "projection";
   }
   return "";
 }

@@ -334,6 +334,42 @@ def ground_checks(x, y):
     return (0.78, 0.77, 0.74) if light else (0.3, 0.32, 0.36)
 
 
+def stained_glass(x, y):
+    """96 x 64: panes of colour between lead, brighter towards the middle."""
+    u, v = (x + 0.5) / 96, (y + 0.5) / 64
+    i, j = int(6 * u), int(4 * v)
+    inside = min(x % 16, 15 - x % 16, y % 16, 15 - y % 16)
+    if inside < 1:
+        return (0.02, 0.02, 0.02)
+    tint = 0.45 + 0.5 * hash01("pane", i, j)
+    bright = 1 - 0.5 * (abs(2 * u - 1) + abs(2 * v - 1)) / 2
+    colours = ((1, 0.35, 0.2), (0.25, 0.5, 1), (1, 0.85, 0.3), (0.3, 0.8, 0.4), (0.9, 0.9, 1))
+    return tuple(c * tint * bright for c in colours[int(5 * hash01("hue", i, j))])
+
+
+def equal_area_direction(x, y, size):
+    """The direction of a texel of an octahedron unfolded to equal areas [Clarberg08]."""
+    u, v = 2 * (x + 0.5) / size - 1, 2 * (y + 0.5) / size - 1
+    signed = 1 - (abs(u) + abs(v))
+    r = 1 - abs(signed)
+    phi = (math.pi / 4) * ((abs(v) - abs(u)) / r + 1 if r else 1)
+    z = math.copysign(1 - r * r, signed)
+    side = r * math.sqrt(2 - r * r)
+    return (math.copysign(side * math.cos(phi), u), math.copysign(side * math.sin(phi), v), z)
+
+
+def street_lamp(x, y, size=64):
+    """Four beams downwards and to the sides, little upwards."""
+    dx, dy, dz = equal_area_direction(x, y, size)
+    beam = max(0.0, math.cos(2 * math.atan2(dy, dx))) ** 2 * max(0.0, 1 - (dz + 0.45) ** 2 * 3)
+    return (min(1.0, 0.25 + 0.75 * max(beam, max(0.0, -dz) ** 6)) if dz < 0.3 else 0.25,)
+
+
+def make_textured_lights(folder):
+    write_png(folder / "stained_glass.png", 96, 64, stained_glass)
+    write_png(folder / "street_lamp.png", 64, 64, street_lamp)
+
+
 def make_cutouts(folder):
     rectangle((-6, 0, 4), (12, 0, 0), (0, 0, -8), 3, 2, "the terrace").write(folder / "ground.obj")
     rectangle((-6, 0, -4), (12, 0, 0), (0, 4.5, 0), 8, 3, "the wall").write(folder / "wall.obj")
@@ -366,7 +402,8 @@ def make_glass_and_metal(folder):
 def main():
     default = pathlib.Path(__file__).resolve().parents[2] / "assets"
     assets = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else default
-    for name, make in (("cutouts", make_cutouts), ("glass_and_metal", make_glass_and_metal)):
+    for name, make in (("cutouts", make_cutouts), ("glass_and_metal", make_glass_and_metal),
+                       ("pbrt_textured_lights", make_textured_lights)):
         (assets / name).mkdir(parents=True, exist_ok=True)
         make(assets / name)
 

@@ -328,10 +328,6 @@ TEST(Errors_PbrtMaterials, WhatIsWrongWithThem) {
       pbrt_world_warning("Material \"diffuse\" \"rgb reflectence\" [ 1 1 1 ]"),
       "2:20: 'reflectence' is not a parameter of Material \"diffuse\" and is ignored, did you "
       "mean 'reflectance'?");
-  EXPECT_EQ(
-      pbrt_world_error("MakeNamedMaterial \"m\" \"string type\" \"mix\" \"string materials\" [ "
-                       "\"m\" \"m\" ]"),
-      "2:19: mixtures of mixtures more than 16 deep, perhaps of itself");
 }
 
 }  // namespace

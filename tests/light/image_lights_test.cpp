@@ -1,0 +1,119 @@
+// Points whose intensity an image says: goniometric lights and projections.
+#include <gtest/gtest.h>
+
+#include "renderer/light/light_power.h"
+#include "renderer/light/sample_light.h"
+#include "renderer/math/colour.h"
+#include "renderer/scene/compile_image_lights.h"
+#include "tests/light/directions.h"
+#include "tests/light/map_images.h"
+
+namespace candela {
+namespace {
+
+using description::GoniometricLight;
+using description::ProjectionLight;
+using light_test::write_float_map;
+
+const Mat3d turned(0, 1, 0, 0, 0, 1, 1, 0, 0);  // x -> y, y -> z, z -> x
+
+// An image in a store of its own.
+struct Picture {
+  Picture(const char* name, int width, int height, const light_test::TexelFunction& texel) {
+    description::Image image = write_float_map(name, width, height, texel);
+    image.wrap = description::Wrap::Clamp;
+    Diagnostics diagnostics;
+    handle = textures.add(image, diagnostics);
+  }
+  TextureStore textures;
+  TextureHandle handle;
+
+  // What arrives at a distance of 1 in the direction w of the light, which is at the origin.
+  [[nodiscard]] Rgb towards(const Light& light, const Vec3f& w) const {
+    return sample_light({nullptr, &textures}, light, light_test::at(w), Vec2f(0)).radiance;
+  }
+};
+
+Vec3f bumps(int x, int y) {
+  return {1 + static_cast<float>(x), static_cast<float>(y), static_cast<float>((x * y) % 3)};
+}
+
+// The same image as a sky says what arrives where the light says what leaves.
+TEST(Unit_GoniometricLight, SendsWhatASkyOfItsImageWouldShow) {
+  const auto sky = light_test::equal_area(write_float_map("gonio", 8, 8, bumps), turned);
+  const Picture picture("gonio_light", 8, 8, bumps);
+  GoniometricLight light;
+  light.intensity = Vec3d(2.0, 3.0, 4.0);
+  light.world_from_map = turned;
+  const Light compiled = goniometric_light(light, Vec3f(0), 0.5f, picture.handle, picture.textures);
+  EXPECT_TRUE(compiled.is_delta());
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    const Vec3f w = light_test::random_direction(i, 1);
+    const Rgb expected = Rgb(1, 1.5f, 2) * sky.radiance(w);
+    const Rgb found = picture.towards(compiled, w);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 1e-4f * (1 + expected[c]));
+  }
+}
+
+double power_by_quadrature(const Picture& picture, const Light& light) {
+  return light_test::integral({}, 2000, [&](const Vec3f& w) {
+    return static_cast<double>(luminance(picture.towards(light, w)));
+  });
+}
+
+TEST(Unit_GoniometricLight, SendsThePowerThatItIsGiven) {
+  const Picture picture("gonio_power", 16, 16, bumps);
+  GoniometricLight light;
+  const auto compiled = [&] {
+    return goniometric_light(light, Vec3f(0), 1, picture.handle, picture.textures);
+  };
+  EXPECT_NEAR(light_power(compiled(), nullptr, 1) / power_by_quadrature(picture, compiled()), 1,
+              1e-3);
+  light.power = 30;
+  EXPECT_NEAR(light_power(compiled(), nullptr, 1), 30, 1e-4);
+  EXPECT_NEAR(power_by_quadrature(picture, compiled()), 30, 0.03);
+}
+
+TEST(Unit_GoniometricLight, WithoutAnImageIsAPoint) {
+  const TextureStore none;
+  GoniometricLight light;
+  light.intensity = Vec3d(3.0);
+  const Light compiled = goniometric_light(light, Vec3f(0), 1, {}, none);
+  EXPECT_EQ(sample_light({nullptr, &none}, compiled, light_test::at({0, 2, 0}), {}).radiance,
+            Rgb(0.75f));
+  EXPECT_NEAR(light_power(compiled, nullptr, 1), 12 * pi_double, 1e-4);
+}
+
+// Twice as wide as high, 90 degrees high: the right edge is at x = 2, the upper one at y = 1.
+TEST(Unit_ProjectionLight, ShowsEachTexelInItsDirection) {
+  const Picture picture("slide", 4, 2, bumps);
+  ProjectionLight light;
+  const Light compiled = projection_light(light, Vec3f(0), 1, picture.handle, picture.textures);
+  EXPECT_TRUE(compiled.is_delta());
+  for (int x = 0; x < 4; ++x)
+    for (int y = 0; y < 2; ++y) {
+      const Vec3f w = normalize(Vec3f(-1.5f + static_cast<float>(x), y == 0 ? 0.5f : -0.5f, 1));
+      const Rgb found = picture.towards(compiled, w);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], bumps(x, y)[c], 1e-4f) << x << ' ' << y;
+    }
+  const Vec3f outside[] = {{2.001f, 0, 1}, {-2.001f, 0, 1}, {0, 1.001f, 1}, {0, 0, -1}, {1, 0, 0}};
+  for (const Vec3f& w : outside) EXPECT_EQ(picture.towards(compiled, normalize(w)), Rgb(0));
+  EXPECT_NE(picture.towards(compiled, normalize(Vec3f(1.999f, 0.999f, 1))), Rgb(0));
+}
+
+TEST(Unit_ProjectionLight, SendsThePowerThatItIsGiven) {
+  const Picture picture("slide_power", 12, 30, bumps);
+  ProjectionLight light;
+  light.angle_degrees = 50;
+  light.world_from_map = turned;
+  const auto compiled = [&] {
+    return projection_light(light, Vec3f(0), 1, picture.handle, picture.textures);
+  };
+  EXPECT_NEAR(light_power(compiled(), nullptr, 1) / power_by_quadrature(picture, compiled()), 1,
+              5e-3);
+  light.power = 30;
+  EXPECT_NEAR(light_power(compiled(), nullptr, 1), 30, 1e-4);
+}
+
+}  // namespace
+}  // namespace candela
