@@ -6,11 +6,10 @@
 
 namespace candela {
 
-// The camera ray of one sample; the filter chooses its place (filter importance sampling).
+// The camera ray of one sample at a place that the filter chose (filter importance sampling).
 template <FeatureSet F, class A>
-[[nodiscard]] inline Ray camera_ray(const PathContext<A>& context, Vec2f filter, Vec2f lens, int x,
+[[nodiscard]] inline Ray camera_ray(const PathContext<A>& context, Vec2f place, Vec2f lens, int x,
                                     int y) {
-  Vec2f place = context.filter.sample(filter);
   Vec2f film{(static_cast<float>(x) + 0.5f + place.x) / static_cast<float>(context.options.width),
              (static_cast<float>(y) + 0.5f + place.y) / static_cast<float>(context.options.height)};
   if constexpr (!F.thin_lens) return context.camera.generate_ray(film, Vec2f(0));
@@ -32,7 +31,9 @@ inline void render_block(const PathContext<A>& context, const PixelSampler& pixe
     block.paths[i] = PathState{};
     block.samples[i].alpha = 1;
     block.samples[i].has_hit = false;
-    Ray ray = camera_ray<F>(context, unit_point(filter, i), unit_point(lens, i), x, y);
+    Vec2f place = context.filter.sample(unit_point(filter, i));
+    block.samples[i].weight = context.filter.weight(place);
+    Ray ray = camera_ray<F>(context, place, unit_point(lens, i), x, y);
     if (set_ray(block, i, ray)) alive |= 1u << i;
   });
   counts.rays.camera += static_cast<std::uint64_t>(std::popcount(lanes));

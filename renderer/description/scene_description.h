@@ -347,11 +347,17 @@ struct Camera {
   double focus_distance = 0.0;  // along the axis; 0: at the target
 };
 
+// A part of the picture, in shares of its width and height from the top left.
+struct CropWindow {
+  double left = 0, right = 1, top = 0, bottom = 1;
+};
+
 // What the scene asks for; the command line overrides.
 struct RenderDefaults {
   std::optional<int> width, height, samples_per_pixel, max_depth;
   std::optional<std::string> integrator, filter;
   std::optional<double> filter_radius;  // in pixels
+  std::optional<CropWindow> crop;
   std::optional<std::uint64_t> seed;
   std::optional<double> exposure;
 };

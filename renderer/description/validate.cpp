@@ -68,6 +68,16 @@ void check_defaults(const SceneDescription& scene, Diagnostics& diagnostics) {
     diagnostics.error({}, fmt::format("the filter's radius is {} pixels, expected above 0 and at "
                                       "most {}",
                                       *radius, widest));
+  if (const std::optional<CropWindow>& crop = scene.defaults.crop) {
+    const auto is_part = [](double low, double high) {
+      return low >= 0 && low < high && high <= 1;
+    };
+    if (!is_part(crop->left, crop->right) || !is_part(crop->top, crop->bottom))
+      diagnostics.error({},
+                        fmt::format("the crop window is {} to {} by {} to {}, expected parts of "
+                                    "0 to 1",
+                                    crop->left, crop->right, crop->top, crop->bottom));
+  }
 }
 
 SourceSpan whole_file(const SceneDescription& scene) {

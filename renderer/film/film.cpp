@@ -32,7 +32,8 @@ std::size_t Film::index(int x, int y) const {
 void Film::add(int x, int y, const FilmSample& sample) {
   const std::size_t i = index(x, y);
   Pixel& pixel = pixels_[i];
-  sums_[i * replicates_ + pixel.samples % replicates_] += Vec3d(sample.radiance);
+  sums_[i * replicates_ + pixel.samples % replicates_] +=
+      Vec3d(sample.radiance) * double{sample.weight};
   pixel.alpha += static_cast<double>(sample.alpha);
   ++pixel.samples;
   if (aov_pixels_.empty() || !sample.has_hit) return;

@@ -41,6 +41,7 @@ constexpr AovSet aov_bit(Aov aov) {
 // What one camera sample brings.
 struct FilmSample {
   Rgb radiance{0};
+  float weight = 1;      // the filter's, of the radiance alone: the rest is averaged by its size
   float alpha = 1;       // 0 where the camera ray left the scene
   bool has_hit = false;  // the rest counts only then
   Rgb albedo{0};

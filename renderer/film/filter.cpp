@@ -1,7 +1,6 @@
 #include "renderer/film/filter.h"
 
 #include <cmath>
-#include <vector>
 
 #include "renderer/math/constants.h"
 
@@ -21,6 +20,23 @@ double blackman_harris(double x, double radius) {
                            0.01168 * std::cos(3 * phase));
 }
 
+// B = C = 1/3 [Mitchell88, eq. 8], which reaches over two units.
+double mitchell(double x, double radius) {
+  const double t = 2 * std::abs(x) / radius;
+  if (t < 1) return (7 * t * t * t - 12 * t * t + 16.0 / 3) / 6;
+  return (-7.0 / 3 * t * t * t + 12 * t * t - 20 * t + 32.0 / 3) / 6;
+}
+
+double sinc(double x) {
+  return std::abs(x) < 1e-5 ? 1 : std::sin(pi_double * x) / (pi_double * x);
+}
+
+// Three lobes of the window [Duchon79], whatever the radius.
+double lanczos_sinc(double x) {
+  constexpr double lobes = 3;
+  return sinc(x) * sinc(x / lobes);
+}
+
 double value_at(FilterKind kind, double x, double radius) {
   switch (kind) {
     case FilterKind::Box:
@@ -31,17 +47,21 @@ double value_at(FilterKind kind, double x, double radius) {
       return blackman_harris(x, radius);
     case FilterKind::Triangle:
       return std::max(0.0, radius - std::abs(x));
+    case FilterKind::Mitchell:
+      return mitchell(x, radius);
+    case FilterKind::Sinc:
+      return lanczos_sinc(x);
   }
   return 0;
 }
 
-// Cumulative sums of the filter over `steps` equal cells of [-radius, radius], from 0 to 1.
+// Cumulative sums of the filter's size over `steps` equal cells of [-radius, radius], from 0 to 1.
 std::vector<double> cumulative(FilterKind kind, double radius, int steps) {
   std::vector<double> sums(static_cast<std::size_t>(steps) + 1, 0.0);
   for (int i = 0; i < steps; ++i) {
     const double x = radius * ((2.0 * i + 1) / steps - 1);
     sums[static_cast<std::size_t>(i) + 1] =
-        sums[static_cast<std::size_t>(i)] + value_at(kind, x, radius);
+        sums[static_cast<std::size_t>(i)] + std::abs(value_at(kind, x, radius));
   }
   for (double& sum : sums) sum /= sums.back();
   return sums;
@@ -58,6 +78,10 @@ float default_radius(FilterKind kind) {
       return 1.5f;
     case FilterKind::Triangle:
       return 1;
+    case FilterKind::Mitchell:
+      return 2;
+    case FilterKind::Sinc:
+      return 4;
   }
   return 1;
 }
@@ -75,6 +99,38 @@ Filter::Filter(FilterKind kind, float radius) : kind_(kind), radius_(radius) {
   }
   inverse_.front() = -radius;
   inverse_.back() = radius;
+  set_signs();
+}
+
+// Where the filter changes its sign, by bisection between places too near for two changes.
+void Filter::set_signs() {
+  constexpr int steps = 1 << 12;
+  const auto is_negative = [&](double x) { return value_at(kind_, x, radius_) < 0; };
+  const auto radius = static_cast<double>(radius_);
+  for (int i = 0; i + 1 < steps; ++i) {
+    double low = radius * (i + 0.5) / steps;
+    double high = radius * (i + 1.5) / steps;
+    if (is_negative(low) == is_negative(high)) continue;
+    for (int halving = 0; halving < 40; ++halving) {
+      const double middle = 0.5 * (low + high);
+      (is_negative(middle) == is_negative(low) ? low : high) = middle;
+    }
+    sign_changes_.push_back(static_cast<float>(low));
+  }
+  double negative = 0;  // the share of the samples of one axis
+  for (std::size_t i = 0; i < sign_changes_.size(); i += 2) {
+    const double end = i + 1 < sign_changes_.size() ? double{sign_changes_[i + 1]} : radius;
+    negative += 2 * (share_below(end) - share_below(double{sign_changes_[i]}));
+  }
+  size_over_sum_ = static_cast<float>(1 / (1 - 2 * negative));
+}
+
+// Of the samples of one axis, below x: what sample_axis() inverts.
+double Filter::share_below(double x) const {
+  const auto above = std::upper_bound(inverse_.begin() + 1, inverse_.end() - 1, x);
+  const double low = double{*(above - 1)};
+  const double within = std::clamp((x - low) / (double{*above} - low), 0.0, 1.0);
+  return (static_cast<double>(above - inverse_.begin()) - 1 + within) / intervals;
 }
 
 }  // namespace candela

@@ -1,24 +1,40 @@
 // Pixel filters by importance sampling: one sample touches one pixel, its place within the filter's
-// support is drawn from the filter itself, so every sample weighs 1 [Ernst06].
+// support is drawn from the filter's size, so every sample weighs the same but for the filter's
+// sign [Ernst06]. Weights are 1 in the mean, so that sums over samples need no sum of weights.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "renderer/math/vec.h"
 
 namespace candela {
 
-enum class FilterKind : std::uint8_t { Box, Gaussian, BlackmanHarris, Triangle };
+enum class FilterKind : std::uint8_t {
+  Box,
+  Gaussian,
+  BlackmanHarris,
+  Triangle,
+  Mitchell,  // negative from about half of its radius on
+  Sinc,      // Lanczos' window about it; negative in every other lobe
+};
 
-// Non-negative, separable, symmetric filters of finite radius (pixels), sampled by a tabulated
-// inverse of each axis' cumulative distribution.
+// Separable, symmetric filters of finite radius (pixels), sampled by a tabulated inverse of each
+// axis' cumulative distribution.
 class Filter {
  public:
   Filter(FilterKind kind, float radius);
 
-  // A place relative to the pixel's centre, distributed as the filter.
+  // A place relative to the pixel's centre, distributed as the filter's size.
   [[nodiscard]] Vec2f sample(Vec2f u) const { return {sample_axis(u.x), sample_axis(u.y)}; }
+  // Whether it has negative parts; else all weights are 1.
+  [[nodiscard]] bool is_signed() const { return !sign_changes_.empty(); }
+  // Of a sample at a place: the filter's sign, times what makes the mean of all weights 1.
+  [[nodiscard]] float weight(Vec2f place) const {
+    return is_signed() ? weight_on_axis(place.x) * weight_on_axis(place.y) : 1.0f;
+  }
   [[nodiscard]] FilterKind kind() const { return kind_; }
   [[nodiscard]] float radius() const { return radius_; }
 
@@ -32,12 +48,21 @@ class Filter {
     return inverse_[k] + (inverse_[k + 1] - inverse_[k]) * f;
   }
 
+  [[nodiscard]] float weight_on_axis(float x) const {
+    const auto below = std::lower_bound(sign_changes_.begin(), sign_changes_.end(), std::abs(x));
+    return (below - sign_changes_.begin()) % 2 == 0 ? size_over_sum_ : -size_over_sum_;
+  }
+  void set_signs();
+  [[nodiscard]] double share_below(double x) const;
+
   FilterKind kind_;
   float radius_;
   std::array<float, intervals + 1> inverse_{};
+  std::vector<float> sign_changes_;  // at x > 0, in order
+  float size_over_sum_ = 1;          // the integral of |f| over that of f
 };
 
-// Box 0.5, Gaussian 1.5 (sigma 0.5), Blackman-Harris 1.5, triangle 1 pixels.
+// Box 0.5, Gaussian 1.5 (sigma 0.5), Blackman-Harris 1.5, triangle 1, Mitchell 2, sinc 4 pixels.
 [[nodiscard]] float default_radius(FilterKind kind);
 
 }  // namespace candela

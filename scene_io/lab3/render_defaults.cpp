@@ -13,7 +13,8 @@ constexpr std::string_view keys[] = {"Width",      "Height",   "SamplesPerPixel"
                                      "spp",        "MaxDepth", "Seed",
                                      "Integrator", "Filter",   "Exposure"};
 constexpr std::string_view integrators[] = {"path", "report", "whitted", "raster"};
-constexpr std::string_view filters[] = {"box", "gaussian", "blackman_harris", "triangle"};
+constexpr std::string_view filters[] = {"box",      "gaussian", "blackman_harris",
+                                        "triangle", "mitchell", "sinc"};
 constexpr Range stops{-100, 100, false, false, "an exposure in stops from -100 to 100"};
 
 constexpr std::int64_t largest_side = 65536;

@@ -1,5 +1,6 @@
 // Film, PixelFilter, Sampler and Integrator.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -54,6 +55,26 @@ double read_exposure(Context& context, Arguments& film) {
   return 1;
 }
 
+// In shares of the picture, as "cropwindow" has it; "pixelbounds" counts pixels. Both list x0 x1 y0
+// y1, from the top left; what lies outside of the picture is cut.
+void read_crop(Context& context, Arguments& film) {
+  const auto& defaults = context.scene.defaults;
+  const Parameter* window = film.find("cropwindow", {ParameterType::Float});
+  const Parameter* bounds = film.find("pixelbounds", {ParameterType::Integer});
+  if (window && bounds) film.warning(*window, "is ignored beside \"pixelbounds\"");
+  const Parameter* given = bounds ? bounds : window;
+  if (!given) return;
+  if (given->numbers.size() != 4) return film.error(*given, "expected 4 numbers: x0, x1, y0, y1");
+  std::array<double, 4> shares{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double side = bounds ? (i < 2 ? *defaults.width : *defaults.height) : 1;
+    shares[i] = std::clamp(given->numbers[i] / side, 0.0, 1.0);
+  }
+  if (!(shares[0] < shares[1] && shares[2] < shares[3]))
+    return film.error(*given, "holds no pixel, expected x0 < x1 and y0 < y1");
+  context.scene.defaults.crop = description::CropWindow{shares[0], shares[1], shares[2], shares[3]};
+}
+
 double read_picture(Context& context) {
   Statement otherwise{"Film", "rgb", {}, {}};
   Statement& statement = context.program.film ? *context.program.film : otherwise;
@@ -69,8 +90,7 @@ double read_picture(Context& context) {
   context.scene.defaults.height = integer(film, "yresolution", 1, largest_side).value_or(720);
   film.accept({"filename", "diagonal", "savefp16", "coordinatesystem", "nbuckets", "lambdamin",
                "lambdamax", "scale", "maxsampleluminance"});
-  film.ignore("cropwindow", "use --crop");
-  film.ignore("pixelbounds", "use --crop");
+  read_crop(context, film);
   const double ratio = read_exposure(context, film);
   film.warn_of_unknown();
   return ratio;
@@ -80,7 +100,17 @@ struct KnownFilter {
   std::string_view name;
   double radius;
 };
-constexpr KnownFilter filters[] = {{"box", 0.5}, {"gaussian", 1.5}, {"triangle", 2}};
+constexpr KnownFilter filters[] = {
+    {"box", 0.5}, {"gaussian", 1.5}, {"triangle", 2}, {"mitchell", 2}, {"sinc", 4}};
+
+// A number of a filter that is always pbrt's own.
+void expect_filter_number(Context& context, Arguments& arguments, std::string_view filter,
+                          std::string_view name, double value) {
+  const double found = arguments.number(name).value_or(value);
+  if (arguments.statement().type == filter && std::abs(found - value) > 1e-3)
+    context.warn_once(std::string(name), arguments.statement().place,
+                      fmt::format("the {} filter's {} is {:.3g} here", filter, name, value));
+}
 
 void read_filter(Context& context) {
   Statement otherwise{"PixelFilter", "gaussian", {}, {}};
@@ -91,25 +121,19 @@ void read_filter(Context& context) {
   });
   const auto x = arguments.number("xradius");
   const auto y = arguments.number("yradius");
-  arguments.accept({"B", "C", "tau", "alpha"});
+  arguments.accept({"alpha"});
+  expect_filter_number(context, arguments, "mitchell", "B", 1.0 / 3);
+  expect_filter_number(context, arguments, "mitchell", "C", 1.0 / 3);
+  expect_filter_number(context, arguments, "sinc", "tau", 3);
   const double sigma = arguments.number("sigma").value_or(0.5);
   if (statement.type == "gaussian" && sigma != 0.5)
     context.warn_once("sigma", statement.place, "the gaussian filter's sigma is 0.5 here");
   arguments.warn_of_unknown();
-  if (known == std::end(filters)) {
-    const bool is_pbrt = is_one_of(statement.type, {"mitchell", "sinc"});
-    if (!is_pbrt)
-      return context.report.error(statement.place,
-                                  fmt::format("{} is no filter, expected box, gaussian, triangle, "
-                                              "mitchell or sinc",
-                                              text::quoted(statement.type)));
-    context.warn_once("filter", statement.place,
-                      fmt::format("the filter {} has negative parts, which are not supported: "
-                                  "blackman_harris is used",
-                                  text::quoted(statement.type)));
-    context.scene.defaults.filter = "blackman_harris";
-    return;
-  }
+  if (known == std::end(filters))
+    return context.report.error(statement.place,
+                                fmt::format("{} is no filter, expected box, gaussian, triangle, "
+                                            "mitchell or sinc",
+                                            text::quoted(statement.type)));
   context.scene.defaults.filter = std::string(known->name);
   const double radius = x.value_or(known->radius);
   if (!(radius > 0 && radius <= 16))

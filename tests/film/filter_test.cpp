@@ -12,16 +12,35 @@
 namespace candela {
 namespace {
 
-constexpr FilterKind all_kinds[] = {FilterKind::Box, FilterKind::Gaussian,
-                                    FilterKind::BlackmanHarris, FilterKind::Triangle};
+constexpr FilterKind all_kinds[] = {
+    FilterKind::Box,      FilterKind::Gaussian, FilterKind::BlackmanHarris,
+    FilterKind::Triangle, FilterKind::Mitchell, FilterKind::Sinc};
+
+double sinc(double x) {
+  return x == 0 ? 1 : std::sin(pi_double * x) / (pi_double * x);
+}
+
+// [Mitchell88, eq. 8] for any B and C, over two units.
+double mitchell(double t, double b, double c) {
+  t = std::abs(t);
+  if (t < 1) return (12 - 9 * b - 6 * c) * t * t * t + (-18 + 12 * b + 6 * c) * t * t + 6 - 2 * b;
+  return (-b - 6 * c) * t * t * t + (6 * b + 30 * c) * t * t + (-12 * b - 48 * c) * t + 8 * b +
+         24 * c;
+}
 
 // Not normalised, from its definition.
 double weight(FilterKind kind, double x, double r) {
   if (kind == FilterKind::Gaussian) return std::exp(-x * x / 0.5) - std::exp(-r * r / 0.5);
   if (kind == FilterKind::Box) return 1;
   if (kind == FilterKind::Triangle) return std::max(0.0, r - std::abs(x));
+  if (kind == FilterKind::Mitchell) return mitchell(2 * x / r, 1.0 / 3, 1.0 / 3);
+  if (kind == FilterKind::Sinc) return sinc(x) * sinc(x / 3);
   const double p = pi_double * (x / r + 1);
   return 0.35875 - 0.48829 * std::cos(p) + 0.14128 * std::cos(2 * p) - 0.01168 * std::cos(3 * p);
+}
+
+double size(FilterKind kind, double x, double r) {
+  return std::abs(weight(kind, x, r));
 }
 
 // The variance of a filter's position, by quadrature.
@@ -30,7 +49,7 @@ double variance_of(FilterKind kind, double r) {
   constexpr int steps = 200000;
   for (int i = 0; i < steps; ++i) {
     const double x = r * ((2.0 * i + 1) / steps - 1);
-    const double w = weight(kind, x, r);
+    const double w = size(kind, x, r);
     sum += w;
     moment += w * x * x;
   }
@@ -59,7 +78,7 @@ std::vector<double> quantiles(FilterKind kind, double r, int count) {
   constexpr int steps = 200000;
   std::vector<double> sums{0};
   for (int i = 0; i < steps; ++i)
-    sums.push_back(sums.back() + weight(kind, r * ((2.0 * i + 1) / steps - 1), r));
+    sums.push_back(sums.back() + size(kind, r * ((2.0 * i + 1) / steps - 1), r));
   std::vector<double> cuts;
   for (int k = 1; k < count; ++k) {
     const auto at = std::ranges::lower_bound(sums, sums.back() * k / count);
@@ -86,7 +105,7 @@ TEST(Statistical_Filter, PlacesFollowTheFilter) {
     }
     const std::vector<double> expected(parts * parts, double{count} / (parts * parts));
     EXPECT_GT(statistics::chi_square_test(observed, expected).p_value,
-              statistics::sidak_level(0.01, 4))
+              statistics::sidak_level(0.01, std::size(all_kinds)))
         << static_cast<int>(kind);
   }
 }
@@ -98,6 +117,39 @@ TEST(Unit_Filter, TriangleOfAnyRadius) {
     for (const float u : {0.02f, 0.125f, 0.3f, 0.5f})
       EXPECT_NEAR(filter.sample({u, 0.5f}).x, radius * (std::sqrt(2 * u) - 1), 2e-3f * radius);
   }
+}
+
+// What a pixel shows of a picture whose light is cos(k x): the filter's own transform, for
+// frequencies up to what pixels can hold. At k = 0 it is the mean of the weights: 1.
+TEST(Unit_Filter, SignedWeightsMakeTheFilter) {
+  for (const FilterKind kind : all_kinds) {
+    const Filter filter(kind, default_radius(kind));
+    const double r = filter.radius();
+    EXPECT_EQ(filter.is_signed(), kind == FilterKind::Mitchell || kind == FilterKind::Sinc);
+    for (const double k : {0.0, 1.0, 2.0, pi_double}) {
+      constexpr int count = 1 << 16;
+      double sum = 0, exact = 0, all = 0;
+      for (int i = 0; i < count; ++i) {
+        const double x = double{filter.sample({(static_cast<float>(i) + 0.5f) / count, 0.5f}).x};
+        // On the axis; the weight of x = 0 is known by it.
+        const Vec2f place(static_cast<float>(x), 0);
+        sum += std::cos(k * x) * double{filter.weight(place) / std::sqrt(filter.weight({0, 0}))};
+        const double y = r * ((2.0 * i + 1) / count - 1);
+        exact += std::cos(k * y) * weight(kind, y, r);
+        all += weight(kind, y, r);
+      }
+      EXPECT_NEAR(sum / count, exact / all, k == 0 ? 1e-4 : 5e-3) << static_cast<int>(kind) << k;
+    }
+  }
+}
+
+TEST(Unit_Filter, ChangesItsSignWhereItIsZero) {
+  for (const FilterKind kind : {FilterKind::Mitchell, FilterKind::Sinc})
+    for (float x = -3.999f; x < 4; x += 0.01f) {
+      const Filter filter(kind, 4);
+      const double f = weight(kind, double{x}, 4);
+      if (std::abs(f) > 1e-4) EXPECT_EQ(filter.weight({x, 0}) > 0, f > 0) << x;
+    }
 }
 
 TEST(Unit_Filter, IsSymmetric) {

@@ -59,6 +59,22 @@ TEST(Unit_RenderSettings, TheSceneOverridesTheDefaults) {
   EXPECT_EQ(s.display.exposure, 1.5);
 }
 
+// From the first pixel whose corner is within, as pbrt has it; shares are of whatever size is asked
+// for.
+TEST(Unit_RenderSettings, CropWindowsAreSharesOfThePicture) {
+  description::SceneDescription scene = scene_with_wishes();
+  scene.defaults.crop = description::CropWindow{0.25, 0.505, 0.2, 1};
+  EXPECT_EQ(settings({}, scene).options.crop, (PixelRect{25, 10, 51, 50}));
+  RenderArguments arguments;
+  arguments.size = Size{40, 30};
+  EXPECT_EQ(settings(arguments, scene).options.crop, (PixelRect{10, 6, 21, 30}));
+  arguments.crop = PixelRect{1, 2, 3, 4};
+  EXPECT_EQ(settings(arguments, scene).options.crop, (PixelRect{1, 2, 3, 4}));
+  scene.defaults.crop = description::CropWindow{0.251, 0.252, 0, 1};
+  expect_refused({}, scene, ExitCode::Scene,
+                 "the scene's crop window holds no pixel of a picture of 100x50");
+}
+
 TEST(Unit_RenderSettings, TheCommandLineOverridesTheScene) {
   RenderArguments arguments;
   arguments.size = Size{40, 30};

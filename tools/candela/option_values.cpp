@@ -33,7 +33,9 @@ constexpr Choice<GeometryModel> geometries[] = {{"schlick_ggx", GeometryModel::S
 constexpr Choice<FilterKind> filters[] = {{"box", FilterKind::Box},
                                           {"gaussian", FilterKind::Gaussian},
                                           {"blackman_harris", FilterKind::BlackmanHarris},
-                                          {"triangle", FilterKind::Triangle}};
+                                          {"triangle", FilterKind::Triangle},
+                                          {"mitchell", FilterKind::Mitchell},
+                                          {"sinc", FilterKind::Sinc}};
 constexpr Choice<AcceleratorKind> accelerators[] = {{"embree", AcceleratorKind::Embree},
                                                     {"bvh", AcceleratorKind::Bvh}};
 constexpr Choice<ToneMap> tone_maps[] = {

@@ -52,8 +52,27 @@ void settle_size(const RenderArguments& arguments, const description::RenderDefa
   options.height = scaled_side(options.height, arguments.scale);
 }
 
-void settle_crop(const RenderArguments& arguments, RenderOptions& options) {
+// The pixels of a scene's crop window: from the first whose upper left corner is within to the
+// last.
+PixelRect pixels_of(const description::CropWindow& window, int width, int height) {
+  const auto pixel = [](double share, int side) {
+    constexpr double rounding = 1e-6;  // of shares that files write with seven digits
+    return static_cast<int>(std::ceil(std::clamp(share, 0.0, 1.0) * side - rounding));
+  };
+  return {pixel(window.left, width), pixel(window.top, height), pixel(window.right, width),
+          pixel(window.bottom, height)};
+}
+
+void settle_crop(const RenderArguments& arguments, const description::RenderDefaults& defaults,
+                 RenderOptions& options) {
   options.crop = arguments.crop;
+  if (!options.crop && defaults.crop) {
+    options.crop = pixels_of(*defaults.crop, options.width, options.height);
+    if (options.crop->is_empty())
+      throw Refusal{fmt::format("the scene's crop window holds no pixel of a picture of {}x{}",
+                                options.width, options.height),
+                    ExitCode::Scene};
+  }
   if (!options.crop) return;
   if (options.crop->x1 > options.width || options.crop->y1 > options.height)
     throw Refusal{fmt::format("--crop {},{},{},{} leaves the picture, which is {}x{}",
@@ -265,7 +284,7 @@ RenderSettings settled(const RenderArguments& arguments,
   RenderSettings settings;
   RenderOptions& options = settings.options;
   settle_size(arguments, description.defaults, options);
-  settle_crop(arguments, options);
+  settle_crop(arguments, description.defaults, options);
   settle_names(arguments, description.defaults, options);
   settle_stop_rules(arguments, options);
   settle_samples(arguments, description.defaults, options, settings.warnings);

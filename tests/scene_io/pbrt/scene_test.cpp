@@ -79,6 +79,30 @@ TEST(Unit_PbrtFilm, DefaultsArePbrts) {
   EXPECT_EQ(stratified.filter_radius, 2);
 }
 
+TEST(Unit_PbrtFilm, FiltersWithNegativeParts) {
+  const RenderDefaults defaults = pbrt_scene("PixelFilter \"mitchell\"\nWorldBegin").defaults;
+  EXPECT_EQ(defaults.filter, "mitchell");
+  EXPECT_EQ(defaults.filter_radius, 2);
+  EXPECT_EQ(
+      pbrt_scene("PixelFilter \"sinc\" \"float xradius\" 3\nWorldBegin").defaults.filter_radius, 3);
+}
+
+TEST(Unit_PbrtFilm, CropWindowsAndPixelBounds) {
+  const std::string film = "Film \"rgb\" \"integer xresolution\" 200 \"integer yresolution\" 100 ";
+  const auto expect_crop = [&](const std::string& parameter, double left, double right, double top,
+                               double bottom) {
+    const auto crop = pbrt_scene(film + parameter + "\nWorldBegin").defaults.crop;
+    ASSERT_TRUE(crop) << parameter;
+    EXPECT_EQ(crop->left, left);
+    EXPECT_EQ(crop->right, right);
+    EXPECT_EQ(crop->top, top);
+    EXPECT_EQ(crop->bottom, bottom);
+  };
+  expect_crop("\"float cropwindow\" [ .25 .5 .125 2 ]", 0.25, 0.5, 0.125, 1);
+  expect_crop("\"integer pixelbounds\" [ 50 100 10 20 ]", 0.25, 0.5, 0.1, 0.2);
+  EXPECT_FALSE(pbrt_scene(film + "\nWorldBegin").defaults.crop);
+}
+
 TEST(Unit_PbrtFilm, TheImagingRatioIsInTheLight) {
   const auto scene = pbrt_scene(R"(Camera "perspective" "float shutterclose" .25
     Film "rgb" "float iso" 200
@@ -99,8 +123,12 @@ TEST(Errors_PbrtFilm, WhatCannotBeHonouredIsNamed) {
             "1:12: the integrator 'bdpt' is rendered by 'path'");
   EXPECT_EQ(pbrt_warning("Camera \"realistic\" \"string lensfile\" \"x\"\nWorldBegin"),
             "1:8: cameras of type 'realistic' are not supported: 'perspective' is used");
-  EXPECT_EQ(pbrt_warning("Film \"rgb\" \"float cropwindow\" [ 0 .5 0 1 ]\nWorldBegin"),
-            "1:12: 'cropwindow' is ignored: use --crop");
+  EXPECT_EQ(pbrt_error("Film \"rgb\" \"float cropwindow\" [ .5 .5 0 1 ]\nWorldBegin"),
+            "1:12: 'cropwindow' holds no pixel, expected x0 < x1 and y0 < y1");
+  EXPECT_EQ(pbrt_error("Film \"rgb\" \"integer pixelbounds\" [ 0 10 ]\nWorldBegin"),
+            "1:12: 'pixelbounds' expected 4 numbers: x0, x1, y0, y1");
+  EXPECT_EQ(pbrt_warning("PixelFilter \"mitchell\" \"float B\" 0 \"float C\" .3333\nWorldBegin"),
+            "1:13: the mitchell filter's B is 0.333 here");
   EXPECT_EQ(pbrt_error("Film \"rgb\" \"integer xresolution\" 0\nWorldBegin"),
             "1:12: 'xresolution' is 0, expected 1 to 65536");
   EXPECT_EQ(pbrt_error("Scale 1 1 0\nCamera \"perspective\"\nWorldBegin"),
