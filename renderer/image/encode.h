@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/base/result.h"
+#include "renderer/image/decode.h"
 #include "renderer/image/image.h"
 #include "renderer/image/image_format.h"
 #include "renderer/image/image_io.h"
@@ -12,5 +13,9 @@ namespace candela {
 // path, such as "a jpeg can be at most 65500 pixels wide and high, not 70000 x 2".
 [[nodiscard]] Result<std::string> encode_image(ImageFormat format, const Image& image,
                                                const WriteOptions& options);
+
+// Samples as they were stored, neither decoded nor multiplied by anything: integers in a PNG,
+// floats in an EXR file. `channel`: a grey picture of that one; -1: all.
+[[nodiscard]] Result<std::string> encode_samples(const DecodedImage& image, int channel);
 
 }  // namespace candela

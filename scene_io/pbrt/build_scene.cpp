@@ -12,6 +12,7 @@
 #include "scene_io/pbrt/lights.h"
 #include "scene_io/pbrt/materials.h"
 #include "scene_io/pbrt/media.h"
+#include "scene_io/pbrt/mesh_areas.h"
 #include "scene_io/pbrt/shape.h"
 #include "scene_io/pbrt/textures.h"
 #include "scene_io/pbrt/transforms.h"
@@ -117,27 +118,6 @@ class Meshes {
   std::size_t curved_count_ = 0;
 };
 
-// Areas of a mesh in the world and of its texture coordinates.
-struct Areas {
-  double surface = 0, uv = 0;
-  std::size_t triangle_count = 0;
-};
-
-Areas areas_of(const Mesh& mesh, const Transform& world_from_object) {
-  Areas areas;
-  areas.triangle_count = mesh.triangles.size();
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Vec3d edge1 = world_from_object.vector(mesh.positions[b] - mesh.positions[a]);
-    const Vec3d edge2 = world_from_object.vector(mesh.positions[c] - mesh.positions[a]);
-    areas.surface += length(cross(edge1, edge2)) / 2;
-    if (mesh.uvs.empty()) continue;
-    const Vec2d uv1 = Vec2d(mesh.uvs[b]) - Vec2d(mesh.uvs[a]);
-    const Vec2d uv2 = Vec2d(mesh.uvs[c]) - Vec2d(mesh.uvs[a]);
-    areas.uv += std::abs(uv1.x * uv2.y - uv1.y * uv2.x) / 2;
-  }
-  return areas;
-}
-
 // A material with all that its shapes add to it. Shapes that add the same share it.
 class ShapeMaterials {
  public:
@@ -179,8 +159,10 @@ class ShapeMaterials {
     return made_[key] = add(key);
   }
 
+  // lab3's material knows of its holes itself.
   void read_alpha(ShapeStatement& shape, Key& key) {
     Arguments arguments(shape.statement, context_.report);
+    if (std::holds_alternative<description::LabMaterial>(key.base->model)) return;
     const auto alpha = textures_.scalar(arguments, "alpha");
     if (!alpha) return;
     key.opacity = std::clamp(alpha->factor, 0.0, 1.0);
@@ -196,12 +178,6 @@ class ShapeMaterials {
     else if (absorption != Vec3d(0.0))
       context_.warn_once("medium", shape.inside.place,
                          "media are rendered within glass only: elsewhere all is as clear as air");
-  }
-
-  // pbrt's heights are lengths in the world; candela's are in the uv square's edge on the surface.
-  static double height_scale(const Areas& areas) {
-    const double scale = areas.surface > 0 ? std::sqrt(areas.uv / areas.surface) : 0;
-    return scale > 0 && std::isfinite(scale) ? scale : 1;
   }
 
   void read_emission_of(const ShapeStatement& shape, const Areas& areas, Key& key) {
@@ -224,7 +200,7 @@ class ShapeMaterials {
       material.model = mix_of(*parts, key, std::get<description::MixMaterial>(material.model));
     material.emission = {key.emission[0], key.emission[1], key.emission[2]};
     material.emits_both_sides = key.emits_both_sides;
-    material.height_scale = key.height_scale;
+    if (material.height_scale == heights_are_lengths) material.height_scale = key.height_scale;
     if (auto* glass = std::get_if<description::DielectricMaterial>(&material.model))
       glass->absorption = {key.absorption[0], key.absorption[1], key.absorption[2]};
     material.emission_map.index = key.emission_map;

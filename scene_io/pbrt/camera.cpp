@@ -57,6 +57,11 @@ void read_perspective(Arguments& arguments, Camera& camera) {
   camera.fovy_degrees = fov;
   camera.fov_is_of_shorter_side = true;
   camera.screen_window = screen_window(arguments);
+  // candela's own: of the height, whatever the picture's size will be.
+  const auto fovy = arguments.number("fovy");
+  if (!fovy || !(*fovy > 0 && *fovy < 180)) return;
+  camera.fovy_degrees = *fovy;
+  camera.fov_is_of_shorter_side = false;
 }
 
 // A window in the camera's own unit.

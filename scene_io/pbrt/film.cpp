@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "scene_io/pbrt/camera.h"
+#include "scene_io/pbrt/spectrum.h"
 
 namespace candela::pbrt {
 namespace {
@@ -91,6 +92,7 @@ double read_picture(Context& context) {
   film.accept({"filename", "diagonal", "savefp16", "coordinatesystem", "nbuckets", "lambdamin",
                "lambdamax", "scale", "maxsampleluminance"});
   read_crop(context, film);
+  context.scene.defaults.exposure = film.number("exposure");  // candela's own
   const double ratio = read_exposure(context, film);
   film.warn_of_unknown();
   return ratio;
@@ -126,6 +128,11 @@ void read_filter(Context& context) {
   expect_filter_number(context, arguments, "mitchell", "C", 1.0 / 3);
   expect_filter_number(context, arguments, "sinc", "tau", 3);
   const double sigma = arguments.number("sigma").value_or(0.5);
+  if (const auto own = arguments.string("filter")) {  // one that only candela has
+    context.scene.defaults.filter = *own;
+    context.scene.defaults.filter_radius = x;
+    return arguments.warn_of_unknown();
+  }
   if (statement.type == "gaussian" && sigma != 0.5)
     context.warn_once("sigma", statement.place, "the gaussian filter's sigma is 0.5 here");
   arguments.warn_of_unknown();
@@ -162,6 +169,16 @@ void read_sampler(Context& context) {
   sampler.warn_of_unknown();
 }
 
+// candela's own: no limit, another integrator, lab3's ambient term.
+void read_own_wishes(Arguments& integrator, Context& context) {
+  auto& defaults = context.scene.defaults;
+  if (integrator.flag("unlimited", false)) defaults.max_depth.reset();
+  defaults.integrator = integrator.string("integrator").value_or("path");
+  if (const Parameter* ambient = integrator.find("ambient", {ParameterType::Rgb}))
+    context.scene.lab_ambient =
+        factor_colour(*ambient, context.scene.path, context.report).value_or(Vec3d(0.0));
+}
+
 // candela has its own way to transport light for all of pbrt's.
 void read_integrator(Context& context) {
   auto& defaults = context.scene.defaults;
@@ -171,6 +188,7 @@ void read_integrator(Context& context) {
   Statement& statement = *context.program.integrator;
   Arguments integrator(statement, context.report);
   defaults.max_depth = integer(integrator, "maxdepth", 0, deepest).value_or(5);
+  read_own_wishes(integrator, context);
   if (!is_one_of(statement.type, {"path", "volpath"}))
     context.warn_once(
         "integrator", statement.place,

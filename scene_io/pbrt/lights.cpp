@@ -174,23 +174,44 @@ class LightReader {
     const Parameter* file = arguments_.find("filename", {ParameterType::String});
     const Parameter* v3_file = arguments_.find("mapname", {ParameterType::String});
     const Vec3d colour_and_scale = colour("L");
+    is_seen_by_camera_ = arguments_.flag("seen", true);  // candela's own
+    if (const Parameter* faces = arguments_.find("cube", {ParameterType::String}))
+      return add_cube(*faces);
     if (file || v3_file) {
       if (illuminance)
         arguments_.warning(*arguments_.find("illuminance"),
                            "is ignored: the image's own radiance counts");
-      return v3_file && !file ? add_map<description::LatLongEnvironment>(*v3_file, colour_and_scale)
-                              : add_map<description::EqualAreaEnvironment>(*file, colour_and_scale);
+      return v3_file ? add_map<description::LatLongEnvironment>(*v3_file, colour_and_scale)
+                     : add_map<description::EqualAreaEnvironment>(*file, colour_and_scale);
     }
     const Vec3d radiance = colour_and_scale * (illuminance ? *illuminance / pi_double : 1.0);
     check(radiance);
-    add(ConstantEnvironment{radiance, true});
+    add(ConstantEnvironment{radiance, is_seen_by_camera_});
   }
 
-  // pbrt-v3's maps are latitude-longitude with z up: their centre column looks along -x.
+  // "encoding" is candela's own.
+  description::Encoding encoding_of_light(const Parameter& file) {
+    if (const auto name = arguments_.string("encoding"))
+      if (const auto encoding = encoding_named(*name)) return *encoding;
+    return encoding_of_file(file.strings.empty() ? "" : file.strings[0]);
+  }
+
+  // candela's own: lab3's six faces, in the world's space.
+  void add_cube(const Parameter& faces) {
+    if (faces.strings.size() != 6) return arguments_.error(faces, "expected 6 image files");
+    description::CubeEnvironment environment;
+    const description::Encoding encoding = encoding_of_light(faces);
+    for (std::size_t i = 0; i < 6; ++i) {
+      Parameter face = faces;
+      face.strings = {faces.strings[i]};
+      environment.faces[i] = add_image(context_, face, encoding, description::Wrap::Clamp);
+      if (!environment.faces[i]) return;
+    }
+    add(environment);
+  }
+
   description::ImageHandle light_image(const Parameter& file) {
-    return add_image(context_, file,
-                     encoding_of_file(file.strings.size() == 1 ? file.strings[0] : ""),
-                     description::Wrap::Clamp);
+    return add_image(context_, file, encoding_of_light(file), description::Wrap::Clamp);
   }
 
   // The axes of a map in the world, unit.
@@ -205,6 +226,7 @@ class LightReader {
     return axes;
   }
 
+  // pbrt-v3's maps are latitude-longitude with z up: their centre column looks along -x.
   template <class Map>
   void add_map(const Parameter& file, const Vec3d& factor) {
     Map environment;
@@ -212,6 +234,7 @@ class LightReader {
     if (!environment.image) return;
     check(factor);
     environment.scale = factor;
+    environment.is_seen_by_camera = is_seen_by_camera_;
     const bool is_lat_long = std::is_same_v<Map, description::LatLongEnvironment>;
     environment.world_from_map =
         map_axes(is_lat_long ? Mat3d(0, -1, 0, 0, 0, 1, 1, 0, 0) : Mat3d(1.0));
@@ -221,6 +244,7 @@ class LightReader {
   Context& context_;
   LightStatement& light_;
   Arguments arguments_;
+  bool is_seen_by_camera_ = true;  // of skies
 };
 
 // pbrt adds the lights of all skies; candela has one.
@@ -231,7 +255,8 @@ void merge_environments(Context& context) {
   };
   const auto is_map = [](const description::Light& light) {
     return std::holds_alternative<description::EqualAreaEnvironment>(light.kind) ||
-           std::holds_alternative<description::LatLongEnvironment>(light.kind);
+           std::holds_alternative<description::LatLongEnvironment>(light.kind) ||
+           std::holds_alternative<description::CubeEnvironment>(light.kind);
   };
   const bool has_map = std::any_of(lights.begin(), lights.end(), is_map);
   description::Light* first = nullptr;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "scene_io/pbrt/own_materials.h"
 #include "scene_io/pbrt/spectrum.h"
 
 namespace candela::pbrt {
@@ -214,14 +215,15 @@ Materials::Made Materials::make(MaterialStatement& statement) {
   material.name = statement.name.empty() ? type : statement.name;
   material.span = statement.statement.place.span();
   material.model = description::DiffuseMaterial{};
-  if (type == "mix") {
+  if (type == "mix" && !arguments.has("model")) {
     Made made = mix(arguments).value_or(Made{material, {}});
     made.material.name = material.name;
     made.material.span = material.span;
     return made;
   }
   MaterialReader reader{arguments, context_, textures_};
-  if (!set_model(reader, type, material) && !set_v3_model(reader, type, material)) {
+  if (!set_own_model(reader, material) && !set_model(reader, type, material) &&
+      !set_v3_model(reader, type, material)) {
     const std::string_view word = std::string_view(type).substr(0, 100);
     if (!type.empty())
       context_.report.error(
@@ -230,6 +232,7 @@ Materials::Made Materials::make(MaterialStatement& statement) {
                       did_you_mean(word, {std::begin(type_names), std::end(type_names)})));
     return {material, {}};
   }
+  add_own_parameters(reader, material);
   textures_.set_heights(arguments, material);
   if (const auto normals = textures_.normal_map(arguments)) material.normal_map = normals;
   arguments.warn_of_unknown();

@@ -37,6 +37,7 @@ Wrap wrap_of(Arguments& arguments) {
     return Wrap::Repeat;
   if (parameter->strings[0] == "black") return Wrap::Black;
   if (parameter->strings[0] == "clamp") return Wrap::Clamp;
+  if (parameter->strings[0] == "mirror") return Wrap::Mirror;  // candela's own
   arguments.warning(*parameter, fmt::format("{} is none of repeat, black and clamp: it is repeated",
                                             text::quoted(parameter->strings[0])));
   return Wrap::Repeat;
@@ -47,11 +48,11 @@ Encoding encoding_of(Arguments& arguments, std::string_view file_name) {
   const Parameter* parameter = arguments.find("encoding", {ParameterType::String});
   if (!parameter || parameter->strings.size() != 1 || !has_extension(file_name, ".png"))
     return encoding_of_file(file_name);
-  if (parameter->strings[0] == "linear") return Encoding::Linear;
-  if (parameter->strings[0] != "sRGB")
+  const auto encoding = encoding_named(parameter->strings[0]);
+  if (!encoding)
     arguments.warning(*parameter, fmt::format("{} is not supported: it counts as sRGB",
                                               text::quoted(parameter->strings[0])));
-  return Encoding::Srgb;
+  return encoding.value_or(Encoding::Srgb);
 }
 
 std::vector<std::string_view> names_of(const std::map<std::string, TextureStatement>& textures) {
@@ -71,6 +72,24 @@ ScalarInput to_scalar(const ColourInput& input) {
 }
 
 }  // namespace
+
+std::string_view name_of(Encoding encoding) {
+  switch (encoding) {
+    case Encoding::Linear:
+      return "linear";
+    case Encoding::Srgb:
+      return "sRGB";
+    case Encoding::LabGamma:
+      return "gamma 2.2";
+  }
+  return "linear";
+}
+
+std::optional<Encoding> encoding_named(std::string_view name) {
+  for (const Encoding encoding : {Encoding::Linear, Encoding::Srgb, Encoding::LabGamma})
+    if (name_of(encoding) == name) return encoding;
+  return std::nullopt;
+}
 
 Encoding encoding_of_file(std::string_view name) {
   const bool is_linear =
@@ -150,6 +169,7 @@ ScalarInput Textures::complement(const ScalarInput& input, const Place& place) {
 }
 
 void Textures::set_heights(Arguments& arguments, description::Material& material) {
+  if (set_own_heights(arguments, material)) return;
   const Parameter* parameter =
       arguments.find("displacement", {ParameterType::Texture, ParameterType::Float});
   if (!parameter) parameter = arguments.find("bumpmap", {ParameterType::Texture});  // pbrt-v3
@@ -158,6 +178,20 @@ void Textures::set_heights(Arguments& arguments, description::Material& material
   if (!heights) return;
   material.height = heights->map;
   material.height_texture = heights->texture;
+  material.height_scale = heights_are_lengths;
+}
+
+// candela's own: heights in the unit that it has.
+bool Textures::set_own_heights(Arguments& arguments, description::Material& material) {
+  const Parameter* parameter = arguments.find("heights", {ParameterType::Texture});
+  if (!parameter) return false;
+  arguments.accept({"displacement"});
+  material.height_scale = arguments.number("heightscale").value_or(1);
+  const auto heights = scalar_texture(*parameter);
+  if (!heights) return true;
+  material.height = heights->map;
+  material.height_texture = heights->texture;
+  return true;
 }
 
 ImageHandle Textures::normal_map(Arguments& arguments) {
@@ -290,9 +324,10 @@ Textures::Value Textures::image(Arguments& arguments, const std::string& name) {
   return add(texture, name, arguments.statement().place);
 }
 
-// pbrt-v3 names the two factors tex1 and tex2.
+// pbrt-v3 names the two factors tex1 and tex2, and so does candela where the second is a colour.
 Textures::Value Textures::product(Kind kind, Arguments& arguments, const std::string& name) {
   const bool is_v3 = arguments.has("tex1");
+  if (is_v3) arguments.accept({"tex", "scale"});
   description::ProductTexture texture;
   texture.first = input(kind, arguments, is_v3 ? "tex1" : "tex", Vec3d(1.0));
   texture.second = is_v3 ? input(kind, arguments, "tex2", Vec3d(1.0))

@@ -9,6 +9,10 @@
 
 namespace candela::pbrt {
 
+// The height_scale of materials that are not on a shape yet: heights in the world's unit, whose
+// scale is the shape's.
+inline constexpr double heights_are_lengths = 0;
+
 class Textures {
  public:
   explicit Textures(Context& context) : context_(context) {}
@@ -22,7 +26,7 @@ class Textures {
   std::optional<description::ScalarInput> scalar_texture(const Parameter& parameter);
   // 1 minus a number.
   description::ScalarInput complement(const description::ScalarInput& input, const Place& place);
-  // Heights: an image or a texture.
+  // Heights: an image or a texture. `height_scale` becomes heights_are_lengths for pbrt's.
   void set_heights(Arguments& arguments, description::Material& material);
   // A file of normals.
   description::ImageHandle normal_map(Arguments& arguments);
@@ -32,6 +36,7 @@ class Textures {
 
   // Absent: in error.
   using Value = std::optional<description::ColourInput>;
+  bool set_own_heights(Arguments& arguments, description::Material& material);
   Value named(Kind kind, const Parameter& parameter);
   Value make(Kind kind, TextureStatement& texture, const std::string& name);
   Value image(Arguments& arguments, const std::string& name);
@@ -52,6 +57,10 @@ class Textures {
   std::map<std::string, Value> made_[2];  // by kind
   int depth_ = 0;
 };
+
+// "sRGB", "linear" or, for lab3's, "gamma 2.2": what pbrt-v4 calls encodings of PNG files.
+[[nodiscard]] std::string_view name_of(description::Encoding encoding);
+[[nodiscard]] std::optional<description::Encoding> encoding_named(std::string_view name);
 
 // As pbrt reads image files: EXR, HDR and PFM are linear, all others sRGB.
 [[nodiscard]] description::Encoding encoding_of_file(std::string_view name);

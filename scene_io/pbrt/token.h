@@ -1,5 +1,6 @@
 // The tokens of a pbrt file: words, quoted strings and brackets between blanks and comments (from
-// '#' to the line's end).
+// '#' to the line's end). What stands behind `#candela:` is read, while pbrt takes it for a
+// comment: parameters for what pbrt's own cannot say (docs/pbrt.md).
 #pragma once
 
 #include <cstddef>
@@ -10,6 +11,8 @@
 #include "scene_io/text/cursor.h"
 
 namespace candela::pbrt {
+
+inline constexpr std::string_view own_mark = "#candela:";
 
 enum class TokenKind : std::uint8_t {
   End,

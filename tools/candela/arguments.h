@@ -90,6 +90,12 @@ struct CompareArguments {
   bool as_json = false;
 };
 
+struct ConvertArguments {
+  SceneArguments scene;
+  std::string output;  // .pbrt
+  std::size_t camera = 0;
+};
+
 struct BenchArguments {
   SceneArguments scene;
   double seconds_each = 0.5;  // for each kind of rays
@@ -97,7 +103,7 @@ struct BenchArguments {
   bool as_json = false;
 };
 
-using Arguments =
-    std::variant<RenderArguments, InfoArguments, CheckArguments, CompareArguments, BenchArguments>;
+using Arguments = std::variant<RenderArguments, InfoArguments, CheckArguments, CompareArguments,
+                               ConvertArguments, BenchArguments>;
 
 }  // namespace candela::cli

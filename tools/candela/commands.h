@@ -9,6 +9,7 @@ namespace candela::cli {
 [[nodiscard]] ExitCode run_info(const InfoArguments& arguments);
 [[nodiscard]] ExitCode run_check(const CheckArguments& arguments);
 [[nodiscard]] ExitCode run_compare(const CompareArguments& arguments);
+[[nodiscard]] ExitCode run_convert(const ConvertArguments& arguments);
 [[nodiscard]] ExitCode run_bench(const BenchArguments& arguments);
 
 }  // namespace candela::cli

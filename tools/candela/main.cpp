@@ -84,6 +84,9 @@ ExitCode run_command(const CheckArguments& arguments) {
 ExitCode run_command(const CompareArguments& arguments) {
   return run_compare(arguments);
 }
+ExitCode run_command(const ConvertArguments& arguments) {
+  return run_convert(arguments);
+}
 ExitCode run_command(const BenchArguments& arguments) {
   ExitCode code = ExitCode::Bug;
   with_threads(arguments.threads, [&] { code = run_bench(arguments); });

@@ -172,6 +172,7 @@ struct CommandLine {
   InfoArguments info;
   CheckArguments check;
   CompareArguments compare;
+  ConvertArguments convert;
   BenchArguments bench;
   CLI::App app{"candela renders scenes by path tracing.", "candela"};
 
@@ -183,6 +184,7 @@ struct CommandLine {
     add_info();
     add_check();
     add_compare();
+    add_convert();
     add_bench();
     for (CLI::App* command : app.get_subcommands({}))
       command->set_version_flag("--version", "candela " CANDELA_VERSION,
@@ -230,6 +232,17 @@ struct CommandLine {
     add_json(command, compare.as_json);
   }
 
+  void add_convert() {
+    CLI::App& command = *app.add_subcommand("convert", "Write a scene as a pbrt-v4 file");
+    add_scene(command, convert.scene);
+    command.add_option("OUT", convert.output, "The file to write, with the ending .pbrt")
+        ->required()
+        ->type_name("");
+    add_value(command, "--camera", "N", convert.camera, integer_between(0, 1'000'000),
+              "The scene's N-th camera, from 0 [0]");
+    add_reading(command, convert.scene);
+  }
+
   void add_bench() {
     CLI::App& command =
         *app.add_subcommand("bench", "Measure Embree against the reference BVH on a scene");
@@ -246,6 +259,7 @@ struct CommandLine {
     if (app.got_subcommand("info")) return info;
     if (app.got_subcommand("check")) return check;
     if (app.got_subcommand("compare")) return compare;
+    if (app.got_subcommand("convert")) return convert;
     return bench;
   }
 };
@@ -292,7 +306,7 @@ ParsedArguments usage_error(const std::string& command, const std::string& sente
 }  // namespace
 
 std::vector<std::string_view> command_names() {
-  return {"render", "info", "check", "compare", "bench"};
+  return {"render", "info", "check", "compare", "convert", "bench"};
 }
 
 ParsedArguments parse_arguments(const std::vector<std::string>& words) {

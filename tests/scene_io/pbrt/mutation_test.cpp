@@ -55,13 +55,20 @@ CoordSysTransform "here"
 ObjectInstance "thing"
 Material "dielectric" "spectrum eta" "glass-BK7"
 Include "world.pbrt"
+Material "conductor" "rgb reflectance" [ .9 .8 .7 ]
+  #candela: "string model" "mirror" "rgb mirror.reflectance" [ .9 .8 .7 ]
+Shape "disk" "float radius" 2
+MakeNamedMaterial "lab" "string type" "diffuse" "texture displacement" "holes"
+  #candela: "string model" "lab" "float lab.shininess" 9 "texture heights" "holes" "float heightscale" 2
+NamedMaterial "lab"
+Shape "disk" "float radius" 3
 Material "glass"
 Shape "cylinder" "float zmax" 2
 )";
 
 TEST(Unit_PbrtMutations, TheScenesOwnTextIsFine) {
   const auto scene = test::pbrt_scene(everything);
-  EXPECT_EQ(scene.instances.size(), 9u);
+  EXPECT_EQ(scene.instances.size(), 11u);
   EXPECT_EQ(scene.lights.size(), 3u);
   const Diagnostics problems = description::validate(scene);
   EXPECT_FALSE(problems.has_errors()) << to_string(problems.list().front());

@@ -1,0 +1,37 @@
+#include "scene_io/pbrt/mesh_areas.h"
+
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace candela::pbrt {
+
+Areas areas_of(const description::Mesh& mesh, std::span<const std::uint32_t> triangles,
+               const Transform& world_from_object) {
+  Areas areas;
+  areas.triangle_count = triangles.size();
+  for (const std::uint32_t triangle : triangles) {
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    const Vec3d edge1 = world_from_object.vector(mesh.positions[b] - mesh.positions[a]);
+    const Vec3d edge2 = world_from_object.vector(mesh.positions[c] - mesh.positions[a]);
+    areas.surface += length(cross(edge1, edge2)) / 2;
+    if (mesh.uvs.empty()) continue;
+    const Vec2d uv1 = Vec2d(mesh.uvs[b]) - Vec2d(mesh.uvs[a]);
+    const Vec2d uv2 = Vec2d(mesh.uvs[c]) - Vec2d(mesh.uvs[a]);
+    areas.uv += std::abs(uv1.x * uv2.y - uv1.y * uv2.x) / 2;
+  }
+  return areas;
+}
+
+Areas areas_of(const description::Mesh& mesh, const Transform& world_from_object) {
+  std::vector<std::uint32_t> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return areas_of(mesh, all, world_from_object);
+}
+
+double height_scale(const Areas& areas) {
+  const double scale = areas.surface > 0 ? std::sqrt(areas.uv / areas.surface) : 0;
+  return scale > 0 && std::isfinite(scale) ? scale : 1;
+}
+
+}  // namespace candela::pbrt

@@ -1,0 +1,26 @@
+// How large a mesh is in the world and in its texture coordinates: pbrt's heights are lengths in
+// the world, candela's are in edges of the uv square on the surface.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "renderer/description/scene_description.h"
+
+namespace candela::pbrt {
+
+struct Areas {
+  double surface = 0, uv = 0;
+  std::size_t triangle_count = 0;
+};
+
+// Of the triangles that are listed by their places in the mesh.
+[[nodiscard]] Areas areas_of(const description::Mesh& mesh,
+                             std::span<const std::uint32_t> triangles,
+                             const Transform& world_from_object);
+[[nodiscard]] Areas areas_of(const description::Mesh& mesh, const Transform& world_from_object);
+
+// candela's height_scale of a length of 1 in the world; 1 where the mesh has no area.
+[[nodiscard]] double height_scale(const Areas& areas);
+
+}  // namespace candela::pbrt

@@ -1,0 +1,37 @@
+#include "scene_io/pbrt/write/write_pbrt.h"
+
+#include <fmt/format.h>
+
+#include "scene_io/pbrt/write/write_lights.h"
+#include "scene_io/pbrt/write/write_materials.h"
+#include "scene_io/pbrt/write/write_shapes.h"
+#include "scene_io/pbrt/write/write_view.h"
+
+namespace candela::pbrt {
+namespace {
+
+std::string section(std::string_view title, const std::string& text) {
+  return text.empty() ? "" : fmt::format("\n# {}\n{}", title, text);
+}
+
+}  // namespace
+
+// What is asked for first is written last: shapes ask for materials, those for textures.
+Result<WrittenScene> write_pbrt(const description::SceneDescription& scene,
+                                const WriteOptions& options) {
+  WrittenScene written;
+  Diagnostics diagnostics;
+  WriteContext context{scene, options, written, diagnostics};
+  TextureWriter textures(context);
+  MaterialWriter materials(context, textures);
+  const std::string shapes = write_shapes(context, textures, materials);
+  const std::string lights = write_lights(context, textures);
+  written.text = "# Written by candela from a scene named " + stem_of(scene.path) +
+                 ".\n# Lines that begin with #candela: are read by candela alone.\n\n" +
+                 write_view(context, materials.has_media()) + "\nWorldBegin\n" +
+                 section("Lights", lights) + section("Textures", textures.text()) +
+                 section("Materials", materials.text()) + section("Shapes", shapes);
+  return {std::move(written), std::move(diagnostics)};
+}
+
+}  // namespace candela::pbrt

@@ -1,0 +1,134 @@
+// candela convert SCENE OUT.pbrt: the scene for pbrt-v4, with its meshes and images in a folder
+// beside it. The scene's own file is written last, so that it never names a file that is not there.
+#include <filesystem>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "renderer/film/filter.h"
+#include "renderer/image/image_io.h"
+#include "scene_io/pbrt/write/write_pbrt.h"
+#include "tools/candela/commands.h"
+#include "tools/candela/console.h"
+#include "tools/candela/convert_images.h"
+#include "tools/candela/option_values.h"
+#include "tools/candela/output_files.h"
+#include "tools/candela/read_scene.h"
+#include "tools/candela/render_settings.h"
+
+namespace candela::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What candela would do where the scene says nothing: pbrt's own defaults are others.
+void fill_defaults(const RenderOptions& options, description::RenderDefaults& defaults) {
+  defaults.width = options.width;
+  defaults.height = options.height;
+  defaults.samples_per_pixel = options.samples_per_pixel;
+  defaults.max_depth = options.max_depth;
+  defaults.integrator = std::string(name_of(options.integrator, integrator_choices()));
+  defaults.filter = std::string(name_of(options.filter, filter_choices()));
+  defaults.filter_radius = options.filter_radius.value_or(default_radius(options.filter));
+}
+
+// A file of the conversion and what makes its bytes.
+struct Output {
+  std::string path;
+  std::function<Result<std::string>()> bytes;
+};
+
+class Conversion {
+ public:
+  explicit Conversion(const ConvertArguments& arguments)
+      : arguments_(arguments), target_(arguments.output) {}
+
+  ExitCode run() {
+    if (target_.extension() != ".pbrt")
+      return fail(ExitCode::Usage,
+                  fmt::format("'{}': expected a name that ends with .pbrt", arguments_.output));
+    const Diagnostics unwritable = check_writable_file(arguments_.output);
+    console_.print(unwritable);
+    if (unwritable.has_errors()) return ExitCode::Output;
+    ReadScene read = read_scene(arguments_.scene, console_);
+    if (!read.is_usable()) return ExitCode::Scene;
+    RenderArguments wishes = as_the_scene_asks(arguments_.scene);
+    wishes.camera = arguments_.camera;
+    const SettledSettings settled = settle_settings(wishes, *read.description);
+    if (!settled.settings) return fail(settled.exit_code, settled.error);
+    fill_defaults(settled.settings->options, read.description->defaults);
+    return convert(*read.description, *read.scene);
+  }
+
+ private:
+  ExitCode fail(ExitCode code, const std::string& sentence) {
+    console_.error(sentence);
+    return code;
+  }
+
+  [[nodiscard]] std::string beside(const std::string& name) const {
+    return (target_.parent_path() / name).string();
+  }
+
+  ExitCode convert(const description::SceneDescription& description, const Scene& scene) {
+    const std::string stem = target_.stem().string();
+    const Result<pbrt::WrittenScene> written = pbrt::write_pbrt(
+        description, {stem + "_files", stem + ".exr", arguments_.camera, image_facts});
+    console_.print(written.diagnostics);
+    if (arguments_.scene.is_strict && written.diagnostics.warning_count() > 0)
+      return ExitCode::Scene;
+    const std::vector<Output> outputs = outputs_of(*written, scene);
+    std::vector<std::string> paths;
+    for (const Output& output : outputs) paths.push_back(output.path);
+    const Diagnostics overwritten = check_scene_is_spared(paths, description);
+    console_.print(overwritten);
+    if (overwritten.has_errors()) return ExitCode::Output;
+    return write(outputs, paths, beside(stem + "_files"));
+  }
+
+  [[nodiscard]] std::vector<Output> outputs_of(const pbrt::WrittenScene& written,
+                                               const Scene& scene) const {
+    std::vector<Output> outputs;
+    for (const pbrt::WrittenFile& mesh : written.meshes)
+      outputs.push_back({beside(mesh.name), [&] { return mesh.bytes; }});
+    for (const pbrt::WrittenImage& image : written.images)
+      outputs.push_back({beside(image.name), [&] { return make_image(image); }});
+    if (written.sky)
+      outputs.push_back({beside(written.sky->name), [&] { return make_sky(*written.sky, scene); }});
+    outputs.push_back({arguments_.output, [&] { return written.text; }});
+    return outputs;
+  }
+
+  ExitCode write(const std::vector<Output>& outputs, const std::vector<std::string>& paths,
+                 const std::string& folder) {
+    std::error_code failed;
+    if (outputs.size() > 1) fs::create_directories(folder, failed);
+    if (failed)
+      return fail(ExitCode::Output,
+                  fmt::format("the folder '{}' cannot be made: {}", folder, failed.message()));
+    const WritingGuard guard(paths);
+    for (const Output& output : outputs) {
+      const Result<std::string> bytes = output.bytes();
+      console_.print(bytes.diagnostics);
+      if (!bytes) return ExitCode::Scene;
+      const Diagnostics problems = write_file_atomically(output.path, *bytes);
+      console_.print(problems);
+      if (problems.has_errors()) return ExitCode::Output;
+    }
+    console_.note(fmt::format("wrote {} and {} file{} beside it", arguments_.output,
+                              outputs.size() - 1, outputs.size() == 2 ? "" : "s"));
+    return ExitCode::Done;
+  }
+
+  const ConvertArguments& arguments_;
+  fs::path target_;
+  Console console_{false};
+};
+
+}  // namespace
+
+ExitCode run_convert(const ConvertArguments& arguments) {
+  return Conversion(arguments).run();
+}
+
+}  // namespace candela::cli

@@ -1,0 +1,75 @@
+#include "tools/candela/convert_images.h"
+
+#include <fmt/format.h>
+
+#include "renderer/base/parallel.h"
+#include "renderer/image/decode.h"
+#include "renderer/image/encode.h"
+#include "renderer/image/file_input.h"
+#include "renderer/sampling/equal_area.h"
+
+namespace candela::cli {
+namespace {
+
+// In place of the time of day, so that the same scene gives the same bytes.
+const std::string undated = "2000:01:01 00:00:00";
+
+// The mean over a pixel by a grid of directions of equal solid angles.
+Rgb pixel_mean(const pbrt::WrittenSky& sky, const Scene& scene, int x, int y) {
+  constexpr int grid = 4;
+  Vec3d sum(0.0);
+  for (int j = 0; j < grid; ++j)
+    for (int i = 0; i < grid; ++i) {
+      const Vec2d place((x + (i + 0.5) / grid) / sky.side, (y + (j + 0.5) / grid) / sky.side);
+      const Vec3d along(square_to_equal_area_sphere(Vec2f(place)));
+      const Vec3f direction(normalize(sky.world_from_sky * along));
+      sum += Vec3d(environment_radiance(*scene.environment, scene.textures, direction));
+    }
+  return Rgb(sum / static_cast<double>(grid * grid));
+}
+
+}  // namespace
+
+std::optional<pbrt::ImageFacts> image_facts(const std::string& path) {
+  const Result<ImageHeader> header = read_image_header(path, DecodeLimits{});
+  if (!header) return std::nullopt;
+  pbrt::ImageFacts facts;
+  facts.width = header->width;
+  facts.height = header->height;
+  facts.channels = static_cast<int>(header->channels.size());
+  facts.alpha_channel = header->alpha_channel;
+  facts.is_float =
+      header->sample_type == SampleType::Half || header->sample_type == SampleType::Float;
+  return facts;
+}
+
+Result<std::string> make_image(const pbrt::WrittenImage& image) {
+  if (image.is_copied) {
+    const Result<Bytes> bytes = read_regular_file(image.source, DecodeLimits{}.max_bytes);
+    if (!bytes) return bytes.diagnostics;
+    return std::string(bytes->begin(), bytes->end());
+  }
+  const Result<DecodedImage> decoded = read_decoded_image(image.source, DecodeLimits{});
+  if (!decoded) return decoded.diagnostics;
+  Result<std::string> encoded = encode_samples(*decoded, image.channel);
+  if (encoded) return encoded;
+  return failure(fmt::format("'{}' cannot be converted: {}", image.source,
+                             encoded.diagnostics.list()[0].message));
+}
+
+Result<std::string> make_sky(const pbrt::WrittenSky& sky, const Scene& scene) {
+  Image image(sky.side, sky.side, {"R", "G", "B"});
+  if (scene.environment)
+    parallel_for(static_cast<std::size_t>(sky.side), [&](std::size_t row) {
+      const int y = static_cast<int>(row);
+      for (int x = 0; x < sky.side; ++x) {
+        const Rgb mean = pixel_mean(sky, scene, x, y);
+        for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = mean[c];
+      }
+    });
+  WriteOptions options;
+  options.metadata = {{"DateTime", undated}};
+  return encode_image(ImageFormat::Exr, image, options);
+}
+
+}  // namespace candela::cli

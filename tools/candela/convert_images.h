@@ -1,0 +1,24 @@
+// The images beside a converted scene: copied, or their samples as they are in another format, and
+// the sky as an image of equal areas.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "renderer/base/result.h"
+#include "renderer/scene/scene.h"
+#include "scene_io/pbrt/write/write_pbrt.h"
+
+namespace candela::cli {
+
+// Nothing where the file cannot be read.
+[[nodiscard]] std::optional<pbrt::ImageFacts> image_facts(const std::string& path);
+
+// The bytes of the file to write. Errors name the source.
+[[nodiscard]] Result<std::string> make_image(const pbrt::WrittenImage& image);
+
+// The bytes of an EXR file with the mean of the scene's environment over each pixel; black where
+// there is none.
+[[nodiscard]] Result<std::string> make_sky(const pbrt::WrittenSky& sky, const Scene& scene);
+
+}  // namespace candela::cli
