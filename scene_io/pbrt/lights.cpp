@@ -300,7 +300,7 @@ Emission read_emission(Context& context, Statement& statement) {
       arguments.warning(*L, "is ignored: the image says what is emitted");
       emission.radiance = Vec3d(1.0);
     }
-    const std::string_view name = file->strings.size() == 1 ? file->strings[0] : "";
+    const std::string name = file->strings.size() == 1 ? file->strings[0] : "";
     emission.map = add_image(context, *file, encoding_of_file(name), description::Wrap::Clamp);
   }
   emission.radiance *= std::max(arguments.number("scale").value_or(1), 0.0) * context.imaging_ratio;
