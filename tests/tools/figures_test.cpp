@@ -218,5 +218,60 @@ TEST(Unit_Figures, WhatCandelaRefusesIsSaidInItsWords) {
   EXPECT_FALSE(std::filesystem::exists(out + "/index.html"));
 }
 
+// Two of our scenes and one with a reference: each has its line, its numbers and its pictures.
+TEST(Unit_Gallery, ShowsEachSceneWithItsNumbers) {
+  if (!has_matplotlib()) GTEST_SKIP() << "Debian's python3-matplotlib is not installed";
+  const std::string scenes = fresh_folder("scenes"), out = fresh_folder("page");
+  std::filesystem::create_directories(scenes + "/lab3");
+  std::filesystem::create_directories(scenes + "/lab3-pictures");
+  std::filesystem::copy(CANDELA_SOURCE_DIR "/assets/cutouts", scenes + "/lab3/cutouts");
+  std::filesystem::copy(CANDELA_SOURCE_DIR "/assets/cutouts/tiles.png",
+                        scenes + "/lab3-pictures/cutouts-depth5.png");
+  const ProgramResult result =
+      run_figures(scenes, out,
+                  {"--gallery", "--spp", "4", "--size", "24", "--scene", "cornell_box", "--scene",
+                   "pbrt_lights", "--scene", "lab3/cutouts"});
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const std::string page = file_text(out + "/index.html");
+  const Json record = Json::parse(file_text(out + "/gallery.json"));
+  ASSERT_EQ(record["rows"].size(), 3u);
+  EXPECT_EQ(picture_sources(page).size(), 4u);
+  for (const std::string_view source : picture_sources(page))
+    EXPECT_TRUE(source.starts_with("data:image/png;base64,"));
+  for (const Json& row : record["rows"]) {
+    const Json stats = Json::parse(file_text(out + "/" + row["stats"].get<std::string>()));
+    EXPECT_EQ(std::max(row["width"].get<int>(), row["height"].get<int>()), 24) << row["caption"];
+    EXPECT_EQ(row["spp"], 4);
+    EXPECT_EQ(row["seconds"], stats["seconds"]["render"]);
+    EXPECT_EQ(row["stated_rmse"], stats["error"]["rmse"]);
+    EXPECT_NE(page.find("<h2>" + row["caption"].get<std::string>() + "</h2>"), std::string::npos);
+  }
+  EXPECT_EQ(record["rows"][2]["reference_by"], "the course's ray tracer");
+  EXPECT_FALSE(record["rows"][0].contains("reference"));
+}
+
+// A picture held against itself: no difference; one that is a tenth darker: as much everywhere.
+TEST(Unit_Gallery, DifferencesToPbrtsPicturesAreThoseOfTheLuminance) {
+  if (!has_matplotlib()) GTEST_SKIP() << "Debian's python3-matplotlib is not installed";
+  const ProgramResult result =
+      Program(
+          {python, "-B", "-c",
+           "import sys, numpy\n"
+           "sys.path += ['" CANDELA_SOURCE_DIR "/tools/dev/figures',\n"
+           "             '" CANDELA_SOURCE_DIR "/tools/dev/shared']\n"
+           "from pbrt_differences import difference, sheet\n"
+           "a = numpy.random.RandomState(1).rand(17, 25, 3)\n"
+           "d = difference(a, a)\n"
+           "print(d.shape, abs(d).max())\n"
+           "print(round(difference(.9 * a, a).min(), 6), round(difference(.9 * a, a).max(), 6))\n"
+           "b = a.copy(); b[8:16, 0:8] = 0\n"
+           "print(round(difference(b, a)[1, 0], 6), abs(difference(b, a)[0]).max())\n"
+           "print(difference(0 * a, 0 * a).max(), sheet([('x', a, b)]).size)\n"},
+          ErrorStream::File)
+          .finish();
+  EXPECT_EQ(result.output, "(2, 3) 0.0\n-0.105263 -0.105263\n-2.0 0.0\n0.0 (1056, 143)\n")
+      << result.error;
+}
+
 }  // namespace
 }  // namespace candela::cli_test

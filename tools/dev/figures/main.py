@@ -1,4 +1,5 @@
-"""Renders the report's figures and writes them as one page; tools/figures calls this."""
+"""Renders the report's figures, or all scenes that are here, and writes them as one page;
+tools/figures calls this."""
 
 import argparse
 import datetime
@@ -18,18 +19,36 @@ NAMES = ("figure_1", "figure_2", "figure_3", "figure_4", "figure_5", "encoded_av
 DOCS_PLOTS = {"encoded_average_ceiling": "encoded_average", "furnace": "brushed_metal_furnace"}
 
 
+def positive(text):
+    number = int(text)
+    if number < 1:
+        raise ValueError(text)
+    return number
+
+
 def arguments():
     parser = argparse.ArgumentParser(
         prog="tools/figures",
         description="Renders the report's figures and writes them as one HTML page.")
-    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("figures"), metavar="DIR",
-                        help="folder for index.html, figures.json, renders and plots (figures)")
+    parser.add_argument("--out", type=pathlib.Path, metavar="DIR",
+                        help="folder for index.html, figures.json, renders and plots (figures; "
+                             "build/gallery for --gallery and --pbrt)")
     parser.add_argument("--quick", action="store_true",
                         help="smaller pictures and fewer samples: under 2 minutes on 2 cores")
     parser.add_argument("--docs", action="store_true",
                         help="also put the plots that docs/ shows into docs/images")
     parser.add_argument("--only", action="append", metavar="NAME", choices=NAMES,
                         help="make this one alone; may be given several times: " + ", ".join(NAMES))
+    parser.add_argument("--gallery", action="store_true",
+                        help="in their place all scenes that are here, with references beside them")
+    parser.add_argument("--pbrt", action="store_true",
+                        help="in their place the difference to pbrt-v4's pictures, as one picture")
+    parser.add_argument("--spp", type=positive, default=64, metavar="N",
+                        help="of --gallery and --pbrt (64)")
+    parser.add_argument("--size", type=positive, metavar="N",
+                        help="pixels of the longer side in --gallery (the reference's, else 192)")
+    parser.add_argument("--scene", action="append", metavar="NAME",
+                        help="of --gallery and --pbrt this one alone; may be given several times")
     parser.add_argument("--tiny", action="store_true", help=argparse.SUPPRESS)  # for the tests
     parser.add_argument("--program", type=pathlib.Path, help=argparse.SUPPRESS,
                         default=ROOT / "build" / "release" / "candela")
@@ -67,25 +86,45 @@ def figures_of(workshop, only):
         print(f"tools/figures: {name}: {time.monotonic() - start:.1f} s", file=sys.stderr)
 
 
+def facts(candela):
+    from page_parts import processor
+    return {
+        "version": candela.version(),
+        "command": shlex.join(["tools/figures", *sys.argv[1:]]),
+        "date": datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC"),
+        "processor": processor(),
+    }
+
+
+def run_on_scenes(options):
+    """What is made of whole scenes: --gallery, --pbrt."""
+    import gallery
+    import pbrt_differences
+    from renders import Candela
+
+    out = (options.out or ROOT / "build" / "gallery").resolve()
+    candela = Candela(options.program, out / "renders")
+    if options.gallery:
+        print(gallery.make(candela, out, ROOT, options, facts(candela)))
+    if options.pbrt:
+        picture = pbrt_differences.make(candela, out, ROOT, options)
+        if options.docs:
+            shutil.copyfile(picture, ROOT / "docs" / "images" / picture.name)
+        print(picture)
+
+
 def run(options):
     from page import page
-    from page_parts import processor
     from renders import Candela
     from scale import FULL, QUICK, TINY
     from workshop import Workshop
 
     start = time.monotonic()
-    out = options.out.resolve()
+    out = (options.out or pathlib.Path("figures")).resolve()
     candela = Candela(options.program, out / "renders")
     scale = TINY if options.tiny else QUICK if options.quick else FULL
     workshop = Workshop(candela, scale, ROOT / "assets", out)
-    record = {
-        "version": candela.version(),
-        "command": shlex.join(["tools/figures", *sys.argv[1:]]),
-        "date": datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC"),
-        "processor": processor(),
-        "figures": list(figures_of(workshop, options.only)),
-    }
+    record = facts(candela) | {"figures": list(figures_of(workshop, options.only))}
     record["seconds"] = round(time.monotonic() - start, 1)
     (out / "figures.json").write_text(json.dumps(record, indent=1, allow_nan=False) + "\n")
     (out / "index.html").write_text(page(out, record))
@@ -107,7 +146,7 @@ def main():
                  "python3-matplotlib, which `tools/setup --figures` installs.")
     from renders import CandelaFailed
     try:
-        run(options)
+        run_on_scenes(options) if options.gallery or options.pbrt else run(options)
     except (CandelaFailed, OSError) as problem:
         sys.exit(f"tools/figures: {problem}")
 

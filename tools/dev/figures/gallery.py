@@ -1,0 +1,126 @@
+"""Every scene that is here on one page: picture, reference beside it, time, spp, stated error."""
+
+import html
+import json
+import pathlib
+import sys
+import time
+
+from page_parts import STYLE, picture, shown
+from reference_pictures import Reference, write_png
+
+SEED = 1
+COLUMNS = (("width", "width"), ("height", "height"), ("triangles", "triangles"), ("spp", "spp"),
+           ("preparation", "seconds to read and build"), ("seconds", "seconds to render"),
+           ("stated_rmse", "stated error (rMSE)"), ("heavy_tails", "share with heavy tails"),
+           ("of_reference", "mean of the reference's"))
+PAIRS = """
+.pairs { display: grid; gap: 1.5rem; grid-template-columns: repeat(auto-fill, minmax(20rem, 1fr)); }
+.pair { display: grid; gap: .5rem; grid-template-columns: 1fr 1fr; align-items: start; }
+.pair h2 { grid-column: 1 / -1; font-size: 1rem; margin: 0; }
+.pair img { image-rendering: pixelated; }
+"""
+
+
+def picture_size(candela, scene, longest):
+    """The scene's own proportions; what it asks for is in the statistics of a single pixel."""
+    probe = candela.render("probe", scene, png=False, spp=1, crop="0,0,1,1", replicates=1).stats
+    scale = longest / max(probe["width"], probe["height"])
+    return tuple(max(1, round(probe[side] * scale)) for side in ("width", "height"))
+
+
+def row(candela, out, name, scene, reference, options):
+    """One scene's line; `reference` may be None."""
+    size = options.size and picture_size(candela, scene, options.size)
+    if not size:
+        size = reference.size if reference and reference.is_linear else \
+            picture_size(candela, scene, 192)
+    render = candela.render(name.replace("/", "_"), scene, spp=options.spp, seed=SEED,
+                            size="{}x{}".format(*size))
+    stats = render.stats
+    error = stats["error"] or {"rmse": None, "heavy_tails": None}
+    line = {"caption": name, "picture": str(render.png.relative_to(out)),
+            "stats": str(render.exr.with_suffix(".json").relative_to(out)),
+            "width": stats["width"], "height": stats["height"], "triangles": stats["triangles"],
+            "spp": render.spp, "seconds": render.seconds,
+            "preparation": sum(stats["seconds"][stage] for stage in ("load", "compile", "build")),
+            "stated_rmse": error["rmse"], "heavy_tails": error["heavy_tails"],
+            "of_reference": None}
+    if reference:
+        png = out / "references" / (name.replace("/", "_") + ".png")
+        write_png(png, reference.encoded())
+        line |= {"reference": str(png.relative_to(out)), "reference_by": reference.by,
+                 "of_reference": reference.ratio(render.exr)}
+    return line
+
+
+def scenes_here(root):
+    """name -> (file, reference or None): ours, then the course's and pbrt's where they are."""
+    import scenes
+    folder = scenes.shared_folder(root)
+    found = {path.stem: (path, None) for path in scenes.assets(root)}
+    found |= {path.stem: (path, None) for path in sorted(root.glob("assets/*/*.pbrt"))}
+    for path in scenes.course_scenes(root):
+        found[f"lab3/{path.stem}"] = (path, Reference.of_course(folder, path.stem))
+    for name, path in scenes.pbrt_scenes(root).items():
+        found[name] = (path, Reference.of_pbrt(path.parent))
+    return found
+
+
+def pair(out, line):
+    parts = [f'<div class="pair"><h2>{html.escape(line["caption"])}</h2>',
+             picture(out, line["picture"], "candela")]
+    if "reference" in line:
+        parts.append(picture(out, line["reference"], line["reference_by"]))
+    return "".join(parts + ["</div>"])
+
+
+def table(rows):
+    head = "".join(f"<th>{html.escape(title)}</th>" for _, title in COLUMNS)
+    lines = [f'<div class="table"><table><thead><tr><th></th>{head}</tr></thead><tbody>']
+    for index, line in enumerate(rows):
+        cells = "".join(
+            f'<td data-of="rows/{index}/{key}">{"" if line[key] is None else shown(line[key])}</td>'
+            for key, _ in COLUMNS)
+        lines.append(f"<tr><td>{html.escape(line['caption'])}</td>{cells}</tr>")
+    return "\n".join(lines + ["</tbody></table></div>"])
+
+
+def page(out, record):
+    """`record`: what gallery.json holds."""
+    facts = "".join(
+        f"<dt>{html.escape(key)}</dt><dd><code>{html.escape(str(record[key]))}</code></dd>"
+        for key in ("version", "command", "date", "processor", "seconds"))
+    pairs = "\n".join(pair(out, line) for line in record["rows"])
+    return f"""<!DOCTYPE html>
+<html lang="en">
+<head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
+<title>candela: gallery</title><style>{STYLE}{PAIRS}</style></head>
+<body>
+<h1>All scenes that are here</h1>
+<p>Rendered by <code>path</code> in one run, with the reference beside it where there is one: pbrt-v4's
+picture of the same file, or the picture that the course's own ray tracer made, which follows mirrors
+only. Seconds are of a machine that may have had other work; the error is the one that candela
+states from the picture alone, and not to be trusted in the share of pixels with heavy tails.</p>
+<dl>{facts}</dl>
+<div class="pairs">
+{pairs}
+</div>
+{table(record["rows"])}
+</body></html>
+"""
+
+
+def make(candela, out, root, options, facts):
+    """Writes index.html and gallery.json into `out`; `facts` go into both."""
+    start = time.monotonic()
+    rows = []
+    for name, (scene, reference) in scenes_here(root).items():
+        if options.scene and name not in options.scene:
+            continue
+        rows.append(row(candela, out, name, scene, reference, options))
+        print(f"tools/figures: {name}: {rows[-1]['seconds']:.1f} s", file=sys.stderr)
+    record = facts | {"rows": rows, "seconds": round(time.monotonic() - start, 1)}
+    (out / "gallery.json").write_text(json.dumps(record, indent=1, allow_nan=False) + "\n")
+    (out / "index.html").write_text(page(out, record))
+    return out / "index.html"
