@@ -80,8 +80,13 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
         const RoundsDone done =
             render_rounds(options, kernel.render_tile, result.film, progress, cancel);
         const TileCounts& counts = done.counts;
-        result.statistics = {counts.rays,          counts.skipped, counts.invalid_samples,
-                             counts.first_invalid, kernel.name,    done.stop};
+        result.statistics = {counts.rays,
+                             counts.skipped,
+                             counts.invalid_samples,
+                             counts.first_invalid,
+                             kernel.name,
+                             done.splitting,
+                             done.stop};
         result.error = done.error;
       },
       accelerator);

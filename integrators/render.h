@@ -29,6 +29,8 @@ enum class IntegratorKind : std::uint8_t { Path, Whitted, Raster, Report };
 // How whitted and raster shade highlights: by the half vector or by the mirrored direction.
 enum class SpecularModel : std::uint8_t { Blinn, Phong };
 
+inline constexpr int max_splitting = 64;
+
 struct RenderOptions {
   IntegratorKind integrator = IntegratorKind::Path;
   int width = 512;
@@ -45,6 +47,9 @@ struct RenderOptions {
   // path: a pilot of all pixels decides which of them get how many of the samples; those above are
   // then means over the picture. Needs replicates, and enough samples (render_rounds.cpp).
   bool adaptive = false;
+  // path: how many paths go on from the first hit of each camera ray, up to max_splitting; none:
+  // what a trial finds best (choose_splitting.h).
+  std::optional<int> splitting = 1;
   // path: bounces as pbrt counts them: 0 sees emission only, 1 direct light, ...; none: no limit.
   // whitted: surfaces that a ray may meet, as the lab counts them; none: 5.
   std::optional<int> max_depth;
@@ -93,7 +98,8 @@ struct RenderStatistics {
   SkippedCounts skipped;
   std::uint64_t invalid_samples = 0;
   std::optional<InvalidSample> first_invalid;
-  std::string kernel;  // the instance that ran
+  std::string kernel;           // the instance that ran
+  std::uint32_t splitting = 1;  // the options', or what the trial found
   StopReason stop = StopReason::Samples;
 };
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "integrators/choose_splitting.h"
 #include "integrators/rounds.h"
 #include "renderer/base/parallel.h"
 #include "renderer/film/tiles.h"
@@ -84,6 +85,10 @@ class Loop {
     const auto most = static_cast<std::uint32_t>(options_.samples_per_pixel);
     std::optional<StopReason> stop;
     expect({});
+    if (options_.integrator == IntegratorKind::Path)
+      splitting_ = options_.splitting ? static_cast<std::uint32_t>(*options_.splitting)
+                                      : choose_splitting(options_, render_tile_, cancel_);
+    result.splitting = splitting_;
     while (!stop) {
       if (pilot_samples_ > 0 && !pilot_)
         stop = render_pilot();
@@ -109,7 +114,7 @@ class Loop {
     const PixelRect whole{0, 0, options_.width, options_.height};
     Film film(options_.width, options_.height, whole, film_.aovs(), film_.replicates());
     const auto stop = render_passes(pilot_samples_, {}, [&](const SampleRange& range) {
-      render_pass(tiles_of(whole, options_.tile_size), {{}, range, nullptr, options_.seed}, film);
+      render_pass(tiles_of(whole, options_.tile_size), pass_of(range), film);
     });
     pilot_.emplace(Pilot{std::move(film), {}});
     if (!stop) pilot_->density = SampleDensity(pilot_->film);
@@ -120,10 +125,18 @@ class Loop {
   std::optional<StopReason> render_round(std::uint32_t end,
                                          const std::optional<ErrorEstimate>& error) {
     return render_passes(end, error, [&](const SampleRange& range) {
-      if (!pilot_) return render_pass(tiles_, {{}, range, nullptr, options_.seed}, film_);
-      const SampleRange own{range.first - pilot_samples_, range.end - pilot_samples_};
-      render_pass(tiles_, {{}, own, &pilot_->density, mix_bits(options_.seed + 1)}, film_);
+      TilePass pass = pass_of(range);
+      if (pilot_) {
+        pass.range = {range.first - pilot_samples_, range.end - pilot_samples_};
+        pass.density = &pilot_->density;
+        pass.seed = mix_bits(options_.seed + 1);
+      }
+      render_pass(tiles_, pass, film_);
     });
+  }
+
+  [[nodiscard]] TilePass pass_of(const SampleRange& range) const {
+    return {{}, range, nullptr, options_.seed, splitting_};
   }
 
   // The picture so far, where there is a pilot.
@@ -208,6 +221,7 @@ class Loop {
   std::uint32_t pilot_samples_;
   std::optional<Pilot> pilot_;
   TileCounts counts_;
+  std::uint32_t splitting_ = 1;
   std::uint32_t done_ = 0;
   std::uint32_t error_samples_ = 0;  // a pixel, when the error was estimated
 };

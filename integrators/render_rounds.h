@@ -11,6 +11,7 @@ namespace candela {
 struct RoundsDone {
   TileCounts counts;
   StopReason stop = StopReason::Samples;
+  std::uint32_t splitting = 1;
   std::optional<ErrorEstimate> error;  // of the film as it is now
 };
 

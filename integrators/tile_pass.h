@@ -12,6 +12,7 @@ struct TilePass {
   SampleRange range;                       // of each pixel; with a density: of the mean over all
   const SampleDensity* density = nullptr;  // null: all pixels get the same
   std::uint64_t seed = 0;
+  std::uint32_t splitting = 1;  // paths that go on from each first hit (path kernel)
 
   // Half-open range of the pixel's own sample indices. Those of consecutive passes join.
   [[nodiscard]] SampleRange of_pixel(int x, int y) const {

@@ -21,19 +21,27 @@ template <FeatureSet F>
 
 class BlockNumbers {
  public:
-  // Of what a scene has no use for, nothing is drawn.
+  // Of what a scene has no use for, nothing is drawn. First, what a hit itself takes.
   template <FeatureSet F>
-  void draw(const Scene& scene, const SamplerBlock& samplers, std::uint32_t bounce) {
+  void draw_hit(const Scene& scene, const SamplerBlock& samplers, std::uint32_t bounce) {
     if (scene.light_sampler.has_table()) {
       samplers.sample_1d(bounce, Dimension::LightChoice, light_choice_);
       samplers.sample_2d(bounce, Dimension::LightPoint, light_point_);
     }
+    draw_material<F>(scene, samplers, bounce);
+  }
+  template <FeatureSet F>
+  void draw_material(const Scene& scene, const SamplerBlock& samplers, std::uint32_t bounce) {
+    if (F.textures && scene.features.mixes)
+      samplers.sample_1d(bounce, Dimension::MaterialChoice, material_);
+  }
+  // What a path takes that goes on.
+  template <FeatureSet F>
+  void draw_direction(const Scene& scene, const SamplerBlock& samplers, std::uint32_t bounce) {
     if (needs_lobes<F>(scene)) samplers.sample_1d(bounce, Dimension::LobeChoice, lobe_);
     samplers.sample_2d(bounce, Dimension::Direction, direction_);
     if (bounce >= first_bounce_with_roulette)
       samplers.sample_1d(bounce, Dimension::Roulette, roulette_);
-    if (F.textures && scene.features.mixes)
-      samplers.sample_1d(bounce, Dimension::MaterialChoice, material_);
   }
 
   [[nodiscard]] StepNumbers lane(std::size_t i) const {
@@ -52,20 +60,22 @@ class BlockNumbers {
 
 // The same for a single sample.
 template <FeatureSet F>
-[[nodiscard]] inline StepNumbers numbers_of(const Scene& scene, const Sampler& sampler,
-                                            std::uint32_t bounce) {
-  StepNumbers numbers;
+inline void draw_hit(const Scene& scene, const Sampler& sampler, std::uint32_t bounce,
+                     StepNumbers& numbers) {
   if (scene.light_sampler.has_table()) {
     numbers.light_choice = sampler.sample_1d_bits(bounce, Dimension::LightChoice);
     numbers.light_point = sampler.sample_2d(bounce, Dimension::LightPoint);
   }
+  if (F.textures && scene.features.mixes)
+    numbers.material = sampler.sample_1d(bounce, Dimension::MaterialChoice);
+}
+template <FeatureSet F>
+inline void draw_direction(const Scene& scene, const Sampler& sampler, std::uint32_t bounce,
+                           StepNumbers& numbers) {
   if (needs_lobes<F>(scene)) numbers.lobe = sampler.sample_1d(bounce, Dimension::LobeChoice);
   numbers.direction = sampler.sample_2d(bounce, Dimension::Direction);
   if (bounce >= first_bounce_with_roulette)
     numbers.roulette = sampler.sample_1d(bounce, Dimension::Roulette);
-  if (F.textures && scene.features.mixes)
-    numbers.material = sampler.sample_1d(bounce, Dimension::MaterialChoice);
-  return numbers;
 }
 
 }  // namespace candela

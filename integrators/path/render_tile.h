@@ -19,8 +19,8 @@ template <FeatureSet F, class A>
 // The samples of `lanes` of the pixel's block that begins at `base`.
 template <FeatureSet F, class A>
 inline void render_block(const PathContext<A>& context, const PixelSampler& pixel, int x, int y,
-                         std::uint32_t base, LaneMask lanes, PathBlock& block, Film& film,
-                         TileCounts& counts) {
+                         std::uint32_t base, LaneMask lanes, std::uint32_t splitting,
+                         PathBlock& block, Film& film, TileCounts& counts) {
   const SamplerBlock samplers(pixel, base);
   SobolPointLanes filter;
   SobolPointLanes lens{};
@@ -37,7 +37,8 @@ inline void render_block(const PathContext<A>& context, const PixelSampler& pixe
     if (set_ray(block, i, ray)) alive |= 1u << i;
   });
   counts.rays.camera += static_cast<std::uint64_t>(std::popcount(lanes));
-  trace_block<F>(context, samplers, alive, lanes == all_lanes, block, counts);
+  trace_block<F>(context, samplers, Branches(pixel, base, splitting), alive, lanes == all_lanes,
+                 block, counts);
   for_each_lane(lanes, [&](std::uint32_t i) {
     block.samples[i].radiance = block.paths[i].radiance;
     add_or_count(block.samples[i], x, y, base + i, context.options.clamp, film, counts);
@@ -71,7 +72,8 @@ TileCounts render_tile(const PathContext<A>& context, const TilePass& pass, Film
       const std::uint64_t rays_before = ray_cost(counts.rays);
       for (std::uint32_t base = range.first & ~(block_size - 1); base < range.end;
            base += block_size)
-        render_block<F>(context, pixel, x, y, base, lanes_in(base, range), block, film, counts);
+        render_block<F>(context, pixel, x, y, base, lanes_in(base, range), pass.splitting, block,
+                        film, counts);
       film.add_cost(x, y, static_cast<std::uint32_t>(ray_cost(counts.rays) - rays_before));
     }
   }

@@ -2,26 +2,9 @@
 // then each path takes its step.
 #pragma once
 
-#include "integrators/path/block_numbers.h"
+#include "integrators/path/branches.h"
 
 namespace candela {
-
-// The paths of a block on their way, by lane.
-struct PathBlock {
-  RayBlock rays;
-  std::array<PathState, block_size> paths;
-  RayBlock shadow_rays;
-  std::array<Rgb, block_size> unshadowed;  // what the shadow rays bring if nothing is in their way
-  std::array<FilmSample, block_size> samples;
-};
-
-// The next ray of a path; false where it cannot be traced, which makes the sample invalid.
-[[nodiscard]] inline bool set_ray(PathBlock& block, std::uint32_t i, const Ray& ray) {
-  block.rays[i] = ray;
-  if (is_traceable(ray)) return true;
-  block.paths[i].radiance = Rgb(std::numeric_limits<float>::quiet_NaN());
-  return false;
-}
 
 // Where the rays of the paths end. Only whole blocks are traced as packets: of surfaces in the very
 // same place a packet may meet another one than a single ray, and so may a packet with other lanes.
@@ -60,43 +43,76 @@ inline void step_lane(const PathContext<A>& context, const StepNumbers& numbers,
   if (goes_on && set_ray(block, i, ray)) after.going_on |= 1u << i;
 }
 
+// The numbers of a bounce: of the hits themselves, and of the paths that go on from there.
+struct BounceSamplers {
+  const SamplerBlock& hit;
+  const SamplerBlock& path;
+};
+
+constexpr int fewest_of_vectors = 4;  // lanes, whose numbers are drawn together
+
 // Steps of all paths that are alive.
 template <FeatureSet F, class A>
 [[nodiscard]] inline LanesAfterStep step_lanes(const PathContext<A>& context,
-                                               const SamplerBlock& samplers, LaneMask alive,
+                                               const BounceSamplers& samplers, LaneMask alive,
                                                std::uint32_t bounce, const HitBlock& hits,
                                                PathBlock& block, TileCounts& counts) {
-  constexpr int fewest_of_vectors = 4;
   const bool is_drawn_together = std::popcount(alive) >= fewest_of_vectors;
   BlockNumbers numbers;
-  if (is_drawn_together) numbers.draw<F>(context.scene, samplers, bounce);
+  if (is_drawn_together) {
+    numbers.draw_hit<F>(context.scene, samplers.hit, bounce);
+    numbers.draw_direction<F>(context.scene, samplers.path, bounce);
+  }
   LanesAfterStep after;
   for_each_lane(alive, [&](std::uint32_t i) {
-    StepNumbers own = is_drawn_together ? numbers.lane(i)
-                                        : numbers_of<F>(context.scene, samplers.lane(i), bounce);
+    StepNumbers own;
+    if (is_drawn_together) {
+      own = numbers.lane(i);
+    } else {
+      draw_hit<F>(context.scene, samplers.hit.lane(i), bounce, own);
+      draw_direction<F>(context.scene, samplers.path.lane(i), bounce, own);
+    }
     step_lane<F>(context, own, bounce, i, hits[i], block, after, counts);
   });
   return after;
 }
 
+// A bounce of the paths of a block; returns those that go on.
+template <FeatureSet F, class A>
+[[nodiscard]] inline LaneMask leave_hits(const PathContext<A>& context,
+                                         const BounceSamplers& samplers, LaneMask alive,
+                                         std::uint32_t bounce, const HitBlock& hits,
+                                         PathBlock& block, TileCounts& counts) {
+  const LanesAfterStep after = step_lanes<F>(context, samplers, alive, bounce, hits, block, counts);
+  if (after.shadow_rays != 0) {
+    const LaneMask shaded = context.accelerator.occluded(block.shadow_rays, after.shadow_rays);
+    for_each_lane(after.shadow_rays & ~shaded,
+                  [&](std::uint32_t i) { block.paths[i].radiance += block.unshadowed[i]; });
+  }
+  counts.rays.shadow += static_cast<std::uint64_t>(std::popcount(after.shadow_rays));
+  return after.going_on;
+}
+
 // From the camera rays in `block.rays` of the lanes that are alive to the paths' radiances.
 template <FeatureSet F, class A>
-inline void trace_block(const PathContext<A>& context, const SamplerBlock& samplers, LaneMask alive,
-                        bool is_whole, PathBlock& block, TileCounts& counts) {
-  const A& accelerator = context.accelerator;
+inline void trace_block(const PathContext<A>& context, const SamplerBlock& samplers,
+                        Branches branches, LaneMask alive, bool is_whole, PathBlock& block,
+                        TileCounts& counts) {
+  if (branches.is_split()) branches.begin(alive, block);
   for (std::uint32_t bounce = 0; alive != 0; ++bounce) {
-    const HitBlock hits = intersect_lanes(accelerator, block.rays, alive, bounce, is_whole);
-    const LanesAfterStep after =
-        step_lanes<F>(context, samplers, alive, bounce, hits, block, counts);
-    if (after.shadow_rays != 0) {
-      const LaneMask shaded = accelerator.occluded(block.shadow_rays, after.shadow_rays);
-      for_each_lane(after.shadow_rays & ~shaded,
-                    [&](std::uint32_t i) { block.paths[i].radiance += block.unshadowed[i]; });
+    const HitBlock hits = intersect_lanes(context.accelerator, block.rays, alive, bounce, is_whole);
+    const BounceSamplers own{bounce == 0 ? samplers : branches.samplers(samplers),
+                             branches.samplers(samplers)};
+    if (branches.is_split() && bounce == 0) block.split.hits = hits;
+    alive = leave_hits<F>(context, own, alive, bounce, hits, block, counts);
+    if (branches.is_split()) {
+      if (bounce == 0) branches.keep_direct_light(block);
+      for (; alive == 0 && branches.next(block); bounce = 0)
+        alive = branches.start<F>(context, samplers, block);
     }
-    counts.rays.shadow += static_cast<std::uint64_t>(std::popcount(after.shadow_rays));
-    counts.rays.indirect += static_cast<std::uint64_t>(std::popcount(after.going_on));
-    alive = after.going_on;
+    counts.rays.indirect += static_cast<std::uint64_t>(std::popcount(alive));
   }
+  if (branches.is_split()) branches.end(block);
 }
 
 }  // namespace candela

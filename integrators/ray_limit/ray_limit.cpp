@@ -46,7 +46,8 @@ std::optional<RayLimit> measure(const Scene& scene, const A& accelerator,
   RayLimit limit;
   volatile double sink = 0;
   const auto measure_tile = [&](const PixelRect& tile) {
-    const TilePass pass{tile, {0, samples}, nullptr, options.seed};
+    const TilePass pass{tile, {0, samples}, nullptr, options.seed,
+                        static_cast<std::uint32_t>(options.splitting.value_or(1))};
     recorder.rays().clear();
     render_tile<general_features>(recording, pass, film);
     const double start = thread_cpu_seconds();

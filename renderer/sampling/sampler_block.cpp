@@ -35,13 +35,14 @@ CANDELA_EACH_VECTOR_WIDTH void numbers_of(const SamplerLanes<std::uint64_t>& key
 
 }  // namespace
 
-SamplerBlock::SamplerBlock(const PixelSampler& pixel, std::uint32_t first_sample)
+SamplerBlock::SamplerBlock(const PixelSampler& pixel, std::uint32_t first_sample,
+                           std::uint32_t branches, std::uint32_t branch)
     : period_(std::min<std::size_t>(pixel.replicates(), sampler_lanes)) {
   std::uint32_t replicate = first_sample % pixel.replicates();
   std::uint32_t index = first_sample / pixel.replicates();
   for (std::size_t i = 0; i < sampler_lanes; ++i) {
     sequence_keys_[i] = i < period_ ? pixel.sequence_key(replicate) : sequence_keys_[i - period_];
-    reversed_indices_[i] = reverse_bits(index);
+    reversed_indices_[i] = reverse_bits(index * branches + branch);
     if (++replicate == pixel.replicates()) {
       replicate = 0;
       ++index;

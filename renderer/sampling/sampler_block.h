@@ -22,8 +22,10 @@ struct SobolPointLanes {
 
 class SamplerBlock {
  public:
-  // Samples first_sample to first_sample + 15 of the pixel.
-  SamplerBlock(const PixelSampler& pixel, std::uint32_t first_sample);
+  // Samples first_sample to first_sample + 15 of the pixel. Where a sample's path is split, each of
+  // its `branches` has a point of its own: branch b of point i is point i * branches + b.
+  SamplerBlock(const PixelSampler& pixel, std::uint32_t first_sample, std::uint32_t branches = 1,
+               std::uint32_t branch = 0);
 
   [[nodiscard]] Sampler lane(std::size_t i) const {
     return Sampler(SequencePlace{sequence_keys_[i], reversed_indices_[i]});

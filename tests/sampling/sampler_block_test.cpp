@@ -28,5 +28,24 @@ TEST(Unit_SamplerBlock, HasTheBitsOfSingleSamplers) {
     }
 }
 
+// Branches take a sample's place in the sequence among themselves.
+TEST(Unit_SamplerBlock, BranchesHavePointsOfTheirOwn) {
+  constexpr std::uint32_t branches = 4, first = 32;
+  for (const std::uint32_t replicates : {1u, 4u, 5u}) {
+    const PixelSampler pixel(5, 17, 301, replicates);
+    for (std::uint32_t branch = 0; branch < branches; ++branch) {
+      const SamplerBlock block(pixel, first, branches, branch);
+      SamplerLanes<std::uint32_t> numbers;
+      block.sample_1d(2, Dimension::Roulette, numbers);
+      for (std::uint32_t i = 0; i < sampler_lanes; ++i) {
+        const std::uint32_t sample = first + i;
+        const Sampler single(pixel.sequence_key(sample % replicates),
+                             sample / replicates * branches + branch);
+        ASSERT_EQ(numbers[i], single.sample_1d_bits(2, Dimension::Roulette));
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace candela

@@ -28,6 +28,12 @@ struct DepthLimit {
   friend bool operator==(const DepthLimit&, const DepthLimit&) = default;
 };
 
+// --splitting: `auto` is said, too.
+struct SplittingChoice {
+  std::optional<int> paths;
+  friend bool operator==(const SplittingChoice&, const SplittingChoice&) = default;
+};
+
 // What every command that reads a scene takes.
 struct SceneArguments {
   std::string path;
@@ -46,6 +52,7 @@ struct RenderArguments {
   std::optional<double> time_limit_seconds;
   std::optional<int> replicates;
   std::optional<bool> adaptive;
+  std::optional<SplittingChoice> splitting;
   std::optional<double> clamp;
   std::optional<Size> size;
   double scale = 1.0;  // of the size

@@ -70,6 +70,7 @@ void add_options(Json& json, const RenderReport& report) {
   json["stop"] = stop_json(report);
   json["replicates"] = report.replicates;
   json["adaptive"] = options.adaptive;
+  json["splitting"] = report.statistics.splitting;
   json["biased"] = biases_of(options);
   json["max_depth"] = or_null(options.max_depth);
   if (is_lab_shading(options.integrator)) {

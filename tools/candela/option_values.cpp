@@ -218,6 +218,15 @@ Result<DepthLimit> parse_depth_limit(std::string_view text) {
   return DepthLimit{depth};
 }
 
+Result<SplittingChoice> parse_splitting(std::string_view text) {
+  if (text == "auto") return SplittingChoice{};
+  const auto paths = whole<int>(text);
+  if (!paths || *paths < 1 || *paths > max_splitting)
+    return failure(fmt::format("expected a whole number from 1 to {} or 'auto', found '{}'",
+                               max_splitting, text));
+  return SplittingChoice{paths};
+}
+
 Result<Vec3d> parse_rgb(std::string_view text) {
   const auto parts = split(text, ',');
   Vec3d colour{0.0};

@@ -118,6 +118,8 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
             "Independent sequences a pixel, from which the error is stated; 1 states none [4]");
   add_value(command, "--adaptive", "on|off", render.adaptive, parse_switch,
             "Deal out the samples by a pilot: --spp is then the mean over the picture [on]");
+  add_value(command, "--splitting", "N|auto", render.splitting, parse_splitting,
+            "Paths that go on from the first hit of a camera ray [auto: what a trial finds best]");
   add_value(command, "--clamp", "X", render.clamp, parse_positive_number,
             "Dim samples to X in their largest channel: less noise, less light (biased)");
   add_value(command, "--size", "WxH", render.size, parse_size,

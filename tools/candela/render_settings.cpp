@@ -130,6 +130,9 @@ void refuse_stop_rules(const RenderArguments& arguments, const RenderOptions& op
   if (options.integrator != IntegratorKind::Path && options.adaptive)
     throw Refusal{fmt::format("--adaptive is for path, this is {}", integrator_name(options)),
                   ExitCode::Usage};
+  if (options.integrator != IntegratorKind::Path && arguments.splitting)
+    throw Refusal{fmt::format("--splitting is for path, this is {}", integrator_name(options)),
+                  ExitCode::Usage};
   if (options.adaptive && options.replicates < 2)
     throw Refusal{"--adaptive needs an error to go by, and --replicates 1 states none",
                   ExitCode::Usage};
@@ -146,6 +149,8 @@ void settle_stop_rules(const RenderArguments& arguments, RenderOptions& options)
   options.replicates = arguments.replicates.value_or(options.replicates);
   options.adaptive = arguments.adaptive.value_or(options.integrator == IntegratorKind::Path &&
                                                  options.replicates > 1);
+  options.splitting.reset();
+  if (arguments.splitting) options.splitting = arguments.splitting->paths;
   options.use_general_kernel = arguments.uses_general_kernel;
   if (arguments.error_goal) options.target_relmse = *arguments.error_goal * *arguments.error_goal;
   if (arguments.relmse_goal)

@@ -1,0 +1,97 @@
+// Splitting [Arvo90]: from the first hit of a camera ray several paths go on, one after the other,
+// and count as their mean. What lies before, the camera ray and the light that comes straight from
+// lights, is paid once; it pays where that brings little of the noise (choose_splitting.h).
+#pragma once
+
+#include <optional>
+
+#include "integrators/path/path_block.h"
+
+namespace candela {
+
+// Another path from the first hit of lane i; false where it ends there. Out of line: most renders
+// do without.
+template <FeatureSet F, class A>
+[[nodiscard, gnu::noinline]] bool branch_off(const PathContext<A>& context,
+                                             const StepNumbers& numbers, std::uint32_t i,
+                                             PathBlock& block) {
+  const Hit& hit = block.split.hits[i];
+  const Scene& scene = context.scene;
+  if (!hit.is_hit() || context.max_depth == 0) return false;
+  const Material& material =
+      material_at<F>(scene, scene.geometries[hit.geometry], hit, numbers.material);
+  Ray ray = block.split.camera_rays[i];
+  Vec3f wo = -ray.direction;
+  SurfacePoint point = surface_point_at<F>(scene, hit, material, wo);
+  PathState path;
+  absorb_within<F>(material, point, hit.t, path);
+  Bsdf bsdf = bsdf_at<F.models, F.textures>(material, scene.textures, point.uv, point.is_front);
+  BsdfSample next = sample_direction<F>(context.options, numbers, bsdf, point.shading.to_local(wo));
+  const bool goes_on = scatter(point, next, ray, path);
+  block.paths[i] = path;
+  return goes_on && set_ray(block, i, ray);
+}
+
+class Branches {
+ public:
+  // Of each of the sixteen samples of the pixel that begin with first_sample.
+  Branches(const PixelSampler& pixel, std::uint32_t first_sample, std::uint32_t splitting)
+      : pixel_(pixel), first_sample_(first_sample), splitting_(splitting) {}
+
+  [[nodiscard]] bool is_split() const { return splitting_ > 1; }
+  // The running branch's random numbers; those of the samples themselves where there is but one.
+  [[nodiscard]] const SamplerBlock& samplers(const SamplerBlock& unsplit) const {
+    return own_ ? *own_ : unsplit;
+  }
+
+  void begin(LaneMask lanes, PathBlock& block) {
+    lanes_ = lanes;
+    block.split.camera_rays = block.rays;
+    own_.emplace(pixel_, first_sample_, splitting_, 0u);
+  }
+  // What the first hit itself brought is no branch's.
+  void keep_direct_light(PathBlock& block) const {
+    for_each_lane(lanes_, [&](std::uint32_t i) {
+      block.split.radiance[i] = block.paths[i].radiance;
+      block.paths[i].radiance = Rgb(0);
+    });
+  }
+  // The running branch has ended; false where it was the last.
+  [[nodiscard]] bool next(PathBlock& block) {
+    const float share = 1.0f / static_cast<float>(splitting_);
+    for_each_lane(lanes_, [&](std::uint32_t i) {
+      block.split.radiance[i] += block.paths[i].radiance * share;
+      block.paths[i].radiance = Rgb(0);
+    });
+    return ++branch_ < splitting_;
+  }
+  // The next branch's paths leave the first hits, whose own numbers are `unsplit`; returns those
+  // that go on.
+  template <FeatureSet F, class A>
+  [[nodiscard]] LaneMask start(const PathContext<A>& context, const SamplerBlock& unsplit,
+                               PathBlock& block) {
+    own_.emplace(pixel_, first_sample_, splitting_, branch_);
+    BlockNumbers numbers;
+    numbers.draw_material<F>(context.scene, unsplit, 0);
+    numbers.draw_direction<F>(context.scene, *own_, 0);
+    LaneMask going_on = 0;
+    for_each_lane(lanes_, [&](std::uint32_t i) {
+      if (branch_off<F>(context, numbers.lane(i), i, block)) going_on |= 1u << i;
+    });
+    return going_on;
+  }
+  void end(PathBlock& block) const {
+    for_each_lane(lanes_,
+                  [&](std::uint32_t i) { block.paths[i].radiance = block.split.radiance[i]; });
+  }
+
+ private:
+  const PixelSampler& pixel_;
+  std::uint32_t first_sample_;
+  std::uint32_t splitting_;
+  std::uint32_t branch_ = 0;
+  LaneMask lanes_ = 0;
+  std::optional<SamplerBlock> own_;
+};
+
+}  // namespace candela

@@ -1,0 +1,32 @@
+// The paths of a block on their way, by lane.
+#pragma once
+
+#include "integrators/path/block_numbers.h"
+
+namespace candela {
+
+// Where paths are split: where they all come from, and what those that have ended brought.
+struct SplitPaths {
+  RayBlock camera_rays;
+  HitBlock hits;
+  std::array<Rgb, block_size> radiance;
+};
+
+struct PathBlock {
+  RayBlock rays;
+  std::array<PathState, block_size> paths;
+  RayBlock shadow_rays;
+  std::array<Rgb, block_size> unshadowed;  // what the shadow rays bring if nothing is in their way
+  std::array<FilmSample, block_size> samples;
+  SplitPaths split;
+};
+
+// The next ray of a path; false where it cannot be traced, which makes the sample invalid.
+[[nodiscard]] inline bool set_ray(PathBlock& block, std::uint32_t i, const Ray& ray) {
+  block.rays[i] = ray;
+  if (is_traceable(ray)) return true;
+  block.paths[i].radiance = Rgb(std::numeric_limits<float>::quiet_NaN());
+  return false;
+}
+
+}  // namespace candela
