@@ -1,6 +1,7 @@
 """Ours, pbrt-v4's and the difference, of the scenes that pbrt-v4 made a picture of."""
 
 import io
+import json
 import math
 
 import matplotlib
@@ -16,6 +17,7 @@ from reference_pictures import Reference, encoded  # noqa: E402
 SEED = 1
 BLOCK = 8  # as in tests/integrators/pbrt_pictures_test
 SCALE = .1  # of the mean of both: what is shown in full colour
+COLOURED = .7  # of the largest channel
 LUMINANCE = numpy.array([.2126, .7152, .0722])
 
 
@@ -30,6 +32,18 @@ def difference(ours, theirs):
     a, b = (block_means(image @ LUMINANCE) for image in (ours, theirs))
     half = (a + b) / 2
     return numpy.divide(a - b, half, out=numpy.zeros_like(half), where=half > 0)
+
+
+def statistics(ours, theirs):
+    """The median block's difference, and that of blocks with little and with much colour (by their
+    largest and smallest channel), where light may have met coloured walls more than once."""
+    blocks = difference(ours, theirs)
+    channels = numpy.stack([block_means(theirs[..., c]) for c in range(3)])
+    largest, smallest = channels.max(0), channels.min(0)
+    coloured = largest - smallest >= COLOURED * largest
+    median = lambda values: round(float(numpy.median(values)), 4) if values.size else None
+    return {"size": median(abs(blocks)), "little_colour": median(blocks[~coloured]),
+            "much_colour": median(blocks[coloured])}
 
 
 def sheet(rows):
@@ -54,7 +68,7 @@ def sheet(rows):
 
 
 def make(candela, out, root, options):
-    """Renders the scenes at their references' sizes; pbrt_differences.png in `out`."""
+    """Renders the scenes at their references' sizes; pbrt_differences.png and .json in `out`."""
     import scenes
     rows = []
     for name, path in scenes.pbrt_scenes(root).items():
@@ -67,5 +81,7 @@ def make(candela, out, root, options):
     if not rows:
         raise OSError("no scene with pbrt-v4's picture is here; CANDELA_SCENES names the folder "
                       "that holds them as pbrt/NAME/")
+    numbers = {name: statistics(ours, theirs) for name, ours, theirs in rows}
+    (out / "pbrt_differences.json").write_text(json.dumps(numbers, indent=1) + "\n")
     sheet(rows).save(out / "pbrt_differences.png", optimize=True)
     return out / "pbrt_differences.png"
