@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "integrators/check_media.h"
 #include "integrators/kernel.h"
 #include "integrators/path/check_sampling.h"
 #include "integrators/path/kernels.h"
@@ -70,6 +71,8 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
                     const RenderOptions& options, ProgressSink* progress,
                     const CancelFlag* cancel) {
   const Filter filter = make_filter(options);
+  RenderOptions rounds = options;
+  if (scene.features.media) rounds.splitting = 1;  // branches.h
   RenderResult result{Film(options.width, options.height, rendered_rect(options), options.aovs,
                            replicates_of(options)),
                       {},
@@ -78,7 +81,7 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
       [&](const auto& backend) {
         const Kernel kernel = select_kernel(scene, backend, filter, options);
         const RoundsDone done =
-            render_rounds(options, kernel.render_tile, result.film, progress, cancel);
+            render_rounds(rounds, kernel.render_tile, result.film, progress, cancel);
         const TileCounts& counts = done.counts;
         result.statistics = {counts.rays,
                              counts.skipped,
@@ -98,11 +101,15 @@ Diagnostics check_integrator(const description::SceneDescription& scene,
   switch (options.integrator) {
     case IntegratorKind::Path:
       return check_sampling(scene, options.sampling);
-    case IntegratorKind::Report:
-      return check_report(scene);
+    case IntegratorKind::Report: {
+      Diagnostics diagnostics = check_report(scene);
+      diagnostics.append(check_media(scene, "report"));
+      return diagnostics;
+    }
     case IntegratorKind::Whitted:
+      return check_media(scene, "whitted");
     case IntegratorKind::Raster:
-      return {};
+      return check_media(scene, "raster");
   }
   return {};
 }
@@ -126,7 +133,8 @@ CompileOptions compile_options(const RenderOptions& options) {
   return {.width = options.width,
           .height = options.height,
           .lab_quantised = is_lab,
-          .decides_cutouts = !is_lab};
+          .decides_cutouts = !is_lab,
+          .keeps_media = options.integrator == IntegratorKind::Path};
 }
 
 }  // namespace candela

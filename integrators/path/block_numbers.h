@@ -28,6 +28,11 @@ class BlockNumbers {
       samplers.sample_1d(bounce, Dimension::LightChoice, light_choice_);
       samplers.sample_2d(bounce, Dimension::LightPoint, light_point_);
     }
+    if constexpr (F.media) {
+      free_flight_ = {};
+      if (scene.features.scattering_media)
+        samplers.sample_1d(bounce, Dimension::FreeFlight, free_flight_);
+    }
     draw_material<F>(scene, samplers, bounce);
   }
   template <FeatureSet F>
@@ -44,9 +49,15 @@ class BlockNumbers {
       samplers.sample_1d(bounce, Dimension::Roulette, roulette_);
   }
 
+  template <FeatureSet F>
   [[nodiscard]] StepNumbers lane(std::size_t i) const {
-    return {light_choice_[i],          unit_point(light_point_, i), unit_float(lobe_[i]),
-            unit_point(direction_, i), unit_float(roulette_[i]),    unit_float(material_[i])};
+    return {light_choice_[i],
+            unit_point(light_point_, i),
+            unit_float(lobe_[i]),
+            unit_point(direction_, i),
+            unit_float(roulette_[i]),
+            unit_float(material_[i]),
+            F.media ? free_flight_[i] : 0};
   }
 
  private:
@@ -56,6 +67,7 @@ class BlockNumbers {
   SobolPointLanes direction_{};
   SamplerLanes<std::uint32_t> roulette_{};
   SamplerLanes<std::uint32_t> material_{};
+  SamplerLanes<std::uint32_t> free_flight_;  // not even set in kernels without media
 };
 
 // The same for a single sample.
@@ -68,6 +80,8 @@ inline void draw_hit(const Scene& scene, const Sampler& sampler, std::uint32_t b
   }
   if (F.textures && scene.features.mixes)
     numbers.material = sampler.sample_1d(bounce, Dimension::MaterialChoice);
+  if (F.media && scene.features.scattering_media)
+    numbers.free_flight = sampler.sample_1d_bits(bounce, Dimension::FreeFlight);
 }
 template <FeatureSet F>
 inline void draw_direction(const Scene& scene, const Sampler& sampler, std::uint32_t bounce,

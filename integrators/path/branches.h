@@ -1,6 +1,7 @@
 // Splitting [Arvo90]: from the first hit of a camera ray several paths go on, one after the other,
 // and count as their mean. What lies before, the camera ray and the light that comes straight from
-// lights, is paid once; it pays where that brings little of the noise (choose_splitting.h).
+// lights, is paid once; it pays where that brings little of the noise (choose_splitting.h). Scenes
+// with media are not split: what a camera ray meets there is a matter of chance.
 #pragma once
 
 #include <optional>
@@ -24,7 +25,6 @@ template <FeatureSet F, class A>
   Vec3f wo = -ray.direction;
   SurfacePoint point = surface_point_at<F>(scene, hit, material, wo);
   PathState path;
-  absorb_within<F>(material, point, hit.t, path);
   Bsdf bsdf = bsdf_at<F.models, F.textures>(material, scene.textures, point.uv, point.is_front);
   BsdfSample next = sample_direction<F>(context.options, numbers, bsdf, point.shading.to_local(wo));
   const bool goes_on = scatter(point, next, ray, path);
@@ -76,7 +76,7 @@ class Branches {
     numbers.draw_direction<F>(context.scene, *own_, 0);
     LaneMask going_on = 0;
     for_each_lane(lanes_, [&](std::uint32_t i) {
-      if (branch_off<F>(context, numbers.lane(i), i, block)) going_on |= 1u << i;
+      if (branch_off<F>(context, numbers.lane<F>(i), i, block)) going_on |= 1u << i;
     });
     return going_on;
   }

@@ -13,6 +13,7 @@ struct FeatureSet {
   bool delta_lights = true;
   bool environment = true;
   bool thin_lens = true;
+  bool media = false;
   bool strategies = false;  // RenderOptions' sampling and heuristic count; else Mis by Power
   ModelSet models = all_models;
 
@@ -37,14 +38,18 @@ struct FeatureSet {
   [[nodiscard]] constexpr bool covers(const SceneFeatures& scene) const {
     return (textures || !(scene.textures || scene.bump)) && (instances || !scene.instances) &&
            (delta_lights || !scene.delta_lights) && (environment || !scene.environment) &&
-           (thin_lens || !scene.thin_lens) && (scene.bsdf_models & ~models) == 0;
+           (thin_lens || !scene.thin_lens) && (media || !scene.media) &&
+           (scene.bsdf_models & ~models) == 0;
   }
 };
 
+// Everything but media, which few scenes have: their kernel's paths know what they are in, and
+// their shadow rays what they cross.
 inline constexpr FeatureSet general_features{};
+inline constexpr FeatureSet media_features{.media = true};
 
 // For comparisons of estimators.
-inline constexpr FeatureSet strategy_features{.strategies = true};
+inline constexpr FeatureSet strategy_features{.media = true, .strategies = true};
 
 // Cornell boxes and the like: triangles, area lights, opaque untextured surfaces.
 inline constexpr FeatureSet plain_features{

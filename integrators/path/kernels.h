@@ -23,6 +23,15 @@ extern template TileCounts render_tile<general_features>(
 extern template TileCounts render_tile<general_features>(
     const PathContext<RecordingAccel<BvhAccel>>&, const TilePass&, Film&);
 
+extern template TileCounts render_tile<media_features>(const PathContext<EmbreeAccel>&,
+                                                       const TilePass&, Film&);
+extern template TileCounts render_tile<media_features>(const PathContext<BvhAccel>&,
+                                                       const TilePass&, Film&);
+extern template TileCounts render_tile<media_features>(
+    const PathContext<RecordingAccel<EmbreeAccel>>&, const TilePass&, Film&);
+extern template TileCounts render_tile<media_features>(const PathContext<RecordingAccel<BvhAccel>>&,
+                                                       const TilePass&, Film&);
+
 extern template TileCounts render_tile<strategy_features>(const PathContext<EmbreeAccel>&,
                                                           const TilePass&, Film&);
 extern template TileCounts render_tile<strategy_features>(const PathContext<BvhAccel>&,
@@ -40,18 +49,26 @@ template <class A>
   return {"strategies", &render_tile<strategy_features, A>};
 }
 
-// The smallest instance that covers the scene. The reference BVH and the recorder have only the
-// general one.
+// All that the scene needs, and perhaps more.
 template <class A>
-[[nodiscard]] PathKernel<A> select_path_kernel(const SceneFeatures&, bool /*use_general*/) {
+[[nodiscard]] PathKernel<A> general_kernel(const SceneFeatures& features) {
+  if (features.media) return {"media", &render_tile<media_features, A>};
   return {"general", &render_tile<general_features, A>};
+}
+
+// The smallest instance that covers the scene. The reference BVH and the recorder have only those
+// of general_kernel().
+template <class A>
+[[nodiscard]] PathKernel<A> select_path_kernel(const SceneFeatures& features,
+                                               bool /*use_general*/) {
+  return general_kernel<A>(features);
 }
 template <>
 [[nodiscard]] inline PathKernel<EmbreeAccel> select_path_kernel(const SceneFeatures& features,
                                                                 bool use_general) {
   if (!use_general && plain_features.covers(features))
     return {"plain", &render_tile<plain_features, EmbreeAccel>};
-  return {"general", &render_tile<general_features, EmbreeAccel>};
+  return general_kernel<EmbreeAccel>(features);
 }
 
 }  // namespace candela

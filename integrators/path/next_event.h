@@ -3,6 +3,8 @@
 
 #include "integrators/path/context.h"
 #include "integrators/path/feature_set.h"
+#include "integrators/path/media_beside.h"
+#include "integrators/path/shadow_walk.h"
 #include "integrators/path/strategy.h"
 #include "renderer/accel/accelerator.h"
 #include "renderer/bsdf/dispatch.h"
@@ -80,18 +82,31 @@ template <class A>
   return accelerator.occluded(light.shadow_ray) ? Rgb(0) : light.contribution;
 }
 
+// The same where media dim the light on its way; `medium`: where the ray starts.
+template <class A>
+[[nodiscard]] inline Rgb shadowed_in(const PathContext<A>& context, const DirectLight& light,
+                                     MediumHandle medium, TileCounts& counts) {
+  if (is_black(light.contribution) || !is_traceable(light.shadow_ray)) return Rgb(0);
+  return light.contribution * light_along(context, light.shadow_ray, medium, counts);
+}
+
 // The lights that are sampled at every hit.
 template <FeatureSet F, class A>
 [[nodiscard]] inline Rgb light_from_always(const PathContext<A>& context, const SurfacePoint& point,
                                            const Bsdf& bsdf, const Vec3f& wo_local,
+                                           [[maybe_unused]] MediaBeside<F> media,
                                            TileCounts& counts) {
   Rgb sum(0);
   if constexpr (F.delta_lights) {
-    for (const std::uint32_t index : context.scene.light_sampler.always())
-      sum += shadowed(
-          context.accelerator,
-          sample_direct_light<F>(context, index, Vec2f(0), 1, point, bsdf, wo_local, counts),
-          counts);
+    for (const std::uint32_t index : context.scene.light_sampler.always()) {
+      DirectLight light =
+          sample_direct_light<F>(context, index, Vec2f(0), 1, point, bsdf, wo_local, counts);
+      if constexpr (F.media)
+        sum += shadowed_in(context, light, medium_towards(media, point, light.shadow_ray.direction),
+                           counts);
+      else
+        sum += shadowed(context.accelerator, light, counts);
+    }
   }
   return sum;
 }

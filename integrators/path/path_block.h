@@ -19,6 +19,9 @@ struct PathBlock {
   std::array<Rgb, block_size> unshadowed;  // what the shadow rays bring if nothing is in their way
   std::array<FilmSample, block_size> samples;
   SplitPaths split;
+  // Kernels with media only: around the paths, and where the shadow rays start.
+  std::array<MediumHandle, block_size> media;
+  std::array<MediumHandle, block_size> shadow_media;
 };
 
 // The next ray of a path; false where it cannot be traced, which makes the sample invalid.

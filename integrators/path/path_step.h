@@ -31,6 +31,7 @@ struct StepNumbers {
   Vec2f direction{0};
   float roulette = 0;
   float material = 0;
+  std::uint32_t free_flight = 0;
 };
 
 // Light that the path met; `light_pdf` is the light sampler's density of its direction, 0 where it
@@ -60,15 +61,15 @@ inline void add_environment(const Scene& scene, const RenderOptions& options, st
   }
 }
 
-// Light that the surface itself sends back along the ray.
+// Light that the surface itself sends back along the ray, which was sampled at this distance.
 template <FeatureSet F>
 inline void add_emission(const Scene& scene, const RenderOptions& options, const Geometry& geometry,
-                         const Hit& hit, const Vec3f& wi, PathState& path) {
+                         const Hit& hit, const Vec3f& wi, float distance, PathState& path) {
   const std::uint32_t index = geometry.first_light + hit.triangle;
   const Light& light = scene.lights[index];
-  const float pdf =
-      path.is_delta ? 0.0f
-                    : triangle_light_pdf(light, wi, hit.t) * scene.light_sampler.probability(index);
+  const float pdf = path.is_delta ? 0.0f
+                                  : triangle_light_pdf(light, wi, distance) *
+                                        scene.light_sampler.probability(index);
   Rgb radiance = triangle_light_radiance(light, -wi);
   if constexpr (F.textures) {
     if (light.texture) radiance *= emission_factor(light, geometry, scene.textures, hit.u, hit.v);
@@ -158,8 +159,8 @@ template <FeatureSet F>
 // too, by little: light that leaves a trap (total reflection) in shares smaller than what roulette
 // takes would have no variance.
 inline constexpr std::uint32_t first_bounce_with_roulette = 2;
-[[nodiscard]] inline bool survives_roulette(float u, std::uint32_t bounce, PathState& path) {
-  constexpr float highest_survival = 0.998f;
+[[nodiscard]] inline bool survives_roulette(float u, std::uint32_t bounce, PathState& path,
+                                            float highest_survival = 0.998f) {
   if (bounce < first_bounce_with_roulette) return true;
   const float survival =
       std::min(max_component(path.throughput) * path.eta_squared, highest_survival);
@@ -173,14 +174,16 @@ inline constexpr std::uint32_t first_bounce_with_roulette = 2;
 template <FeatureSet F, class A>
 [[nodiscard]] inline bool leave_by_model(const PathContext<A>& context, const StepNumbers& numbers,
                                          std::uint32_t bounce, const SurfacePoint& point,
-                                         const Material& material, const Vec3f& wo, Ray& ray,
-                                         PathState& path, DirectLight& picked, TileCounts& counts) {
+                                         const Material& material, const Vec3f& wo,
+                                         MediaBeside<F> media, Ray& ray, PathState& path,
+                                         DirectLight& picked, TileCounts& counts) {
   Bsdf bsdf =
       bsdf_at<F.models, F.textures>(material, context.scene.textures, point.uv, point.is_front);
   Vec3f wo_local = point.shading.to_local(wo);
   if (!is_only_delta<F.models>(bsdf) &&
       (!F.strategies || samples_lights(context.options.sampling))) {
-    path.radiance += path.throughput * light_from_always<F>(context, point, bsdf, wo_local, counts);
+    path.radiance +=
+        path.throughput * light_from_always<F>(context, point, bsdf, wo_local, media, counts);
     picked = picked_light<F>(context, numbers.light_choice, numbers.light_point, point, bsdf,
                              wo_local, counts);
     picked.contribution *= path.throughput;
@@ -193,35 +196,25 @@ template <FeatureSet F, class A>
 template <FeatureSet F, class A>
 [[nodiscard]] inline bool leave_surface(const PathContext<A>& context, const StepNumbers& numbers,
                                         std::uint32_t bounce, const SurfacePoint& point,
-                                        const Material& material, const Vec3f& wo, Ray& ray,
-                                        PathState& path, DirectLight& picked, TileCounts& counts) {
+                                        const Material& material, const Vec3f& wo,
+                                        MediaBeside<F> media, Ray& ray, PathState& path,
+                                        DirectLight& picked, TileCounts& counts) {
   if constexpr (F.models == plain_features.models) {
     constexpr FeatureSet glossy = F.with_models(model_bit(BsdfModel::CookTorrance));
     constexpr FeatureSet diffuse = F.with_models(model_bit(BsdfModel::Diffuse));
     if (material.model == MaterialModel::CookTorrance)
-      return leave_by_model<glossy>(context, numbers, bounce, point, material, wo, ray, path,
+      return leave_by_model<glossy>(context, numbers, bounce, point, material, wo, media, ray, path,
                                     picked, counts);
-    return leave_by_model<diffuse>(context, numbers, bounce, point, material, wo, ray, path, picked,
-                                   counts);
+    return leave_by_model<diffuse>(context, numbers, bounce, point, material, wo, media, ray, path,
+                                   picked, counts);
   } else {
-    return leave_by_model<F>(context, numbers, bounce, point, material, wo, ray, path, picked,
-                             counts);
+    return leave_by_model<F>(context, numbers, bounce, point, material, wo, media, ray, path,
+                             picked, counts);
   }
 }
 
 // From what the path's ray met to its next ray, which takes its place; false where the path ends.
 // `first_hit`: what the film's layers keep of the camera ray.
-// What is left of light that crossed what the surface holds.
-template <FeatureSet F>
-inline void absorb_within(const Material& material, const SurfacePoint& point, float distance,
-                          PathState& path) {
-  if constexpr ((F.models & model_bit(BsdfModel::Dielectric)) != 0) {
-    if (point.is_front || !material.is_absorbing) return;
-    Rgb depth = material.absorption * distance;
-    path.throughput *= Rgb(decay(depth.x), decay(depth.y), decay(depth.z));
-  }
-}
-
 template <FeatureSet F, class A>
 [[nodiscard]] inline bool step(const PathContext<A>& context, const StepNumbers& numbers,
                                std::uint32_t bounce, const Hit& hit, Ray& ray, PathState& path,
@@ -236,13 +229,13 @@ template <FeatureSet F, class A>
   const Material& material = material_at<F>(scene, geometry, hit, numbers.material);
   Vec3f wo = -ray.direction;
   SurfacePoint point = surface_point_at<F>(scene, hit, material, wo);
-  absorb_within<F>(material, point, hit.t, path);
   if (geometry.is_emissive())
-    add_emission<F>(scene, context.options, geometry, hit, ray.direction, path);
+    add_emission<F>(scene, context.options, geometry, hit, ray.direction, hit.t, path);
   if (bounce == 0 && context.options.aovs != 0)
     record_camera_hit<F>(scene, context.camera, ray, hit, material, first_hit);
   if (bounce >= context.max_depth) return false;
-  return leave_surface<F>(context, numbers, bounce, point, material, wo, ray, path, picked, counts);
+  return leave_surface<F>(context, numbers, bounce, point, material, wo, {}, ray, path, picked,
+                          counts);
 }
 
 }  // namespace candela

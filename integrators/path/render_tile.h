@@ -29,6 +29,7 @@ inline void render_block(const PathContext<A>& context, const PixelSampler& pixe
   LaneMask alive = 0;
   for_each_lane(lanes, [&](std::uint32_t i) {
     block.paths[i] = PathState{};
+    if constexpr (F.media) block.media[i] = context.camera.medium;
     block.samples[i].alpha = 1;
     block.samples[i].has_hit = false;
     Vec2f place = context.filter.sample(unit_point(filter, i));
@@ -37,6 +38,7 @@ inline void render_block(const PathContext<A>& context, const PixelSampler& pixe
     if (set_ray(block, i, ray)) alive |= 1u << i;
   });
   counts.rays.camera += static_cast<std::uint64_t>(std::popcount(lanes));
+  if (F.media && context.scene.features.media) splitting = 1;
   trace_block<F>(context, samplers, Branches(pixel, base, splitting), alive, lanes == all_lanes,
                  block, counts);
   for_each_lane(lanes, [&](std::uint32_t i) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "integrators/path/branches.h"
+#include "integrators/path/media_step.h"
 
 namespace candela {
 
@@ -24,6 +25,18 @@ struct LanesAfterStep {
   LaneMask going_on = 0;
 };
 
+template <FeatureSet F, class A>
+[[nodiscard]] inline bool take_step(const PathContext<A>& context, const StepNumbers& numbers,
+                                    std::uint32_t bounce, std::uint32_t i, const Hit& hit, Ray& ray,
+                                    PathState& path, DirectLight& picked, PathBlock& block,
+                                    TileCounts& counts) {
+  if constexpr (F.media)
+    return step_in_media<F>(context, numbers, bounce, hit, ray, block.media[i], path, picked,
+                            block.shadow_media[i], block.samples[i], counts);
+  else
+    return step<F>(context, numbers, bounce, hit, ray, path, picked, block.samples[i], counts);
+}
+
 // A step of the path in lane i.
 template <FeatureSet F, class A>
 inline void step_lane(const PathContext<A>& context, const StepNumbers& numbers,
@@ -33,7 +46,7 @@ inline void step_lane(const PathContext<A>& context, const StepNumbers& numbers,
   PathState path = block.paths[i];
   DirectLight picked;
   const bool goes_on =
-      step<F>(context, numbers, bounce, hit, ray, path, picked, block.samples[i], counts);
+      take_step<F>(context, numbers, bounce, i, hit, ray, path, picked, block, counts);
   if (!is_black(picked.contribution) && is_traceable(picked.shadow_ray)) {
     block.shadow_rays[i] = picked.shadow_ray;
     block.unshadowed[i] = picked.contribution;
@@ -67,7 +80,7 @@ template <FeatureSet F, class A>
   for_each_lane(alive, [&](std::uint32_t i) {
     StepNumbers own;
     if (is_drawn_together) {
-      own = numbers.lane(i);
+      own = numbers.lane<F>(i);
     } else {
       draw_hit<F>(context.scene, samplers.hit.lane(i), bounce, own);
       draw_direction<F>(context.scene, samplers.path.lane(i), bounce, own);
@@ -77,6 +90,28 @@ template <FeatureSet F, class A>
   return after;
 }
 
+// Adds what the shadow rays bring.
+template <FeatureSet F, class A>
+inline void trace_shadow_rays(const PathContext<A>& context, LaneMask lanes, PathBlock& block,
+                              TileCounts& counts) {
+  if (F.media && context.scene.features.clear_boundaries) {
+    for_each_lane(lanes, [&](std::uint32_t i) {
+      block.paths[i].radiance +=
+          block.unshadowed[i] *
+          light_through_boundaries(context, block.shadow_rays[i], block.shadow_media[i], counts);
+    });
+    return;
+  }
+  const LaneMask shaded = context.accelerator.occluded(block.shadow_rays, lanes);
+  for_each_lane(lanes & ~shaded, [&](std::uint32_t i) {
+    if constexpr (F.media)
+      block.unshadowed[i] *= transmittance_of(optical_depth_along(
+          context.scene, block.shadow_media[i], block.shadow_rays[i], block.shadow_rays[i].t_max));
+    block.paths[i].radiance += block.unshadowed[i];
+  });
+  counts.rays.shadow += static_cast<std::uint64_t>(std::popcount(lanes));
+}
+
 // A bounce of the paths of a block; returns those that go on.
 template <FeatureSet F, class A>
 [[nodiscard]] inline LaneMask leave_hits(const PathContext<A>& context,
@@ -84,12 +119,7 @@ template <FeatureSet F, class A>
                                          std::uint32_t bounce, const HitBlock& hits,
                                          PathBlock& block, TileCounts& counts) {
   const LanesAfterStep after = step_lanes<F>(context, samplers, alive, bounce, hits, block, counts);
-  if (after.shadow_rays != 0) {
-    const LaneMask shaded = context.accelerator.occluded(block.shadow_rays, after.shadow_rays);
-    for_each_lane(after.shadow_rays & ~shaded,
-                  [&](std::uint32_t i) { block.paths[i].radiance += block.unshadowed[i]; });
-  }
-  counts.rays.shadow += static_cast<std::uint64_t>(std::popcount(after.shadow_rays));
+  if (after.shadow_rays != 0) trace_shadow_rays<F>(context, after.shadow_rays, block, counts);
   return after.going_on;
 }
 

@@ -43,13 +43,19 @@ std::optional<RayLimit> measure(const Scene& scene, const A& accelerator,
   const PathKernel<A> kernel = select_path_kernel<A>(scene.features, options.use_general_kernel);
   Film film(options.width, options.height, {0, 0, options.width, options.height}, options.aovs);
 
+  const auto recorded =
+      select_path_kernel<RecordingAccel<A>>(scene.features, options.use_general_kernel);
+
   RayLimit limit;
   volatile double sink = 0;
   const auto measure_tile = [&](const PixelRect& tile) {
-    const TilePass pass{tile, {0, samples}, nullptr, options.seed,
+    const TilePass pass{tile,
+                        {0, samples},
+                        nullptr,
+                        options.seed,
                         static_cast<std::uint32_t>(options.splitting.value_or(1))};
     recorder.rays().clear();
-    render_tile<general_features>(recording, pass, film);
+    recorded.render(recording, pass, film);
     const double start = thread_cpu_seconds();
     kernel.render(context, pass, film);
     const double middle = thread_cpu_seconds();

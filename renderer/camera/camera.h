@@ -1,6 +1,7 @@
 // Cameras in normalised space: perspective by pinhole or thin lens, orthographic, and all around.
 #pragma once
 
+#include "renderer/base/handle.h"
 #include "renderer/description/scene_description.h"
 #include "renderer/math/frame.h"
 #include "renderer/math/ray.h"
@@ -9,6 +10,8 @@
 
 namespace candela {
 
+struct Medium;
+using MediumHandle = Handle<Medium>;
 using description::CameraKind;
 
 struct Camera {
@@ -23,6 +26,7 @@ struct Camera {
   Vec3f up{0, 1, 0};
   float lens_radius = 0;     // 0: pinhole
   float focus_distance = 1;  // along the line of sight
+  MediumHandle medium{};     // around it
 
   // `film` in [0,1]^2 over the full picture, y from the top.
   [[nodiscard]] Ray generate_ray(Vec2f film, Vec2f lens) const {

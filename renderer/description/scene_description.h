@@ -19,10 +19,12 @@ namespace candela::description {
 
 struct Image;
 struct Material;
+struct Medium;
 struct Mesh;
 struct Texture;
 using ImageHandle = Handle<Image>;
 using MaterialHandle = Handle<Material>;
+using MediumHandle = Handle<Medium>;
 using MeshHandle = Handle<Mesh>;
 using TextureHandle = Handle<Texture>;
 
@@ -157,12 +159,9 @@ struct ConductorMaterial {
 
 struct DielectricMaterial {
   double ior = 1.5;
-  ScalarInput roughness{0.0, {}, 0};  // GGX width; 0 is smooth
-  Vec3d transmittance{1.0};           // factor of each refraction (MTL's Tf)
-  bool is_thin = false;               // straight through, both interfaces at once
-  // Of what the surface holds, a unit of the file's length: exp(-absorption * distance) is left of
-  // light that arrives at the surface from within.
-  Vec3d absorption{0.0};
+  ScalarInput roughness{0.0, {}, 0};                 // GGX width; 0 is smooth
+  Vec3d transmittance{1.0};                          // factor of each refraction (MTL's Tf)
+  bool is_thin = false;                              // straight through, both interfaces at once
   std::optional<ScalarInput> roughness_across = {};  // as for Conductor
 };
 
@@ -206,6 +205,24 @@ struct MixMaterial {
   ScalarInput amount{0.5, {}, 0};
 };
 
+// --- media ---
+
+// What fills space, everywhere alike: coefficients a unit of the file's length.
+struct Medium {
+  std::string name;
+  SourceSpan span;
+  Vec3d absorption{0.0};   // sigma_a
+  Vec3d scattering{0.0};   // sigma_s
+  double asymmetry = 0.0;  // g, the mean cosine of scattering [Henyey41]; in (-1, 1)
+};
+
+// The media on both sides of a surface; invalid: none. Where they differ, light that leaves the
+// surface is in the medium of its side from there on; where not, it stays in what it was in.
+struct MediumInterface {
+  MediumHandle inside;  // where the geometric normal does not point
+  MediumHandle outside;
+};
+
 struct Material {
   std::string name;
   SourceSpan span;
@@ -224,6 +241,7 @@ struct Material {
   TextureHandle height_texture{};      // the same by a texture
   double height_scale = 1.0;  // height of white, in units of the uv square's edge on the surface
   ImageHandle normal_map;     // tangent-space normals, encoded (n+1)/2
+  MediumInterface media{};
 };
 
 // An indexed triangle mesh. `normals` and `uvs` are empty or as many as `positions`.
@@ -345,6 +363,7 @@ struct Camera {
   std::optional<ScreenWindow> screen_window;
   double lens_radius = 0.0;     // 0: pinhole
   double focus_distance = 0.0;  // along the axis; 0: at the target
+  MediumHandle medium{};        // around it
 };
 
 // A part of the picture, in shares of its width and height from the top left.
@@ -366,6 +385,7 @@ struct SceneDescription {
   std::string path;  // the scene file, as given
   std::vector<Image> images;
   std::vector<Texture> textures;
+  std::vector<Medium> media;
   std::vector<Material> materials;
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;

@@ -8,6 +8,7 @@
 #include "renderer/description/validate_camera.h"
 #include "renderer/description/validate_light.h"
 #include "renderer/description/validate_material.h"
+#include "renderer/description/validate_medium.h"
 #include "renderer/description/validate_mesh.h"
 #include "renderer/description/validate_texture.h"
 
@@ -98,6 +99,7 @@ Diagnostics validate(const SceneDescription& scene) {
   Diagnostics diagnostics;
   check_images(scene, diagnostics);
   check_textures(scene, diagnostics);
+  check_media(scene, diagnostics);
   for (const Material& material : scene.materials) check_material(scene, material, diagnostics);
   for (const Mesh& mesh : scene.meshes) check_mesh(scene, mesh, diagnostics);
   for (const Instance& instance : scene.instances) check_instance(scene, instance, diagnostics);

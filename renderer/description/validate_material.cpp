@@ -125,7 +125,6 @@ class Check {
     at_least(glass.ior, 1, "the refractive index");
     widths(glass.roughness, glass.roughness_across, "the roughness");
     colour(glass.transmittance, "the transmittance");
-    positive_colour(glass.absorption, "the absorption");
   }
   void operator()(const CoatedDiffuseMaterial& coated) const {
     input(coated.reflectance, "the reflectance");
@@ -148,7 +147,9 @@ class Check {
                       "are made smaller",
                       most));
   }
-  void operator()(const InterfaceMaterial&) const {}
+  void operator()(const InterfaceMaterial&) const {
+    if (material_.emission != Vec3d(0.0)) warn("an interface does not shine: nothing is there");
+  }
   void operator()(const MixMaterial& mix) const {
     part(mix.first);
     part(mix.second);

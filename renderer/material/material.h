@@ -61,8 +61,6 @@ struct Material {
   Rgb eta{1.5f};  // Dielectric: all channels alike
   Rgb k{0};
   Rgb transmittance{1};
-  bool is_absorbing = false;  // Dielectric: what it holds, by its absorption a unit of length
-  Rgb absorption{0};
   // Coated models; `roughness` is the coat's. Shared by materials that are coated alike.
   std::shared_ptr<const CoatTable> coat;
   std::shared_ptr<const CoatedMetalTable> metal;

@@ -18,6 +18,7 @@ enum class Dimension : std::uint8_t {
   Direction,       // 2D: direction within the lobe
   Roulette,        // 1D
   MaterialChoice,  // 1D: which part of a mixture
+  FreeFlight,      // 1D: where a medium scatters, and which channel decides
 };
 
 }  // namespace candela

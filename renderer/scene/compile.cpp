@@ -11,6 +11,7 @@
 #include "renderer/scene/compile_geometry.h"
 #include "renderer/scene/compile_lights.h"
 #include "renderer/scene/compile_materials.h"
+#include "renderer/scene/compile_media.h"
 #include "renderer/scene/normalise.h"
 #include "renderer/scene/triangle_sort.h"
 
@@ -20,9 +21,8 @@ namespace {
 using description::SceneDescription;
 
 void compile_materials(const SceneDescription& description, const CompileOptions& options,
-                       Scene& scene, DropCounts& dropped, Diagnostics& diagnostics) {
-  // Only their textures are registered.
-  const std::vector<bool> used = description::used_materials(description);
+                       const std::vector<bool>& used, Scene& scene, DropCounts& dropped,
+                       Diagnostics& diagnostics) {
   CoatTables coats;
   TextureCompiler textures(description, scene.textures, diagnostics);
   for (std::size_t i = 0; i < description.materials.size(); ++i) {
@@ -31,7 +31,6 @@ void compile_materials(const SceneDescription& description, const CompileOptions
     if (used[i]) {
       scene.materials.push_back(compile_material(material, options, textures, coats));
       Material& compiled = scene.materials.back();
-      compiled.absorption /= static_cast<float>(scene.normalisation.scale);
       for (const MaterialHandle part : compiled.parts)
         if (part) compiled.reads_uv |= scene.materials[part.index].reads_uv;
     } else {
@@ -69,6 +68,10 @@ SceneFeatures features_of(const Scene& scene) {
   features.environment = scene.environment.has_value();
   features.instances = !scene.instances.empty();
   for (const Camera& camera : scene.cameras) features.thin_lens |= camera.lens_radius > 0;
+  features.media = !scene.media.empty();
+  for (const Medium& medium : scene.media) features.scattering_media |= medium.scatters();
+  for (const MediumBoundary& boundary : scene.medium_boundaries)
+    features.clear_boundaries |= boundary.is_clear && boundary.is_transition();
   return features;
 }
 
@@ -94,12 +97,14 @@ Result<Scene> compile(const SceneDescription& description, const CompileOptions&
   Scene scene;
   DropCounts dropped;
   scene.normalisation = normalisation_of(description);
-  compile_materials(description, options, scene, dropped, diagnostics);
+  const std::vector<bool> used = used_materials(description);
+  compile_materials(description, options, used, scene, dropped, diagnostics);
+  for (const description::Camera& camera : description.cameras)
+    scene.cameras.push_back(compile_camera(camera, scene.normalisation, options));
+  if (options.keeps_media) compile_media(description, used, scene, dropped);
   compile_geometry(description, options, scene, dropped);
   compile_coverage(scene);
   scene.bounds = bounds_of(scene);
-  for (const description::Camera& camera : description.cameras)
-    scene.cameras.push_back(compile_camera(camera, scene.normalisation, options));
   compile_lights(description, scene, dropped, diagnostics);
   scene.features = features_of(scene);
   for (const auto& [what, count] : dropped) scene.dropped.push_back({what, count});

@@ -15,6 +15,7 @@ struct CompileOptions {
   // Which triangles and hits count is decided by opacity, at compile time and by the accelerator.
   // false: all of them count, and the integrator looks at the opacity itself (whitted, raster).
   bool decides_cutouts = true;
+  bool keeps_media = true;  // false: all is as clear as air
 };
 
 // Validates, then compiles. Errors name the file and line of what cannot be rendered.

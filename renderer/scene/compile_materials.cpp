@@ -140,8 +140,6 @@ struct ModelCompiler {
     set_widths(m.roughness, m.roughness_across);
     out.eta = Rgb(static_cast<float>(m.ior));
     out.transmittance = Rgb(m.transmittance);
-    if (!m.is_thin) out.absorption = Rgb(m.absorption);
-    out.is_absorbing = !is_black(out.absorption);
   }
 
   void operator()(const description::CoatedDiffuseMaterial& m) const {
@@ -164,7 +162,8 @@ struct ModelCompiler {
     out.specular = colour(m.transmittance, texture);
   }
   void operator()(const description::InterfaceMaterial&) const {
-    out.opacity.constant = 0;  // so that compile_geometry() leaves its triangles out
+    // So that compile_geometry() leaves its triangles out, if compile_media() does not need them.
+    out.opacity.constant = 0;
   }
   void operator()(const description::MixMaterial& m) const {
     out.model = MaterialModel::Mix;
@@ -253,6 +252,7 @@ Material compile_material(const description::Material& material, const CompileOp
                           TextureCompiler& texture, CoatTables& coats) {
   Material out;
   std::visit(ModelCompiler{options, texture, coats, out}, material.model);
+  if (std::holds_alternative<description::InterfaceMaterial>(material.model)) return out;
   if (out.energy_compensation) static_cast<void>(energy_loss_table());  // now, not while rendering
   set_emission(material, texture, out);
   if (material.opacity.map || material.opacity.texture || material.opacity.factor != 1) {

@@ -20,6 +20,7 @@
 #include "renderer/material/coverage_grid.h"
 #include "renderer/material/material.h"
 #include "renderer/math/bounds.h"
+#include "renderer/medium/medium.h"
 #include "renderer/texture/texture.h"
 
 namespace candela {
@@ -43,6 +44,9 @@ struct SceneFeatures {
   bool environment = false;
   bool instances = false;
   bool thin_lens = false;
+  bool media = false;
+  bool scattering_media = false;
+  bool clear_boundaries = false;  // surfaces that only bound media
   std::uint32_t bsdf_models = 0;  // ModelSet
 
   friend bool operator==(const SceneFeatures&, const SceneFeatures&) = default;
@@ -61,6 +65,8 @@ struct Scene {
   std::vector<Instance> instances;
   std::vector<Material> materials;
   std::vector<CoverageGrid> coverage_grids;
+  std::vector<Medium> media;
+  std::vector<MediumBoundary> medium_boundaries;  // by material; empty where there are no media
   std::vector<Light> lights;
   LightSampler light_sampler;
   std::optional<Environment> environment;         // at most one

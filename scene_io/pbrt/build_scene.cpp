@@ -121,14 +121,17 @@ class Meshes {
 // A material with all that its shapes add to it. Shapes that add the same share it.
 class ShapeMaterials {
  public:
-  ShapeMaterials(Context& context, Textures& textures, Materials& materials)
-      : context_(context), textures_(textures), materials_(materials), media_(context) {}
+  ShapeMaterials(Context& context, Textures& textures, Materials& materials, Media& media)
+      : context_(context), textures_(textures), materials_(materials), media_(media) {}
 
   MaterialHandle of(ShapeStatement& shape, const Mesh& mesh) {
     Key key;
     key.base = &materials_.of(shape.material);
     read_alpha(shape, key);
-    if (!shape.inside.name.empty()) read_medium(shape, key);
+    if (shape.media.is_transition()) {
+      key.inside = media_.of(shape.media.inside).index;
+      key.outside = media_.of(shape.media.outside).index;
+    }
     const bool is_bumped = materials_.is_bumped(*key.base);
     if (shape.area_light != none || is_bumped) {
       const Areas areas = areas_of(mesh, shape.world_from_object);
@@ -146,7 +149,7 @@ class ShapeMaterials {
     std::uint32_t emission_map = Handle<int>::none;
     bool emission_is_maps_mean = false;
     double height_scale = 1;
-    std::array<double, 3> absorption{};  // of glass
+    std::uint32_t inside = Handle<int>::none, outside = Handle<int>::none;  // media
     // Of the shape's alpha.
     double opacity = 1;
     std::uint32_t opacity_map = Handle<int>::none, opacity_texture = Handle<int>::none;
@@ -170,16 +173,6 @@ class ShapeMaterials {
     key.opacity_texture = alpha->texture.index;
   }
 
-  void read_medium(const ShapeStatement& shape, Key& key) {
-    const Vec3d absorption = media_.absorption_of(shape.inside);
-    const auto* glass = std::get_if<description::DielectricMaterial>(&key.base->model);
-    if ((glass && !glass->is_thin) || materials_.parts_of(*key.base))
-      key.absorption = {absorption.x, absorption.y, absorption.z};
-    else if (absorption != Vec3d(0.0))
-      context_.warn_once("medium", shape.inside.place,
-                         "media are rendered within glass only: elsewhere all is as clear as air");
-  }
-
   void read_emission_of(const ShapeStatement& shape, const Areas& areas, Key& key) {
     const auto [at, is_new] = emissions_.try_emplace(shape.area_light);
     if (is_new)
@@ -201,8 +194,8 @@ class ShapeMaterials {
     material.emission = {key.emission[0], key.emission[1], key.emission[2]};
     material.emits_both_sides = key.emits_both_sides;
     if (material.height_scale == heights_are_lengths) material.height_scale = key.height_scale;
-    if (auto* glass = std::get_if<description::DielectricMaterial>(&material.model))
-      glass->absorption = {key.absorption[0], key.absorption[1], key.absorption[2]};
+    material.media.inside.index = key.inside;
+    material.media.outside.index = key.outside;
     material.emission_map.index = key.emission_map;
     material.emission_is_maps_mean = key.emission_is_maps_mean;
     set_opacity(key, material);
@@ -215,7 +208,6 @@ class ShapeMaterials {
                                   description::MixMaterial mix) {
     Key part;
     part.height_scale = key.height_scale;
-    part.absorption = key.absorption;
     part.base = parts.first;
     mix.first = of(part);
     part.base = parts.second;
@@ -246,7 +238,7 @@ class ShapeMaterials {
   Context& context_;
   Textures& textures_;
   Materials& materials_;
-  Media media_;
+  Media& media_;
   std::map<Key, MaterialHandle> made_;
   std::map<std::size_t, Emission> emissions_;
 };
@@ -257,13 +249,15 @@ class SceneBuilder {
       : context_(context),
         textures_(context),
         materials_(context, textures_),
-        shape_materials_(context, textures_, materials_),
+        media_(context),
+        shape_materials_(context, textures_, materials_, media_),
         meshes_(context) {}
 
   void build() {
     Program& program = context_.program;
     context_.imaging_ratio = read_film(context_);
     read_camera(context_);
+    context_.scene.cameras.back().medium = media_.of(program.around_camera);
     read_lights(context_);
     materials_.read_all();
     for (ShapeStatement& shape : program.shapes) meshes_.add(shape);
@@ -351,6 +345,7 @@ class SceneBuilder {
   Context& context_;
   Textures textures_;
   Materials materials_;
+  Media media_;
   ShapeMaterials shape_materials_;
   Meshes meshes_;
   std::size_t next_shape_ = 0;

@@ -16,10 +16,10 @@ inline constexpr std::array<std::string_view, 5> attribute_targets{"shape", "lig
                                                                    "medium", "texture"};
 
 struct GraphicsState {
-  Transform transform;            // current object -> world, at the shutter's opening
-  bool sets_transform = true;     // ActiveTransform: false for EndTime
-  bool is_reversed = false;       // ReverseOrientation
-  MediumUse inside;               // MediumInterface
+  Transform transform;         // current object -> world, at the shutter's opening
+  bool sets_transform = true;  // ActiveTransform: false for EndTime
+  bool is_reversed = false;    // ReverseOrientation
+  MediaUse media;
   std::size_t area_light = none;  // of Program::area_lights
   MaterialUse material;
   // Of the directive Attribute, by target; null where there are none.

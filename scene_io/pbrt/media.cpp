@@ -1,60 +1,87 @@
 #include "scene_io/pbrt/media.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
+#include "scene_io/pbrt/media_presets.h"
 #include "scene_io/pbrt/spectrum.h"
 
 namespace candela::pbrt {
 namespace {
 
-std::optional<Vec3d> coefficient(Arguments& arguments, std::string_view name,
-                                 const std::string& scene_path) {
+using description::Medium;
+using description::MediumHandle;
+
+// pbrt's own coefficients, where a medium gives none.
+constexpr std::string_view default_preset = "Wholemilk";
+
+Vec3d coefficient(Arguments& arguments, std::string_view name, const Vec3d& otherwise,
+                  const std::string& scene_path) {
   const Parameter* parameter =
       arguments.find(name, {ParameterType::Rgb, ParameterType::Xyz, ParameterType::Spectrum});
-  if (!parameter) return std::nullopt;
-  return factor_colour(*parameter, scene_path, arguments.report());
+  if (!parameter) return otherwise;
+  return factor_colour(*parameter, scene_path, arguments.report()).value_or(otherwise);
+}
+
+// A preset counts for more than coefficients, as in pbrt.
+void set_coefficients(Arguments& arguments, const std::string& scene_path, Medium& medium) {
+  const MediumPreset defaults = *medium_preset(default_preset);
+  medium.absorption = coefficient(arguments, "sigma_a", defaults.absorption, scene_path);
+  medium.scattering = coefficient(arguments, "sigma_s", defaults.scattering, scene_path);
+  const auto name = arguments.string("preset");
+  if (!name || name->empty()) return;
+  if (const auto preset = medium_preset(*name)) {
+    medium.absorption = preset->absorption;
+    medium.scattering = preset->scattering;
+    return;
+  }
+  arguments.warning(
+      *arguments.find("preset"),
+      fmt::format("names no medium that candela knows{}",
+                  did_you_mean(std::string_view(*name).substr(0, 100), medium_preset_names())));
 }
 
 }  // namespace
 
-Vec3d Media::absorption_of(const MediumUse& use) {
+MediumHandle Media::of(const MediumUse& use) {
+  if (use.name.empty()) return {};
   const auto known = read_.find(use.name);
   if (known != read_.end()) return known->second;
+  return read_[use.name] = find(use);
+}
+
+MediumHandle Media::find(const MediumUse& use) {
   const auto found = context_.program.media.find(use.name);
-  if (found != context_.program.media.end()) return read_[use.name] = read(found->second, use.name);
+  if (found != context_.program.media.end()) return read(found->second, use.name);
   std::vector<std::string_view> names;
   for (const auto& [name, statement] : context_.program.media) names.push_back(name);
   context_.report.error(
       use.place, fmt::format("there is no medium {}{}", text::quoted(use.name),
                              did_you_mean(std::string_view(use.name).substr(0, 100), names)));
-  return read_[use.name] = Vec3d(0.0);
+  return {};
 }
 
-// pbrt's own coefficients, where a medium gives none, are those of a scattering one.
-Vec3d Media::read(Statement& statement, const std::string& name) {
+MediumHandle Media::read(Statement& statement, const std::string& name) {
   Arguments arguments(statement, context_.report);
   const std::string type = arguments.string("type").value_or("");
   if (type != "homogeneous") {
     context_.report.warning(statement.place,
                             fmt::format("media of type {} are not rendered: {} is as clear as air",
                                         text::quoted(type), text::quoted(name)));
-    return Vec3d(0.0);
+    return {};
   }
-  const double scale = std::max(arguments.number("scale").value_or(1), 0.0);
-  const auto absorption = coefficient(arguments, "sigma_a", context_.scene.path);
-  const auto scattering = coefficient(arguments, "sigma_s", context_.scene.path);
-  arguments.accept({"g", "preset"});
+  Medium medium;
+  medium.name = name;
+  medium.span = statement.place.span();
+  set_coefficients(arguments, context_.scene.path, medium);
+  const double scale = arguments.number("scale").value_or(1);
+  medium.absorption *= scale;
+  medium.scattering *= scale;
+  medium.asymmetry = arguments.number("g").value_or(0);
   arguments.ignore("Le", "media do not shine");
+  arguments.accept({"Lescale"});
   arguments.warn_of_unknown();
-  if (!scattering || *scattering != Vec3d(0.0))
-    context_.report.warning(
-        statement.place, fmt::format("media do not scatter: {} only absorbs", text::quoted(name)));
-  const Vec3d total = absorption.value_or(Vec3d(0.0)) * scale;
-  if (is_finite(total)) return total;
-  context_.report.error(statement.place, "the medium's absorption is not finite");
-  return Vec3d(0.0);
+  context_.scene.media.push_back(std::move(medium));
+  return MediumHandle(context_.scene.media.size() - 1);
 }
 
 }  // namespace candela::pbrt

@@ -1,8 +1,7 @@
-// Media, as far as candela has them: what glass holds may absorb.
+// Media: homogeneous ones. All others are as clear as air, with a warning.
 #pragma once
 
 #include <map>
-#include <optional>
 #include <string>
 
 #include "scene_io/pbrt/context.h"
@@ -13,14 +12,15 @@ class Media {
  public:
   explicit Media(Context& context) : context_(context) {}
 
-  // Absorption a unit of length; 0, with a warning, of media that candela has not.
-  [[nodiscard]] Vec3d absorption_of(const MediumUse& use);
+  // The medium in the scene, made when it is first asked for; invalid: none.
+  [[nodiscard]] description::MediumHandle of(const MediumUse& use);
 
  private:
-  Vec3d read(Statement& statement, const std::string& name);
+  description::MediumHandle find(const MediumUse& use);
+  description::MediumHandle read(Statement& statement, const std::string& name);
 
   Context& context_;
-  std::map<std::string, Vec3d> read_;
+  std::map<std::string, description::MediumHandle> read_;
 };
 
 }  // namespace candela::pbrt

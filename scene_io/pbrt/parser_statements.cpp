@@ -16,6 +16,7 @@ void Parser::camera() {
     return report_.error(statement->place, "the camera's transform is singular");
   program_.camera = std::move(*statement);
   program_.camera_from_world = state_.transform;
+  program_.around_camera = state_.media.outside;
   systems_["camera"] = inverse(state_.transform);
 }
 
@@ -128,12 +129,11 @@ void Parser::medium_interface() {
   const Place place{file_, tokens_->peek().offset};
   const auto inside = read_string("the name of a medium");
   if (!inside) return;
-  state_.inside = {*inside, place};
+  state_.media = {{*inside, place}, {*inside, place}};  // a single name counts for both sides
   if (tokens_->peek().kind != TokenKind::String) return;
+  const Place outside_place{file_, tokens_->peek().offset};
   const auto outside = read_string("the name of a medium");
-  if (outside && !outside->empty())
-    warn_once("outside", place,
-              "media are rendered within glass only: what is outside is as clear as air");
+  if (outside) state_.media.outside = {*outside, outside_place};
 }
 
 void Parser::reverse_orientation() {
@@ -166,7 +166,7 @@ void Parser::shape() {
   auto statement = read_statement(AttributeTarget::Shape);
   if (!statement) return;
   ShapeStatement shape{std::move(*statement), state_.transform,  state_.is_reversed,
-                       state_.material,       state_.area_light, state_.inside};
+                       state_.material,       state_.area_light, state_.media};
   if (is_singular(shape.world_from_object))
     return report_.error(shape.statement.place,
                          "the current transform is singular and flattens this shape");

@@ -34,10 +34,18 @@ struct MaterialUse {
   Place place;
 };
 
-// The medium within a surface by its name; empty: none.
+// A medium by its name; empty: none.
 struct MediumUse {
   std::string name;
   Place place;
+};
+
+// MediumInterface: what is on both sides of a surface.
+struct MediaUse {
+  MediumUse inside;
+  MediumUse outside;
+
+  [[nodiscard]] bool is_transition() const { return inside.name != outside.name; }
 };
 
 struct LightStatement {
@@ -51,7 +59,7 @@ struct ShapeStatement {
   bool is_reversed = false;  // ReverseOrientation
   MaterialUse material;
   std::size_t area_light = none;  // of Program::area_lights
-  MediumUse inside;
+  MediaUse media;
 };
 
 struct ObjectUse {
@@ -63,6 +71,7 @@ struct ObjectUse {
 struct Program {
   std::optional<Statement> camera, film, sampler, integrator, filter;
   Transform camera_from_world;
+  MediumUse around_camera;
   std::map<std::string, TextureStatement> float_textures, spectrum_textures;
   std::vector<MaterialStatement> materials;
   std::map<std::string, std::size_t> material_named;

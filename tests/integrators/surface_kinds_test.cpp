@@ -80,10 +80,11 @@ TEST(Unit_SurfaceKinds, InterfacesAreNotThere) {
 TEST(Statistical_SurfaceKinds, GlassAbsorbsByTheWayWithin) {
   for (const double unit : {1.0, 1000.0}) {
     description::DielectricMaterial glass;
-    glass.absorption = Vec3d(0.5, 2, 0) / unit;
+    const Vec3d absorption = Vec3d(0.5, 2, 0) / unit;
     SceneDescription scene = empty_scene();
-    add_mesh(scene, box(Vec3d(-1, -1, -0.2) * unit, Vec3d(1, 1, 0.2) * unit),
-             add_material(scene, glass));
+    const auto material = add_material(scene, glass);
+    scene.materials.back().media.inside = add_medium(scene, absorption, Vec3d(0.0));
+    add_mesh(scene, box(Vec3d(-1, -1, -0.2) * unit, Vec3d(1, 1, 0.2) * unit), material);
     add_light(scene, description::ConstantEnvironment{Vec3d(1.0), true});
     set_camera(scene, Vec3d(0.3, 0.2, 100) * unit, Vec3d(0.3, 0.2, 0) * unit, 0.01);
     const Image image = rendered(scene, settings_of(16, 256)).film.to_image(false);
@@ -92,7 +93,7 @@ TEST(Statistical_SurfaceKinds, GlassAbsorbsByTheWayWithin) {
       for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) found.add(double{image.pixel(x, y)[c]});
       const double f = 0.04;
-      const double left = std::exp(-0.4 * glass.absorption[c] * unit);
+      const double left = std::exp(-0.4 * absorption[c] * unit);
       const double again = square(f * left);
       const double expected = f + square(1 - f) * left * (1 + f * left) / (1 - again);
       EXPECT_NEAR(found.mean(), expected, 1e-4 + 5 * found.standard_error()) << c;

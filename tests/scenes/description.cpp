@@ -23,6 +23,13 @@ MeshHandle add_mesh(SceneDescription& scene, description::Mesh mesh, MaterialHan
   return handle;
 }
 
+description::MediumHandle add_medium(SceneDescription& scene, const Vec3d& absorption,
+                                     const Vec3d& scattering, double asymmetry) {
+  const std::string name = "medium" + std::to_string(scene.media.size());
+  scene.media.push_back({name, {}, absorption, scattering, asymmetry});
+  return description::MediumHandle(scene.media.size() - 1);
+}
+
 void add_instance(SceneDescription& scene, MeshHandle mesh, const Transform& object_to_world) {
   scene.instances.push_back({mesh, object_to_world, {}, {}});
 }

@@ -25,6 +25,9 @@ description::MaterialHandle add_material(description::SceneDescription& scene, M
   return description::MaterialHandle(scene.materials.size() - 1);
 }
 
+description::MediumHandle add_medium(description::SceneDescription& scene, const Vec3d& absorption,
+                                     const Vec3d& scattering, double asymmetry = 0);
+
 [[nodiscard]] inline description::DiffuseMaterial diffuse(Vec3d reflectance) {
   return {{reflectance, {}}};
 }

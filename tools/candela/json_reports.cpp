@@ -160,6 +160,12 @@ std::string to_json(const SceneInfo& info) {
   json["instances"] = info.instances;
   json["cameras"] = info.cameras;
   json["materials"] = info.materials;
+  json["media"] = Json::array();
+  for (const MediumRow& row : info.media)
+    json["media"].push_back({{"name", row.name},
+                             {"absorption", vec_json(row.absorption)},
+                             {"scattering", vec_json(row.scattering)},
+                             {"asymmetry", row.asymmetry}});
   json["textures"] = Json::array();
   for (const TextureRow& row : info.textures) json["textures"].push_back(texture_json(row));
   json["lights"] = info.lights;

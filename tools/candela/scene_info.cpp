@@ -116,6 +116,8 @@ SceneInfo describe_scene(const description::SceneDescription& description, const
   info.instances = scene.instances.size();
   info.cameras = scene.cameras.size();
   info.materials = scene.material_names;
+  for (const description::Medium& medium : description.media)
+    info.media.push_back({medium.name, medium.absorption, medium.scattering, medium.asymmetry});
   info.textures = texture_rows(description, scene.textures);
   for (const Light& light : scene.lights) ++info.lights[kind_name(light.kind)];
   if (scene.environment && info.lights.count("environment") == 0) info.lights["environment"] = 1;
@@ -149,6 +151,10 @@ std::string to_text(const SceneInfo& info) {
   line("kernel", info.kernel);
   line("materials", fmt::format("{}", info.materials.size()));
   for (const std::string& name : info.materials) text += fmt::format("    {}\n", name);
+  line("media", fmt::format("{}", info.media.size()));
+  for (const MediumRow& row : info.media)
+    text += fmt::format("    {}: absorption {}, scattering {}, asymmetry {:g}\n", row.name,
+                        vec_text(row.absorption), vec_text(row.scattering), row.asymmetry);
   line("textures", fmt::format("{}", info.textures.size()));
   for (const TextureRow& row : info.textures) text += texture_text(row);
   line("dropped", info.dropped.empty() ? "nothing" : "");

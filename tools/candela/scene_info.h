@@ -22,6 +22,14 @@ struct TextureRow {
   bool is_decoded = false;  // compiling had to look at its pixels
 };
 
+// Coefficients a unit of the file's length.
+struct MediumRow {
+  std::string name;
+  Vec3d absorption{0.0};
+  Vec3d scattering{0.0};
+  double asymmetry = 0;
+};
+
 struct SceneInfo {
   std::string path;
   std::string scene_hash;
@@ -31,6 +39,7 @@ struct SceneInfo {
   std::uint64_t instances = 0;
   std::uint64_t cameras = 0;
   std::vector<std::string> materials;
+  std::vector<MediumRow> media;
   std::vector<TextureRow> textures;
   std::map<std::string, std::uint64_t> lights;  // by kind
   Vec3d bounds_min{0.0};                        // file units

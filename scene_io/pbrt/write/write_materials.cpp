@@ -139,23 +139,4 @@ void MaterialWriter::add_alpha(const Material& material, Directive& shape) {
   }
 }
 
-std::string MaterialWriter::medium_of(description::MaterialHandle handle) {
-  const Material& material = context_.scene.materials[handle.index];
-  if (const auto* mix = std::get_if<MixMaterial>(&material.model)) {
-    const std::string first = medium_of(mix->first);
-    return first.empty() ? medium_of(mix->second) : first;
-  }
-  const auto* glass = std::get_if<DielectricMaterial>(&material.model);
-  if (!glass || glass->is_thin || glass->absorption == Vec3d(0.0)) return "";
-  const auto [at, is_new] = media_.try_emplace(handle.index);
-  if (!is_new) return at->second;
-  at->second = context_.unique_name("medium", material.name.empty() ? "unnamed" : material.name);
-  media_text_ += Directive("MakeNamedMedium", at->second)
-                     .add("string type", "homogeneous")
-                     .add("rgb sigma_a", glass->absorption)
-                     .add("rgb sigma_s", Vec3d(0.0))
-                     .text();
-  return at->second;
-}
-
 }  // namespace candela::pbrt

@@ -1,4 +1,4 @@
-// MakeNamedMaterial directives, each made when a shape first asks for it, and the media in glass.
+// MakeNamedMaterial directives, each made when a shape first asks for it.
 #pragma once
 
 #include <map>
@@ -17,14 +17,11 @@ class MaterialWriter {
 
   // The name of a material on surfaces where heights of 1 are `height_unit` long in the world.
   [[nodiscard]] std::string name_of(description::MaterialHandle material, double height_unit);
-  // That of what a surface of the material holds, or "".
-  [[nodiscard]] std::string medium_of(description::MaterialHandle material);
   // What pbrt keeps with the shape: where the surface has holes.
   void add_alpha(const description::Material& material, Directive& shape);
 
-  // All directives so far; media come first.
-  [[nodiscard]] std::string text() const { return media_text_ + text_; }
-  [[nodiscard]] bool has_media() const { return !media_text_.empty(); }
+  // All directives so far.
+  [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
   std::string make(const description::Material& material, double height_unit);
@@ -35,9 +32,8 @@ class MaterialWriter {
 
   WriteContext& context_;
   TextureWriter& textures_;
-  std::string text_, media_text_;
+  std::string text_;
   std::map<std::pair<std::uint32_t, double>, std::string> names_;
-  std::map<std::uint32_t, std::string> media_;
 };
 
 // Has heights that change its normals, or a part of it has.

@@ -4,6 +4,7 @@
 
 #include "scene_io/pbrt/write/write_lights.h"
 #include "scene_io/pbrt/write/write_materials.h"
+#include "scene_io/pbrt/write/write_media.h"
 #include "scene_io/pbrt/write/write_shapes.h"
 #include "scene_io/pbrt/write/write_view.h"
 
@@ -24,11 +25,16 @@ Result<WrittenScene> write_pbrt(const description::SceneDescription& scene,
   WriteContext context{scene, options, written, diagnostics};
   TextureWriter textures(context);
   MaterialWriter materials(context, textures);
-  const std::string shapes = write_shapes(context, textures, materials);
+  MediaWriter media(context);
+  const std::string shapes = write_shapes(context, textures, materials, media);
+  const description::MediumHandle camera_medium =
+      scene.cameras.empty() ? description::MediumHandle() : scene.cameras.front().medium;
+  const std::string around_camera = media.interface_of({{}, camera_medium});
   const std::string lights = write_lights(context, textures);
   written.text = "# Written by candela from a scene named " + stem_of(scene.path) +
                  ".\n# Lines that begin with #candela: are read by candela alone.\n\n" +
-                 write_view(context, materials.has_media()) + "\nWorldBegin\n" +
+                 media.text() + around_camera + write_view(context, !media.text().empty()) +
+                 (around_camera.empty() ? "" : "MediumInterface \"\" \"\"\n") + "\nWorldBegin\n" +
                  section("Lights", lights) + section("Textures", textures.text()) +
                  section("Materials", materials.text()) + section("Shapes", shapes);
   return {std::move(written), std::move(diagnostics)};

@@ -32,8 +32,9 @@ struct Part {
 
 class ShapeWriter {
  public:
-  ShapeWriter(WriteContext& context, TextureWriter& textures, MaterialWriter& materials)
-      : context_(context), textures_(textures), materials_(materials) {}
+  ShapeWriter(WriteContext& context, TextureWriter& textures, MaterialWriter& materials,
+              MediaWriter& media)
+      : context_(context), textures_(textures), materials_(materials), media_(media) {}
 
   std::string write() {
     for (const Instance& instance : context_.scene.instances) ++uses_[use_of(instance)];
@@ -114,8 +115,8 @@ class ShapeWriter {
     const double unit =
         is_bumped(context_.scene, material) ? 1 / height_scale_of(part, object_to_world) : 1;
     text += "  NamedMaterial " + in_quotes(materials_.name_of(part.material, unit)) + "\n";
-    const std::string medium = materials_.medium_of(part.material);
-    if (!medium.empty()) text += "  MediumInterface " + in_quotes(medium) + " \"\"\n";
+    const std::string media = media_.interface_of(material.media);
+    if (!media.empty()) text += "  " + media;
     if (material.emission != Vec3d(0.0)) text += "  " + emission(part, object_to_world);
     Directive out("Shape", "plymesh");
     out.add("string filename", file(part));
@@ -174,6 +175,7 @@ class ShapeWriter {
   WriteContext& context_;
   TextureWriter& textures_;
   MaterialWriter& materials_;
+  MediaWriter& media_;
   std::map<Use, std::size_t> uses_;
   std::map<Use, std::string> objects_;
   std::map<FileKey, std::string> files_;
@@ -181,9 +183,9 @@ class ShapeWriter {
 
 }  // namespace
 
-std::string write_shapes(WriteContext& context, TextureWriter& textures,
-                         MaterialWriter& materials) {
-  return ShapeWriter(context, textures, materials).write();
+std::string write_shapes(WriteContext& context, TextureWriter& textures, MaterialWriter& materials,
+                         MediaWriter& media) {
+  return ShapeWriter(context, textures, materials, media).write();
 }
 
 }  // namespace candela::pbrt

@@ -93,16 +93,15 @@ TEST(Unit_PbrtMixtures, WithAnInterfaceHaveHoles) {
   EXPECT_EQ(worn_by_disk(thin).opacity.factor, 0.25);
 }
 
-// Absorption is the shape's, whatever part of its mixture is the glass.
-TEST(Unit_PbrtMixtures, HoldTheMediumInTheirGlass) {
+// Media are the shape's, whatever parts its mixture has.
+TEST(Unit_PbrtMixtures, BoundTheShapesMedium) {
   const SceneDescription scene = pbrt_world(
       parts +
       "MakeNamedMedium \"green\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [ 1 2 3 ] "
       "\"rgb sigma_s\" [ 0 0 0 ]\n" +
       mix_of("red", "glass") + "\nMediumInterface \"green\" \"\"\nShape \"disk\"");
-  const auto& mix = std::get<MixMaterial>(worn_by_disk(scene).model);
-  EXPECT_EQ(std::get<DielectricMaterial>(scene.materials.at(mix.second.index).model).absorption,
-            Vec3d(1, 2, 3));
+  EXPECT_EQ(worn_by_disk(scene).media.inside, MediumHandle(0));
+  EXPECT_FALSE(worn_by_disk(scene).media.outside);
 }
 
 TEST(Errors_PbrtMixtures, WhatIsWrongWithThem) {

@@ -273,25 +273,6 @@ TEST(Unit_PbrtMaterials, MaterialsAndTexturesMayFollow) {
             Vec3d(0.25, 0.125, 0.0625));
 }
 
-TEST(Unit_PbrtMedia, WhatGlassHoldsAbsorbs) {
-  const std::string medium =
-      "MakeNamedMedium \"green\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [ 1 2 3 ] \"rgb "
-      "sigma_s\" [ 0 0 0 ] \"float scale\" 2\nMaterial \"dielectric\"\n";
-  const auto scene =
-      pbrt_world(medium + "Shape \"disk\"\nMediumInterface \"green\" \"\"\nShape \"disk\"");
-  ASSERT_EQ(scene.materials.size(), 2u);
-  const auto absorption = [&](std::size_t i) {
-    return std::get<DielectricMaterial>(scene.materials[i].model).absorption;
-  };
-  EXPECT_EQ(absorption(0), Vec3d(0.0));
-  EXPECT_EQ(absorption(1), Vec3d(2, 4, 6));
-  EXPECT_EQ(pbrt_world_error(medium + "MediumInterface \"gren\" \"\"\nShape \"disk\""),
-            "4:17: there is no medium 'gren', did you mean 'green'?");
-  EXPECT_EQ(pbrt_world_warning("MakeNamedMedium \"m\" \"string type\" \"cloud\"\nMediumInterface "
-                               "\"m\" \"\" Shape \"disk\""),
-            "2:17: media of type 'cloud' are not rendered: 'm' is as clear as air");
-}
-
 TEST(Unit_PbrtMaterials, HeightsAreLengthsInTheWorld) {
   const auto scale_of = [](const std::string& transform) {
     const auto scene = pbrt_world(

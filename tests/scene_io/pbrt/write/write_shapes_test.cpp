@@ -148,7 +148,6 @@ TEST(Unit_WriteShapes, MixturesWithTheirParts) {
   SceneDescription scene = scene_with_camera();
   const auto red = test::add_material(scene, test::diffuse(Vec3d(0.5, 0, 0)));
   DielectricMaterial glass;
-  glass.absorption = Vec3d(1, 2, 3);
   const auto clear = test::add_material(scene, glass);
   const auto mixed = test::add_material(scene, MixMaterial{red, clear, {0.3, {}, 0, {}}});
   scene.materials[mixed.index].emission = Vec3d(1);
@@ -162,8 +161,7 @@ TEST(Unit_WriteShapes, MixturesWithTheirParts) {
   EXPECT_EQ(material.emission, Vec3d(1));
   EXPECT_EQ(std::get<DiffuseMaterial>(back.materials[mix.first.index].model).reflectance.factor,
             Vec3d(0.5, 0, 0));
-  EXPECT_EQ(std::get<DielectricMaterial>(back.materials[mix.second.index].model).absorption,
-            Vec3d(1, 2, 3));
+  EXPECT_TRUE(std::holds_alternative<DielectricMaterial>(back.materials[mix.second.index].model));
 }
 
 // candela looks at the middle of a texture where a mesh has no coordinates; pbrt has its own.

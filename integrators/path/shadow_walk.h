@@ -1,0 +1,88 @@
+// What media, and surfaces that only bound them, leave of light along a shadow ray.
+#pragma once
+
+#include "integrators/path/context.h"
+#include "integrators/path/media_beside.h"
+#include "renderer/accel/accelerator.h"
+#include "renderer/geometry/surface_point.h"
+
+namespace candela {
+
+// More boundaries than this a ray does not cross: what lies behind them is black.
+inline constexpr int most_boundaries = 4096;
+
+// Whether a hit only bounds media.
+[[nodiscard]] inline bool is_clear_boundary(const Scene& scene, const Hit& hit) {
+  if (!scene.features.clear_boundaries) return false;
+  const MaterialHandle material = scene.geometries[hit.geometry].material;
+  return scene.medium_boundaries[material.index].is_clear;
+}
+
+struct Crossing {
+  SurfacePoint point;
+  MediumHandle beyond;
+};
+
+// Where a ray crosses a surface that only bounds media. `wo`: unit, back along the ray.
+[[nodiscard]] inline Crossing cross_boundary(const Scene& scene, const Hit& hit, const Vec3f& wo,
+                                             MediumHandle current) {
+  const Geometry& geometry = scene.geometries[hit.geometry];
+  const Instance* instance = hit.is_instanced() ? &scene.instances[hit.instance] : nullptr;
+  Crossing crossing;
+  crossing.point = make_surface_point(geometry, instance, hit, wo, false);
+  const MediumBoundary& boundary = scene.medium_boundaries[geometry.material.index];
+  crossing.beyond = media_beside(boundary, crossing.point.is_front, current).far;
+  return crossing;
+}
+
+// Optical depth of a part of a ray; `end` in units of its direction's length, infinity beyond all.
+[[nodiscard]] inline Rgb optical_depth_along(const Scene& scene, MediumHandle medium,
+                                             const Ray& ray, float end) {
+  if (!medium) return Rgb(0);
+  return optical_depth(scene.media[medium.index].extinction, end * length(ray.direction));
+}
+
+// Beyond a boundary: to the same end.
+[[nodiscard]] inline Ray shadow_ray_beyond(const Ray& ray, const SurfacePoint& point) {
+  Vec3f origin = offset_origin(point.position, point.geometric_normal, point.offset, ray.direction);
+  if (ray.t_max == infinity) return {origin, ray.direction, infinity};
+  return {origin, ray.origin + ray.direction - origin, ray.t_max};
+}
+
+// The share of light that comes along the ray, in a scene with boundaries to cross.
+template <class A>
+[[nodiscard]] inline Rgb light_through_boundaries(const PathContext<A>& context, Ray ray,
+                                                  MediumHandle medium, TileCounts& counts) {
+  const Scene& scene = context.scene;
+  Vec3f wo = -normalize(ray.direction);
+  Rgb depth(0);
+  for (int crossed = 0; crossed <= most_boundaries; ++crossed) {
+    if (!is_traceable(ray)) return Rgb(0);
+    ++counts.rays.shadow;
+    Hit hit = context.accelerator.intersect(ray);
+    if (!hit.is_hit()) {
+      depth += optical_depth_along(scene, medium, ray, ray.t_max);
+      return transmittance_of(depth);
+    }
+    if (!is_clear_boundary(scene, hit)) return Rgb(0);
+    depth += optical_depth_along(scene, medium, ray, hit.t);
+    Crossing crossing = cross_boundary(scene, hit, wo, medium);
+    medium = crossing.beyond;
+    ray = shadow_ray_beyond(ray, crossing.point);
+  }
+  return Rgb(0);
+}
+
+// The share of light that comes along a traceable shadow ray which starts in `medium`.
+template <class A>
+[[nodiscard]] inline Rgb light_along(const PathContext<A>& context, const Ray& ray,
+                                     MediumHandle medium, TileCounts& counts) {
+  const Scene& scene = context.scene;
+  if (scene.features.clear_boundaries)
+    return light_through_boundaries(context, ray, medium, counts);
+  ++counts.rays.shadow;
+  if (context.accelerator.occluded(ray)) return Rgb(0);
+  return transmittance_of(optical_depth_along(scene, medium, ray, ray.t_max));
+}
+
+}  // namespace candela

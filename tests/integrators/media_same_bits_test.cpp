@@ -1,0 +1,96 @@
+// Invariants 1, 2 and 5 in scenes with media, and of the media kernel in scenes without.
+#include <gtest/gtest.h>
+
+#include "integrators/path/kernels.h"
+#include "tests/scenes/description.h"
+#include "tests/scenes/render_scene.h"
+
+namespace candela {
+namespace {
+
+using namespace test;
+using description::SceneDescription;
+
+// The small room with smoke in it and fog around it, in any unit.
+SceneDescription smoky_room(double unit = 1) {
+  SceneDescription scene = small_room();
+  const auto fog = add_medium(scene, Vec3d(0.05) / unit, Vec3d(0.1, 0.15, 0.3) / unit, 0.3);
+  const auto smoke = add_medium(scene, Vec3d(1, 0.5, 0.2) / unit, Vec3d(3) / unit, 0.7);
+  const auto boundary = add_material(scene, description::InterfaceMaterial{});
+  scene.materials[boundary.index].media = {smoke, fog};
+  add_mesh(scene, sphere({0, 0, 0}, 0.5, 2), boundary);
+  scene.cameras[0].medium = fog;
+  for (auto& mesh : scene.meshes)
+    for (Vec3d& p : mesh.positions) p *= unit;
+  scene.cameras[0].eye *= unit;
+  return scene;
+}
+
+std::vector<float> picture(const Scene& scene, const RenderSettings& settings) {
+  const RenderResult result = rendered(scene, settings);
+  EXPECT_EQ(result.statistics.kernel, "path/media");
+  return result.film.to_image(true).values;
+}
+
+TEST(Agreement_MediaSameBits, OverThreadsTilesAndRuns) {
+  RenderSettings settings = settings_of(40, 20);
+  const Scene scene = compiled(smoky_room(), settings.options);
+  settings.threads = 1;
+  const std::vector<float> one = picture(scene, settings);
+  settings.threads = 3;
+  EXPECT_EQ(picture(scene, settings), one);
+  settings.options.tile_size = 7;
+  EXPECT_EQ(picture(scene, settings), one);
+}
+
+TEST(Agreement_MediaSameBits, OverScalesByPowersOfTwo) {
+  const RenderSettings settings = settings_of(32, 8);
+  const std::vector<float> reference = picture(compiled(smoky_room(), settings.options), settings);
+  for (const int exponent : {-40, -10, 10, 40}) {
+    const SceneDescription scaled = smoky_room(std::ldexp(1.0, exponent));
+    EXPECT_EQ(picture(compiled(scaled, settings.options), settings), reference) << "2^" << exponent;
+  }
+}
+
+// Cut within blocks, whose lanes are then traced one by one.
+TEST(Agreement_MediaSameBits, OverSampleRanges) {
+  const RenderSettings settings = settings_of(24, 40);
+  const Scene scene = compiled(smoky_room(), settings.options);
+  const EmbreeAccel accelerator(scene);
+  const Filter filter = make_filter(settings.options);
+  const auto context = make_path_context(scene, accelerator, filter, settings.options);
+  const PixelRect all{0, 0, 24, 24};
+  const auto picture_of = [&](const std::vector<std::uint32_t>& cuts) {
+    Film film(24, 24, all, 0, 4);
+    for (std::size_t i = 1; i < cuts.size(); ++i)
+      render_tile<media_features>(
+          context, {all, {cuts[i - 1], cuts[i]}, nullptr, settings.options.seed}, film);
+    return film.to_image(true).values;
+  };
+  EXPECT_EQ(picture_of({0, 1, 16, 17, 31, 32, 40}), picture_of({0, 40}));
+}
+
+TEST(Agreement_MediaSameBits, WithoutMediaTheKernelIsTheGeneralOne) {
+  const RenderSettings settings = settings_of(32, 16);
+  SceneDescription description = small_room();
+  description::DielectricMaterial glass;
+  add_mesh(description, sphere({0.3, -0.3, 0}, 0.3, 2), add_material(description, glass));
+  add_light(description, description::PointLight{{0, 0.5, 0.5}, Vec3d(0.5)});
+  add_light(description, description::ConstantEnvironment{Vec3d(0.1, 0.2, 0.4), true});
+  const Scene scene = compiled(description, settings.options);
+  const EmbreeAccel accelerator(scene);
+  const Filter filter = make_filter(settings.options);
+  const auto context = make_path_context(scene, accelerator, filter, settings.options);
+  const PixelRect all{0, 0, 32, 32};
+  const TilePass pass{all, {0, 16}, nullptr, settings.options.seed};
+  Film general(32, 32, all, 0, 4);
+  Film media(32, 32, all, 0, 4);
+  const TileCounts counts = render_tile<general_features>(context, pass, general);
+  const TileCounts media_counts = render_tile<media_features>(context, pass, media);
+  EXPECT_EQ(media.to_image(true).values, general.to_image(true).values);
+  EXPECT_EQ(media_counts.rays.shadow, counts.rays.shadow);
+  EXPECT_EQ(media_counts.rays.indirect, counts.rays.indirect);
+}
+
+}  // namespace
+}  // namespace candela
