@@ -160,6 +160,38 @@ TEST(Unit_Media, AbsorptionIsBeersLawWithoutNoise) {
   }
 }
 
+// A floor with ink below it and fog above, under lamps in the fog: sampled at every hit, or picked;
+// by shadow rays that may meet interfaces, or not.
+TEST(Unit_Media, SurfacesAreLitThroughTheMediumOnTheirSide) {
+  for (const int lamps : {1, 5})
+    for (const bool has_interfaces : {false, true}) {
+      SCOPED_TRACE(testing::Message() << lamps << " lamps, interfaces: " << has_interfaces);
+      SceneDescription scene = empty_scene();
+      const auto ink = add_medium(scene, Vec3d(3, 5, 0), Vec3d(0.0));
+      const auto fog = add_medium(scene, Vec3d(0.1, 0.4, 0.2), Vec3d(0.0));
+      const auto floor = add_material(scene, diffuse(Vec3d(0.5)));
+      scene.materials[floor.index].media = {ink, fog};
+      add_mesh(scene, quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), floor);
+      if (has_interfaces) {
+        const auto aside = add_boundary(scene, ink);
+        scene.materials[aside.index].media.outside = fog;
+        add_mesh(scene, box({1, 1, 0.1}, {1.5, 1.5, 0.5}), aside);
+      }
+      for (int i = 0; i < lamps; ++i)
+        add_light(scene, description::PointLight{{0, 0, 2}, Vec3d(1.0 / lamps)});
+      set_line_of_sight(scene, {0, 0, 4}, {0, 0, 0});
+      scene.cameras[0].medium = fog;
+      RenderSettings settings = settings_of(4, 16);
+      settings.options.max_depth = 1;
+      const Channels found = pixels_of(scene, settings);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double depth = scene.media[fog.index].absorption[static_cast<int>(c)] * (4 + 2);
+        const double expected = 0.5 / pi_double / 4 * std::exp(-depth);
+        EXPECT_NEAR(found[c].mean(), expected, 1e-5 * expected) << c;
+      }
+    }
+}
+
 // Light of a point that scatters once on its way to the eye: an integral along the line of sight.
 struct Beam {
   Vec3d absorption{0.2, 0.1, 0.4};
