@@ -29,6 +29,9 @@ enum class IntegratorKind : std::uint8_t { Path, Whitted, Raster, Report };
 // How whitted and raster shade highlights: by the half vector or by the mirrored direction.
 enum class SpecularModel : std::uint8_t { Blinn, Phong };
 
+// Whether the samples of a pixel know of each other; plain random numbers are for comparisons.
+enum class SamplerKind : std::uint8_t { Sobol, Independent };
+
 inline constexpr int max_splitting = 64;
 
 struct RenderOptions {
@@ -55,7 +58,8 @@ struct RenderOptions {
   std::optional<int> max_depth;
   // path: any. report: Light (its own, which Mis stands for, too), Cosine or Uniform directions.
   SamplingStrategy sampling = SamplingStrategy::Mis;
-  Heuristic heuristic = Heuristic::Power;  // of Mis
+  Heuristic heuristic = Heuristic::Power;    // of Mis
+  SamplerKind sampler = SamplerKind::Sobol;  // path
   SpecularModel specular = SpecularModel::Blinn;
   // whitted and raster: normals as the lab's code interpolates them, neither made unit nor turned
   // to the viewer; for comparisons with its pictures.

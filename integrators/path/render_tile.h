@@ -60,6 +60,12 @@ inline void render_block(const PathContext<A>& context, const PixelSampler& pixe
   return rays.camera + 4 * rays.indirect + 2 * rays.shadow;
 }
 
+// How many independent sequences the samples of a pixel are dealt to: one a replicate, or one each.
+[[nodiscard]] inline std::uint32_t sequences_of(const RenderOptions& options, const Film& film) {
+  return options.sampler == SamplerKind::Independent ? std::numeric_limits<std::uint32_t>::max()
+                                                     : film.replicates();
+}
+
 // The samples of a pass, in order.
 template <FeatureSet F, class A>
 TileCounts render_tile(const PathContext<A>& context, const TilePass& pass, Film& film) {
@@ -70,7 +76,7 @@ TileCounts render_tile(const PathContext<A>& context, const TilePass& pass, Film
     for (int x = tile.x0; x < tile.x1; ++x) {
       const SampleRange range = pass.of_pixel(x, y);
       const PixelSampler pixel(pass.seed, static_cast<std::uint32_t>(x),
-                               static_cast<std::uint32_t>(y), film.replicates());
+                               static_cast<std::uint32_t>(y), sequences_of(context.options, film));
       const std::uint64_t rays_before = ray_cost(counts.rays);
       for (std::uint32_t base = range.first & ~(block_size - 1); base < range.end;
            base += block_size)

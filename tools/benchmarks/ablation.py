@@ -34,6 +34,7 @@ TECHNIQUES = (  # a row is a line
     Technique("robust mode", {"robust": "off"}, same_picture=True),
     Technique("adaptive sampling", {"adaptive": "off"}),
     Technique("splitting at the first hit", {"splitting": 1}),
+    Technique("Sobol points (off: plain random numbers)", {"sampler": "independent"}),
     Technique("four replicates (off: one, no stated error)", {"replicates": 1}),
     Technique("light and BSDF samples (off: light alone)", {"sampling": "light"},
               timed_on=SAME_KERNEL),

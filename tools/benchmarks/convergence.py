@@ -20,7 +20,9 @@ CURVES = {
     "path, BSDF samples": {"sampling": "bsdf"},
     "path, cosine": {"sampling": "cosine"},
     "path, uniform": {"sampling": "uniform"},
+    "path, no splitting": {"splitting": 1},
     "path, 1 replicate": {"replicates": 1},
+    "path, plain random numbers": {"sampler": "independent"},
     "path, not robust": {"robust": "off"},
     "report": {"integrator": "report"},
 }

@@ -11,7 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "tools" / "dev" / "shared"))  # what tools/figures uses too
 
 NAMES = ("ablation", "accel", "adaptive", "before", "budget", "calibration", "convergence", "cycles",
-         "limit", "memory", "peers", "replicates", "robust", "scaling", "stress")
+         "limit", "memory", "peers", "replicates", "robust", "sampler", "scaling", "stress")
 
 
 def parser_and_commands():

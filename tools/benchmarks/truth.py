@@ -16,11 +16,11 @@ TRIMMED = 1e-3  # of the pixels, the worst
 NOISE_ALLOWED = 1 / 20
 
 
-def reference(candela, name, scene, size, spp):
+def reference(candela, name, scene, size, spp, **options):
     parts = side_by_side(lambda seed: layers(candela.cached(
         f"reference_{safe(name)}_{size}_{seed}", scene, integrator="path", size=square(size),
         spp=spp, seed=seed, replicates=16, threads=1, filter="box", adaptive="off",
-        aov="variance,heavy_tail")),
+        aov="variance,heavy_tail", **options)),
         REFERENCE_SEEDS)
     count = len(parts)
     return with_weight(sum(p[0] for p in parts) / count, sum(p[1] for p in parts) / count ** 2)

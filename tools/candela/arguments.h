@@ -61,6 +61,7 @@ struct RenderArguments {
   std::optional<DepthLimit> max_depth;
   std::optional<SamplingStrategy> sampling;
   std::optional<Heuristic> heuristic;
+  std::optional<SamplerKind> sampler;
   std::optional<SpecularModel> specular;
   bool has_lab_normals = false;
   std::optional<double> report_p_rr;

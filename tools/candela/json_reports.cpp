@@ -79,8 +79,10 @@ void add_options(Json& json, const RenderReport& report) {
   }
   if (!is_lab_shading(options.integrator)) {
     json["sampling"] = sampling_name(options);
-    if (options.integrator == IntegratorKind::Path)
+    if (options.integrator == IntegratorKind::Path) {
       json["heuristic"] = name_of(options.heuristic, heuristic_choices());
+      json["sampler"] = name_of(options.sampler, sampler_choices());
+    }
   }
   if (options.integrator == IntegratorKind::Report) json["rr"] = options.report_p_rr;
   json["filter"] = name_of(options.filter, filter_choices());

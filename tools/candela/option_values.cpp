@@ -26,6 +26,8 @@ constexpr Choice<SamplingStrategy> samplings[] = {
     {name_of(SamplingStrategy::Mis), SamplingStrategy::Mis}};
 constexpr Choice<Heuristic> heuristics[] = {{"balance", Heuristic::Balance},
                                             {"power", Heuristic::Power}};
+constexpr Choice<SamplerKind> samplers[] = {{"sobol", SamplerKind::Sobol},
+                                            {"independent", SamplerKind::Independent}};
 constexpr Choice<FresnelModel> fresnels[] = {{"schlick", FresnelModel::Schlick},
                                              {"exact", FresnelModel::Exact}};
 constexpr Choice<GeometryModel> geometries[] = {{"schlick_ggx", GeometryModel::SchlickGgx},
@@ -97,6 +99,9 @@ std::span<const Choice<SamplingStrategy>> sampling_choices() {
 }
 std::span<const Choice<Heuristic>> heuristic_choices() {
   return heuristics;
+}
+std::span<const Choice<SamplerKind>> sampler_choices() {
+  return samplers;
 }
 std::span<const Choice<FresnelModel>> fresnel_choices() {
   return fresnels;

@@ -138,6 +138,8 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
              "cosine, uniform [mis; report: light]");
   add_choice(command, "--heuristic", "heuristic", render.heuristic, heuristic_choices(),
              "How mis weights [power]");
+  add_choice(command, "--sampler", "sampler", render.sampler, sampler_choices(),
+             "Scrambled Sobol points or, for comparisons, plain random numbers [sobol]");
   add_choice(command, "--fresnel", "Fresnel term", render.scene.load.fresnel, fresnel_choices(),
              "Of all cook_torrance materials [the scene's]");
   add_choice(command, "--geometry", "geometry term", render.scene.load.geometry, geometry_choices(),

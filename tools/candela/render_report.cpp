@@ -22,8 +22,9 @@ std::string lab_text(const RenderOptions& options) {
 std::string strategy_text(const RenderOptions& options) {
   switch (options.integrator) {
     case IntegratorKind::Path:
-      return fmt::format(" sampling={} heuristic={}", sampling_name(options),
-                         name_of(options.heuristic, heuristic_choices()));
+      return fmt::format(" sampling={} heuristic={} sampler={}", sampling_name(options),
+                         name_of(options.heuristic, heuristic_choices()),
+                         name_of(options.sampler, sampler_choices()));
     case IntegratorKind::Report:
       return fmt::format(" sampling={} rr={}", sampling_name(options), options.report_p_rr);
     case IntegratorKind::Whitted:

@@ -130,9 +130,11 @@ void refuse_stop_rules(const RenderArguments& arguments, const RenderOptions& op
   if (options.integrator != IntegratorKind::Path && options.adaptive)
     throw Refusal{fmt::format("--adaptive is for path, this is {}", integrator_name(options)),
                   ExitCode::Usage};
-  if (options.integrator != IntegratorKind::Path && arguments.splitting)
-    throw Refusal{fmt::format("--splitting is for path, this is {}", integrator_name(options)),
-                  ExitCode::Usage};
+  if (options.integrator != IntegratorKind::Path && (arguments.splitting || arguments.sampler))
+    throw Refusal{
+        fmt::format("{} is for path, this is {}", arguments.splitting ? "--splitting" : "--sampler",
+                    integrator_name(options)),
+        ExitCode::Usage};
   if (options.adaptive && options.replicates < 2)
     throw Refusal{"--adaptive needs an error to go by, and --replicates 1 states none",
                   ExitCode::Usage};
@@ -302,6 +304,7 @@ RenderSettings settled(const RenderArguments& arguments,
   options.specular = arguments.specular.value_or(options.specular);
   options.sampling = arguments.sampling.value_or(options.sampling);
   options.heuristic = arguments.heuristic.value_or(options.heuristic);
+  options.sampler = arguments.sampler.value_or(options.sampler);
   refuse_what_does_not_fit(arguments, options);
   refuse_sampling(arguments, options);
   if (is_lab_shading(options.integrator)) {

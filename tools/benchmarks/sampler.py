@@ -1,0 +1,60 @@
+"""Scrambled Sobol points against plain random numbers: by how much relMSE is lower.
+
+Without splitting and adaptive sampling, box filter. The ratio is of means over seeds; the range that
+of the pictures in pairs of one seed.
+"""
+
+import pathlib
+import statistics
+
+import chosen_scenes
+import truth
+
+ABOUT = "scrambled Sobol points against plain random numbers: by how much relMSE is lower"
+# Squares far smaller than a pixel, so that every sample is a toss of a coin.
+CHECKER = """LookAt 0 0 1  0 0 0  0 1 0
+Camera "perspective" "float fov" 60
+WorldBegin
+LightSource "infinite" "rgb L" [1 1 1]
+Texture "squares" "spectrum" "checkerboard" "float uscale" 1777 "float vscale" 1777
+  "rgb tex1" [.9 .9 .9] "rgb tex2" [.1 .1 .1]
+Material "diffuse" "texture reflectance" "squares"
+Shape "bilinearmesh" "point3 P" [-1 -1 0  1 -1 0  -1 1 0  1 1 0] "point2 uv" [0 0 1 0 0 1 1 1]
+"""
+
+
+def add_arguments(parser):
+    parser.add_argument("--quick", action="store_true", help="48x48, 2 seeds")
+    parser.add_argument("--seeds", type=int, help="pictures of each kind (8)")
+    parser.add_argument("--size", type=int, metavar="N", help="pixels a side (96)")
+
+
+def run(options):
+    from renders import Candela
+    out = options.out.resolve()
+    candela = Candela(options.program, out)
+    size = options.size or (48 if options.quick else 96)
+    seeds = range(1, 1 + (options.seeds or (2 if options.quick else 8)))
+    box = chosen_scenes.chosen(candela, out, ["cornell_box_diffuse"], ())["cornell_box_diffuse"]
+    checker = out / "checker.pbrt"
+    checker.write_text(CHECKER)
+    print("| picture | replicates | 16 spp | 64 spp |\n|---|---:|---:|---:|")
+    for name, scene, extra in (("Cornell box, direct light", box, {"max_depth": 1}),
+                               ("Cornell box", box, {"max_depth": "none"}),
+                               ("sub-pixel checker", pathlib.Path(checker), {"max_depth": 1})):
+        right = truth.reference(candela, name.replace(" ", "_").replace(",", ""), scene, size,
+                                256 if options.quick else 4096, **extra)
+        for replicates in (1, 4):
+            cells = [gain(candela, scene, right, seeds, size=f"{size}x{size}", spp=spp,
+                          replicates=replicates, **extra) for spp in (16, 64)]
+            print(f"| {name} | {replicates} | {cells[0]} | {cells[1]} |", flush=True)
+
+
+def gain(candela, scene, right, seeds, **options):
+    def relmse(sampler):
+        return [truth.measured(candela, scene, right, seed=seed, threads=1, adaptive="off",
+                               splitting=1, sampler=sampler, **options).relmse for seed in seeds]
+    plain, sobol = relmse("independent"), relmse("sobol")
+    ratios = sorted(p / s for p, s in zip(plain, sobol))
+    return (f"{statistics.fmean(plain) / statistics.fmean(sobol):.2f} "
+            f"({ratios[0]:.2f} to {ratios[-1]:.2f})")
