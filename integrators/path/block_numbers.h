@@ -25,8 +25,11 @@ class BlockNumbers {
   template <FeatureSet F>
   void draw_hit(const Scene& scene, const SamplerBlock& samplers, std::uint32_t bounce) {
     if (scene.light_sampler.has_table()) {
-      samplers.sample_1d(bounce, Dimension::LightChoice, light_choice_);
       samplers.sample_2d(bounce, Dimension::LightPoint, light_point_);
+      if (scene.light_sampler.has_few())
+        light_choice_ = light_point_.x;
+      else
+        samplers.sample_1d(bounce, Dimension::LightChoice, light_choice_);
     }
     if constexpr (F.media) {
       free_flight_ = {};
@@ -75,8 +78,11 @@ template <FeatureSet F>
 inline void draw_hit(const Scene& scene, const Sampler& sampler, std::uint32_t bounce,
                      StepNumbers& numbers) {
   if (scene.light_sampler.has_table()) {
-    numbers.light_choice = sampler.sample_1d_bits(bounce, Dimension::LightChoice);
-    numbers.light_point = sampler.sample_2d(bounce, Dimension::LightPoint);
+    const SobolPoint point = sampler.sample_2d_bits(bounce, Dimension::LightPoint);
+    numbers.light_point = {unit_float(point.x), unit_float(point.y)};
+    numbers.light_choice = scene.light_sampler.has_few()
+                               ? point.x
+                               : sampler.sample_1d_bits(bounce, Dimension::LightChoice);
   }
   if (F.textures && scene.features.mixes)
     numbers.material = sampler.sample_1d(bounce, Dimension::MaterialChoice);

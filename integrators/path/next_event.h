@@ -62,7 +62,8 @@ template <FeatureSet F, class A>
   return {contribution, light.shadow_ray};
 }
 
-// Of the light that is picked by power; `choice`: 32 random bits.
+// Of the light that is picked by power; `choice`: 32 random bits, where the lights are few those of
+// u.x.
 template <FeatureSet F, class A>
 [[nodiscard]] inline DirectLight picked_light(const PathContext<A>& context, std::uint32_t choice,
                                               Vec2f u, const SurfacePoint& point, const Bsdf& bsdf,
@@ -70,6 +71,7 @@ template <FeatureSet F, class A>
   const LightSampler& lights = context.scene.light_sampler;
   if (!lights.has_table()) return {};
   LightPick pick = lights.pick(choice);
+  if (lights.has_few()) u.x = pick.rest;
   return sample_direct_light<F>(context, pick.light, u, pick.probability, point, bsdf, wo_local,
                                 counts);
 }

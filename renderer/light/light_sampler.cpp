@@ -34,6 +34,22 @@ LightSampler::LightSampler(std::span<const Light> lights, std::span<const double
   for (const std::uint32_t i : always_) weights[i] = 0;
   lift_dim_lights(weights);
   table_ = AliasTable(weights);
+  keep_few(weights);
+}
+
+// The same steps as the table's, so that its probabilities hold.
+void LightSampler::keep_few(std::span<const double> weights) {
+  constexpr std::uint64_t all = std::uint64_t{1} << 32;
+  constexpr std::uint64_t fewest_steps = 1u << 22;
+  if (table_.is_empty()) return;
+  std::uint64_t first = 0;
+  const std::vector<std::uint64_t> steps = proportional_steps(weights, all);
+  for (std::uint32_t i = 0; i < steps.size(); ++i) {
+    if (steps[i] == 0) continue;
+    if (steps[i] < fewest_steps) return few_.clear();
+    few_.push_back({static_cast<std::uint32_t>(first), i, 1 / static_cast<float>(steps[i])});
+    first += steps[i];
+  }
 }
 
 }  // namespace candela

@@ -3,8 +3,13 @@
 // With at most `delta_limit` delta lights each of them is sampled at every hit, and one more light
 // is picked by power among the rest (triangles, environment). With more delta lights all are picked
 // by power. Black lights are never picked, dim ones not less than every tenth of an equal share.
+//
+// Few lights are picked by inversion, neighbours side by side, and what is left of the number is
+// good for a place on the light: points that are well spread over [0, 1)^2 are then well spread
+// over all lights together, such as the two triangles of a lamp.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,6 +22,7 @@ namespace candela {
 struct LightPick {
   std::uint32_t light = 0;
   float probability = 0;  // > 0
+  float rest = 0;         // of the number that chose, in [0, 1): see has_few()
 };
 
 class LightSampler {
@@ -33,8 +39,12 @@ class LightSampler {
   // False where only `always` has lights, or nothing has.
   [[nodiscard]] bool has_table() const { return !table_.is_empty(); }
 
+  // Whether pick() tells what is left of the number, 22 bits of it at least.
+  [[nodiscard]] bool has_few() const { return !few_.empty(); }
+
   // `bits`: 32 random bits (Sampler::sample_1d_bits). Only where has_table().
   [[nodiscard]] LightPick pick(std::uint32_t bits) const {
+    if (has_few()) return pick_of_few(bits);
     const std::uint32_t light = table_.pick(bits);
     return {light, table_.probability(light)};
   }
@@ -42,8 +52,29 @@ class LightSampler {
   [[nodiscard]] float probability(std::uint32_t light) const { return table_.probability(light); }
 
  private:
+  // The 32-bit numbers that pick a light: from `first` up to the next one's.
+  struct Range {
+    std::uint32_t first;
+    std::uint32_t light;
+    float inverse_width;
+  };
+
+  [[nodiscard]] LightPick pick_of_few(std::uint32_t bits) const {
+    std::size_t index = 0;
+    for (std::size_t length = few_.size(); length > 1;) {
+      const std::size_t half = length / 2;
+      index += few_[index + half].first <= bits ? half : 0;
+      length -= half;
+    }
+    const Range& range = few_[index];
+    const float rest = static_cast<float>(bits - range.first) * range.inverse_width;
+    return {range.light, table_.probability(range.light), std::min(rest, one_minus_epsilon)};
+  }
+  void keep_few(std::span<const double> weights);
+
   std::vector<std::uint32_t> always_;
-  AliasTable table_;  // over all lights; weight 0 for those in `always`
+  AliasTable table_;        // over all lights; weight 0 for those in `always`
+  std::vector<Range> few_;  // of the lights in the table; empty where they are many
 };
 
 }  // namespace candela

@@ -40,9 +40,12 @@ class Sampler {
 
   // Both in [0, 1).
   [[nodiscard]] Vec2f sample_2d(std::uint32_t bounce, Dimension dimension) const {
-    const SobolPoint point =
-        scrambled_sobol_2d(reversed_index_, dimension_key(sequence_key_, bounce, dimension));
+    const SobolPoint point = sample_2d_bits(bounce, dimension);
     return {unit_float(point.x), unit_float(point.y)};
+  }
+  // As 32-bit fractions.
+  [[nodiscard]] SobolPoint sample_2d_bits(std::uint32_t bounce, Dimension dimension) const {
+    return scrambled_sobol_2d(reversed_index_, dimension_key(sequence_key_, bounce, dimension));
   }
   // In [0, 1).
   [[nodiscard]] float sample_1d(std::uint32_t bounce, Dimension dimension) const {

@@ -117,5 +117,42 @@ TEST(Statistical_LightSampler, FrequenciesFitTheProbabilities) {
   EXPECT_GT(statistics::chi_square_test(observed, expected).p_value, 1e-4);
 }
 
+// Evenly spaced numbers see each light's share, and what is left of them is even again.
+TEST(Unit_LightSampler, WhatIsLeftOfAFewLightsNumberIsUniform) {
+  const LightSampler sampler =
+      sampler_of({triangle_of(1), triangle_of(0), triangle_of(3), triangle_of(0.5)});
+  ASSERT_TRUE(sampler.has_few());
+  constexpr std::uint32_t count = 1u << 16, parts = 4;
+  std::array<std::array<int, parts>, 4> seen{};
+  float last = 0;
+  std::uint32_t last_light = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const LightPick pick = sampler.pick(i << 16);
+    EXPECT_EQ(pick.probability, sampler.probability(pick.light));
+    ASSERT_TRUE(pick.rest >= 0 && pick.rest < 1);
+    EXPECT_TRUE(pick.light > last_light || (pick.light == last_light && pick.rest >= last))
+        << "neighbours side by side";
+    ++seen[pick.light][static_cast<std::size_t>(pick.rest * parts)];
+    last = pick.rest;
+    last_light = pick.light;
+  }
+  for (std::uint32_t light = 0; light < 4; ++light)
+    for (const int part : seen[light])
+      EXPECT_NEAR(part, count * static_cast<double>(sampler.probability(light)) / parts, 1.5)
+          << light;
+}
+
+// A number that chooses among thousands has not enough left; nor has that of a light that is rarely
+// picked.
+TEST(Unit_LightSampler, OnlyFewLightsShareANumber) {
+  EXPECT_TRUE(sampler_of({triangle_of(1)}).has_few());
+  EXPECT_EQ(sampler_of({triangle_of(1)}).pick(0x80000000u).rest, 0.5f);
+  EXPECT_TRUE(sampler_of(std::vector<Light>(1000, triangle_of(1))).has_few());
+  EXPECT_FALSE(sampler_of(std::vector<Light>(1100, triangle_of(1))).has_few());
+  std::vector<Light> one_dim(200, triangle_of(1));
+  one_dim.push_back(triangle_of(1e-3f));
+  EXPECT_FALSE(sampler_of(one_dim).has_few());
+}
+
 }  // namespace
 }  // namespace candela
