@@ -27,8 +27,9 @@ Result<WrittenScene> write_pbrt(const description::SceneDescription& scene,
   MaterialWriter materials(context, textures);
   MediaWriter media(context);
   const std::string shapes = write_shapes(context, textures, materials, media);
-  const description::MediumHandle camera_medium =
-      scene.cameras.empty() ? description::MediumHandle() : scene.cameras.front().medium;
+  const description::MediumHandle camera_medium = options.camera < scene.cameras.size()
+                                                      ? scene.cameras[options.camera].medium
+                                                      : description::MediumHandle();
   const std::string around_camera = media.interface_of({{}, camera_medium});
   const std::string lights = write_lights(context, textures);
   written.text = "# Written by candela from a scene named " + stem_of(scene.path) +
