@@ -116,7 +116,7 @@ TEST(Errors_Validate, Lights) {
       error_of_light(description::TriangleLight{{Vec3d(0), Vec3d(1), Vec3d(2)}, Vec3d(1), false}),
       "a triangle light has no area");
   EXPECT_EQ(error_of_light(description::LatLongEnvironment{}),
-            "the image of an environment does not exist");
+            "the image of a light does not exist");
   EXPECT_EQ(error_of_light(description::SpotLight{Vec3d(0), Vec3d(0, -1, 0), Vec3d(1), 0.5, 0.25}),
             "the half angles of a spot light are 0.5 and 0.25, expected 0 <= inner <= outer <= pi");
   EXPECT_EQ(error_after([](auto& scene) {

@@ -3,12 +3,12 @@
 Box filter, no denoising, no clamping, no adaptive sampling, depth without limit against 100. Each
 renderer is measured against a long reference of its own, of other seeds, so that no difference
 between the two counts as an error of either; how far the references' means are apart is told
-beside. Time is of rendering alone. Cycles' CPU time is that of the call that renders, less what a
+beside. Neither states an error (`--replicates 1`). Time is of rendering alone. Cycles' CPU time is that of the call that renders, less what a
 picture of one sample costs (start-up, synchronization, file), in proportion to the other samples.
 Beside it Embree's tutorial path tracer, for speed at equal samples: it draws point lights only, ends
 paths early and writes 8 bits, so nothing is said of its error.
 
-With --all candela has its adaptive sampling, and Cycles the better, by its last point, of a fixed
+With --all candela has its replicates and its adaptive sampling, and Cycles the better, by its last point, of a fixed
 number of samples and of its noise threshold.
 """
 
@@ -137,8 +137,10 @@ class Bench:
         return points, [{"scene": name} | row for row in ratios_of(pairs, self.counts)]
 
     def our_ladder(self, file, right, seed):
+        # Cycles tells no error of a picture: without --all candela does not either.
         return [truth.measured(self.candela, file, right, size=f"{self.size}x{self.size}", spp=spp,
                                seed=seed, threads=self.threads,
+                               replicates=4 if self.with_all else 1,
                                adaptive="on" if self.with_all and spp >= PILOTS else "off")
                 for spp in self.counts]
 
