@@ -19,13 +19,15 @@ template <FeatureSet F, class A>
   const Hit& hit = block.split.hits[i];
   const Scene& scene = context.scene;
   if (!hit.is_hit() || context.max_depth == 0) return false;
-  const Material& material =
-      material_at<F>(scene, scene.geometries[hit.geometry], hit, numbers.material);
   Ray ray = block.split.camera_rays[i];
   Vec3f wo = -ray.direction;
-  SurfacePoint point = surface_point_at<F>(scene, hit, material, wo);
+  SurfacePoint point = met_point_at<F>(scene, hit, wo);
+  const Material& material =
+      material_at<F>(scene, scene.geometries[hit.geometry], point, numbers.material);
+  set_material_frame<F>(scene, material, wo, point);
   PathState path;
-  Bsdf bsdf = bsdf_at<F.models, F.textures>(material, scene.textures, point.uv, point.is_front);
+  Bsdf bsdf = bsdf_at<F.models, F.textures>(material, scene.textures, texture_point_of(point),
+                                            point.is_front);
   BsdfSample next = sample_direction<F>(context.options, numbers, bsdf, point.shading.to_local(wo));
   const bool goes_on = scatter(point, next, ray, path);
   block.paths[i] = path;

@@ -97,9 +97,10 @@ template <FeatureSet F, class A>
     return false;
   }
   const Geometry& geometry = scene.geometries[flight.hit.geometry];
-  const Material& material = material_at<F>(scene, geometry, flight.hit, numbers.material);
   Vec3f wo = -ray.direction;
-  SurfacePoint point = surface_point_at<F>(scene, flight.hit, material, wo);
+  SurfacePoint point = met_point_at<F>(scene, flight.hit, wo);
+  const Material& material = material_at<F>(scene, geometry, point, numbers.material);
+  set_material_frame<F>(scene, material, wo, point);
   if (geometry.is_emissive())
     add_emission<F>(scene, context.options, geometry, flight.hit, ray.direction, flight.distance,
                     path);

@@ -11,6 +11,7 @@
 #include "renderer/material/bsdf_at.h"
 #include "renderer/material/bump.h"
 #include "renderer/material/mixed_material.h"
+#include "renderer/material/texture_point_of.h"
 
 namespace candela {
 
@@ -80,29 +81,33 @@ inline void add_emission(const Scene& scene, const RenderOptions& options, const
 // The material that a hit meets: of mixtures the part that u in [0, 1) chooses.
 template <FeatureSet F>
 [[nodiscard]] inline const Material& material_at(const Scene& scene, const Geometry& geometry,
-                                                 const Hit& hit, float u) {
+                                                 const SurfacePoint& point, float u) {
   const Material& material = scene.materials[geometry.material.index];
   if constexpr (F.textures) {
     if (material.model == MaterialModel::Mix)
-      return material_of_mix(scene.materials, material, scene.textures,
-                             uv_at(geometry, hit.triangle, hit.u, hit.v), u);
+      return material_of_mix(scene.materials, material, scene.textures, texture_point_of(point), u);
   }
   return material;
 }
 
+// Without its shading frame, which is the material's.
 template <FeatureSet F>
-[[nodiscard]] inline SurfacePoint surface_point_at(const Scene& scene, const Hit& hit,
-                                                   const Material& material, const Vec3f& wo) {
-  const Geometry& geometry = scene.geometries[hit.geometry];
+[[nodiscard]] inline SurfacePoint met_point_at(const Scene& scene, const Hit& hit,
+                                               const Vec3f& wo) {
   const Instance* instance = nullptr;
   if constexpr (F.instances) {
     if (hit.is_instanced()) instance = &scene.instances[hit.instance];
   }
-  SurfacePoint point = make_surface_point(geometry, instance, hit, wo, F.textures);
+  return make_surface_point(scene.geometries[hit.geometry], instance, hit, wo, F.textures);
+}
+
+template <FeatureSet F>
+inline void set_material_frame(const Scene& scene, const Material& material, const Vec3f& wo,
+                               SurfacePoint& point) {
   if constexpr (F.textures) {
     if (has_bump(material)) {
-      point.front_normal = shading_normal_at(material, scene.textures, point.uv, point.front_normal,
-                                             point.dpdu, point.dpdv);
+      point.front_normal = shading_normal_at(material, scene.textures, texture_point_of(point),
+                                             point.front_normal, point.dpdu, point.dpdv);
       point.is_flat = false;
     }
   }
@@ -111,6 +116,13 @@ template <FeatureSet F>
     if (material.is_anisotropic)
       point.shading = frame_from_normal_and_tangent(point.shading.z, point.dpdu);
   }
+}
+
+template <FeatureSet F>
+[[nodiscard]] inline SurfacePoint surface_point_at(const Scene& scene, const Hit& hit,
+                                                   const Material& material, const Vec3f& wo) {
+  SurfacePoint point = met_point_at<F>(scene, hit, wo);
+  set_material_frame<F>(scene, material, wo, point);
   return point;
 }
 
@@ -122,7 +134,8 @@ template <FeatureSet F>
   const Geometry& geometry = scene.geometries[hit.geometry];
   Vec3f wo = -ray.direction;
   SurfacePoint point = surface_point_at<F>(scene, hit, material, wo);
-  Bsdf bsdf = bsdf_at<F.models, F.textures>(material, scene.textures, point.uv, point.is_front);
+  Bsdf bsdf = bsdf_at<F.models, F.textures>(material, scene.textures, texture_point_of(point),
+                                            point.is_front);
   record_first_hit(scene, camera, geometry, point, bsdf, point.shading.to_local(wo), sample);
 }
 
@@ -177,8 +190,8 @@ template <FeatureSet F, class A>
                                          const Material& material, const Vec3f& wo,
                                          MediaBeside<F> media, Ray& ray, PathState& path,
                                          DirectLight& picked, TileCounts& counts) {
-  Bsdf bsdf =
-      bsdf_at<F.models, F.textures>(material, context.scene.textures, point.uv, point.is_front);
+  Bsdf bsdf = bsdf_at<F.models, F.textures>(material, context.scene.textures,
+                                            texture_point_of(point), point.is_front);
   Vec3f wo_local = point.shading.to_local(wo);
   if (!is_only_delta<F.models>(bsdf) &&
       (!F.strategies || samples_lights(context.options.sampling))) {
@@ -226,9 +239,10 @@ template <FeatureSet F, class A>
     return false;
   }
   const Geometry& geometry = scene.geometries[hit.geometry];
-  const Material& material = material_at<F>(scene, geometry, hit, numbers.material);
   Vec3f wo = -ray.direction;
-  SurfacePoint point = surface_point_at<F>(scene, hit, material, wo);
+  SurfacePoint point = met_point_at<F>(scene, hit, wo);
+  const Material& material = material_at<F>(scene, geometry, point, numbers.material);
+  set_material_frame<F>(scene, material, wo, point);
   if (geometry.is_emissive())
     add_emission<F>(scene, context.options, geometry, hit, ray.direction, hit.t, path);
   if (bounce == 0 && context.options.aovs != 0)

@@ -105,7 +105,7 @@ template <class A>
     const Geometry& geometry = scene.geometries[hit.geometry];
     const Material& material = scene.materials[geometry.material.index];
     const SurfacePoint p = surface_point_at<general_features>(scene, hit, material, wo);
-    const Bsdf bsdf = bsdf_at(material, scene.textures, p.uv, p.is_front);
+    const Bsdf bsdf = bsdf_at(material, scene.textures, texture_point_of(p), p.is_front);
     const ReportPoint at{p, bsdf, p.shading.to_local(wo)};
     if (bounce == 0 && context.base.options.aovs != 0)
       record_first_hit(scene, context.base.camera, geometry, p, bsdf, at.wo, sample);

@@ -6,6 +6,7 @@
 #include "renderer/geometry/surface_point.h"
 #include "renderer/material/bump.h"
 #include "renderer/material/mixed_material.h"
+#include "renderer/material/texture_point_of.h"
 
 namespace candela {
 
@@ -42,18 +43,19 @@ struct LabPoint {
 [[nodiscard]] inline LabPoint lab_point_at(const Scene& scene, const LabRules& rules,
                                            const Hit& hit, const Vec3f& wo) {
   const Geometry& geometry = scene.geometries[hit.geometry];
-  const Material& worn = scene.materials[geometry.material.index];
-  const Material& material = greater_part_of_mix(scene.materials, worn, scene.textures,
-                                                 uv_at(geometry, hit.triangle, hit.u, hit.v));
   SurfacePoint place = lab_place(scene, hit, wo);
+  const Material& worn = scene.materials[geometry.material.index];
+  const Material& material =
+      greater_part_of_mix(scene.materials, worn, scene.textures, texture_point_of(place));
   if (rules.bump && has_bump(material)) {
-    place.front_normal = shading_normal_at(material, scene.textures, place.uv, place.front_normal,
-                                           place.dpdu, place.dpdv);
+    place.front_normal = shading_normal_at(material, scene.textures, texture_point_of(place),
+                                           place.front_normal, place.dpdu, place.dpdv);
     place.is_flat = false;
   }
   set_shading_frame(place, wo);
-  LabSurface surface = lab_surface_at(material, scene.textures, place.uv);
-  if (&worn != &material) surface.alpha = lab_alpha_at(worn, scene.textures, place.uv);
+  LabSurface surface = lab_surface_at(material, scene.textures, texture_point_of(place));
+  if (&worn != &material)
+    surface.alpha = lab_alpha_at(worn, scene.textures, texture_point_of(place));
   return {geometry, material, place, surface,
           rules.lab_normals ? interpolated_normal(scene, hit, place) : place.shading.z};
 }

@@ -52,8 +52,8 @@ template <class A>
 inline void lab_record_first(const LabContext<A>& context, const LabPoint& point, const Vec3f& wo,
                              FilmSample& sample) {
   if (sample.has_hit || context.options.aovs == 0 || point.surface.alpha < lab_hole_below) return;
-  const Bsdf bsdf =
-      bsdf_at(point.material, context.scene.textures, point.place.uv, point.place.is_front);
+  const Bsdf bsdf = bsdf_at(point.material, context.scene.textures, texture_point_of(point.place),
+                            point.place.is_front);
   record_first_hit(context.scene, context.camera, point.geometry, point.place, bsdf,
                    point.place.shading.to_local(wo), sample);
 }

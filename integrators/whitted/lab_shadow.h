@@ -23,7 +23,7 @@ namespace candela {
                                        const SurfacePoint& place) {
   if (hit.geometry == light.geometry) return true;
   const Material& material = scene.materials[scene.geometries[hit.geometry].material.index];
-  return lab_alpha_at(material, scene.textures, place.uv) < lab_hole_below;
+  return lab_alpha_at(material, scene.textures, texture_point_of(place)) < lab_hole_below;
 }
 
 // Steps through holes until a blocker or the light.

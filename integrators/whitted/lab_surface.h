@@ -29,10 +29,10 @@ struct LabSurface {
          material.model == MaterialModel::ThinDielectric;
 }
 
-// Coverage at uv as it is stored: no thresholds, no dice. Glass covers what it reflects.
+// Coverage as it is stored: no thresholds, no dice. Glass covers what it reflects.
 [[nodiscard]] inline float lab_alpha_at(const Material& material, const TextureStore& textures,
-                                        Vec2f uv) {
-  const float opacity = clamp_unit(scalar_at(material.opacity, textures, uv));
+                                        const TexturePoint& at) {
+  const float opacity = clamp_unit(scalar_at(material.opacity, textures, at));
   return is_glass(material) ? opacity * normal_reflectance(material.eta.x) : opacity;
 }
 
@@ -43,12 +43,13 @@ struct LabSurface {
 
 // lab3's own material, as it stands: mirrors get half of the highlight's colour.
 [[nodiscard]] inline LabSurface lab_material_at(const Material& material,
-                                                const TextureStore& textures, Vec2f uv) {
-  LabSurface surface{.kd = colour_at(material.diffuse, textures, uv),
+                                                const TextureStore& textures,
+                                                const TexturePoint& at) {
+  LabSurface surface{.kd = colour_at(material.diffuse, textures, at),
                      .ks = material.specular.constant,
                      .exponent = material.shininess};
   if (material.specular.texture) {
-    const Vec4f specular = textures.lookup(material.specular.texture, uv);
+    const Vec4f specular = textures.lookup_at(material.specular.texture, at);
     surface.ks = clamp_unit(Rgb(specular));
     surface.exponent = clamp_unit(specular.w) * 256;
   }
@@ -74,9 +75,10 @@ struct LabSurface {
 
 // All but the coverage.
 [[nodiscard]] inline LabSurface uncovered_surface_at(const Material& material,
-                                                     const TextureStore& textures, Vec2f uv) {
-  if (material.model == MaterialModel::Lab) return lab_material_at(material, textures, uv);
-  const Bsdf bsdf = bsdf_at(material, textures, uv, true);
+                                                     const TextureStore& textures,
+                                                     const TexturePoint& at) {
+  if (material.model == MaterialModel::Lab) return lab_material_at(material, textures, at);
+  const Bsdf bsdf = bsdf_at(material, textures, at, true);
   switch (bsdf.model) {
     case BsdfModel::Diffuse:
     case BsdfModel::Lab:
@@ -112,10 +114,11 @@ struct LabSurface {
 }
 
 [[nodiscard]] inline LabSurface lab_surface_at(const Material& material,
-                                               const TextureStore& textures, Vec2f uv) {
-  const float alpha = lab_alpha_at(material, textures, uv);
+                                               const TextureStore& textures,
+                                               const TexturePoint& at) {
+  const float alpha = lab_alpha_at(material, textures, at);
   if (alpha == 0 && !is_glass(material)) return {.alpha = 0};  // nothing of it shows
-  LabSurface surface = uncovered_surface_at(material, textures, uv);
+  LabSurface surface = uncovered_surface_at(material, textures, at);
   surface.alpha = alpha;
   return surface;
 }

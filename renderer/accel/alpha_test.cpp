@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "renderer/geometry/surface_point.h"
 #include "renderer/sampling/hash.h"
 
 namespace candela {
@@ -26,23 +27,43 @@ float uniform_of(const Vec3f& origin, const Vec3f& direction, std::uint32_t geom
   return unit_float(static_cast<std::uint32_t>(h >> 32));
 }
 
-float value_at(const TextureStore& textures, const ScalarParameter& opacity, Vec2f uv) {
+float value_at(const TextureStore& textures, const ScalarParameter& opacity,
+               const TexturePoint& at) {
   if (!opacity.texture) return opacity.constant;
-  return opacity.channel == alpha_channel ? textures.lookup_alpha(opacity.texture, uv)
-                                          : textures.lookup(opacity.texture, uv)[opacity.channel];
+  return opacity.channel == alpha_channel
+             ? textures.lookup_alpha_at(opacity.texture, at)
+             : textures.lookup_at(opacity.texture, at)[opacity.channel];
+}
+
+// What the grid knows without a look at the map.
+Coverage grid_coverage(const Scene& scene, const Material& material, Vec2f uv) {
+  if (!material.coverage_grid) return Coverage::Partial;
+  return scene.coverage_grids[material.coverage_grid.index].at(uv);
+}
+
+// Where the triangle is met, as the opacity looks at it.
+TexturePoint point_at(const Scene& scene, const Hit& hit, Vec2f uv,
+                      const ScalarParameter& opacity) {
+  if (!opacity.texture || !scene.textures.is_by_place(opacity.texture)) return {.uv = uv};
+  const Instance* instance = hit.is_instanced() ? &scene.instances[hit.instance] : nullptr;
+  const SurfacePoint met =
+      make_surface_point(scene.geometries[hit.geometry], instance, hit, Vec3f(0, 0, 1), false);
+  return {uv, met.position, met.geometric_normal};
+}
+
+float mapped_opacity_at(const Scene& scene, const Material& material, const TexturePoint& at) {
+  const float alpha = value_at(scene.textures, material.opacity, at);
+  const Coverage coverage = coverage_of_range(alpha, alpha, material.lab_opacity);
+  if (coverage != Coverage::Partial) return coverage == Coverage::Opaque ? 1 : 0;
+  return alpha;
 }
 
 }  // namespace
 
-float opacity_at(const Scene& scene, const Material& material, Vec2f uv) {
-  if (material.coverage_grid) {
-    const Coverage coverage = scene.coverage_grids[material.coverage_grid.index].at(uv);
-    if (coverage != Coverage::Partial) return coverage == Coverage::Opaque ? 1 : 0;
-  }
-  const float alpha = value_at(scene.textures, material.opacity, uv);
-  const Coverage coverage = coverage_of_range(alpha, alpha, material.lab_opacity);
+float opacity_at(const Scene& scene, const Material& material, const TexturePoint& at) {
+  const Coverage coverage = grid_coverage(scene, material, at.uv);
   if (coverage != Coverage::Partial) return coverage == Coverage::Opaque ? 1 : 0;
-  return alpha;
+  return mapped_opacity_at(scene, material, at);
 }
 
 bool is_transparent_at(const Scene& scene, std::uint32_t geometry, std::uint32_t triangle,
@@ -51,7 +72,12 @@ bool is_transparent_at(const Scene& scene, std::uint32_t geometry, std::uint32_t
   const Geometry& surface = scene.geometries[geometry];
   if (!surface.has_cutouts) return false;
   const Material& material = scene.materials[surface.material.index];
-  const float opacity = opacity_at(scene, material, uv_at(surface, triangle, u, v));
+  const Vec2f uv = uv_at(surface, triangle, u, v);
+  const Coverage coverage = grid_coverage(scene, material, uv);
+  if (coverage != Coverage::Partial) return coverage == Coverage::Clear;
+  const Hit hit{.u = u, .v = v, .geometry = geometry, .triangle = triangle, .instance = instance};
+  const float opacity =
+      mapped_opacity_at(scene, material, point_at(scene, hit, uv, material.opacity));
   if (opacity <= 0) return true;
   if (opacity >= 1) return false;
   return uniform_of(ray_origin, ray_direction, geometry, triangle, instance) >= opacity;

@@ -9,8 +9,9 @@
 
 namespace candela {
 
-// Coverage of a material at uv, in [0,1]; lab3's thresholds applied where the material asks.
-[[nodiscard]] float opacity_at(const Scene& scene, const Material& material, Vec2f uv);
+// Coverage of a material, in [0,1]; lab3's thresholds applied where the material asks.
+[[nodiscard]] float opacity_at(const Scene& scene, const Material& material,
+                               const TexturePoint& at);
 
 // Whether the ray passes through `triangle` of `geometry` at the barycentrics (u, v).
 // `instance`: as in Hit. Ray in world space, as given to the accelerator.

@@ -12,104 +12,18 @@
 
 #include "renderer/base/diagnostic.h"
 #include "renderer/base/handle.h"
+#include "renderer/description/texture_description.h"
 #include "renderer/math/transform.h"
 #include "renderer/math/vec.h"
 
 namespace candela::description {
 
-struct Image;
 struct Material;
 struct Medium;
 struct Mesh;
-struct Texture;
-using ImageHandle = Handle<Image>;
 using MaterialHandle = Handle<Material>;
 using MediumHandle = Handle<Medium>;
 using MeshHandle = Handle<Mesh>;
-using TextureHandle = Handle<Texture>;
-
-// How stored numbers become linear ones.
-enum class Encoding : std::uint8_t {
-  Linear,    // as stored (masks, heights, HDR)
-  Srgb,      // IEC 61966-2-1 a texel, before filtering
-  LabGamma,  // pow(v, 2.2) after filtering, as lab3's framework does (LAB3 section 4)
-};
-
-enum class Wrap : std::uint8_t { Repeat, Clamp, Mirror, Black };
-
-// An image file, not opened yet. Equal files with equal settings are one entry.
-struct Image {
-  std::string path;
-  Encoding encoding = Encoding::Linear;
-  Wrap wrap = Wrap::Repeat;
-  SourceSpan span;  // where the scene names it
-};
-
-// A factor, or a map or texture (one of the two) that replaces it.
-struct ColourInput {
-  Vec3d factor{1.0};
-  ImageHandle map;
-  TextureHandle texture{};
-};
-inline constexpr int alpha_or_first = -1;
-struct ScalarInput {
-  double factor = 1.0;
-  ImageHandle map;
-  int channel = 0;  // of the map; alpha_or_first: alpha where the file has one, else channel 0
-  TextureHandle texture{};
-};
-
-// --- textures: functions of the surface's uv, made of images, constants and each other ---
-
-// Where a texture looks: (u, v) * scale + offset.
-struct UvMapping {
-  Vec2d scale{1.0};
-  Vec2d offset{0.0};
-};
-
-// factor * texel, or 1 minus that (at least 0) where it is inverted.
-struct ImageTexture {
-  ImageHandle image;
-  UvMapping mapping;
-  double factor = 1.0;
-  bool is_inverted = false;
-};
-struct ProductTexture {
-  ColourInput first;
-  ColourInput second;
-};
-// (1 - amount) first + amount second, a channel.
-struct MixTexture {
-  ColourInput first;
-  ColourInput second;
-  ColourInput amount{Vec3d{0.5}, {}, {}};
-};
-// Unit squares, `even` on the one at the origin.
-struct CheckerboardTexture {
-  UvMapping mapping;
-  ColourInput even;
-  ColourInput odd{Vec3d{0.0}, {}, {}};
-};
-// Dots at random places: one in about half of the unit squares, wholly inside.
-struct DotsTexture {
-  UvMapping mapping;
-  ColourInput inside;
-  ColourInput outside{Vec3d{0.0}, {}, {}};
-};
-// Between the unit square's corners: v01 is at u = 0, v = 1. Beyond the square it goes on.
-struct BilinearTexture {
-  UvMapping mapping;
-  Vec3d v00{0.0}, v01{1.0}, v10{0.0}, v11{1.0};
-};
-
-// Inputs are textures that stand before this one in the list.
-struct Texture {
-  std::string name;
-  SourceSpan span;
-  std::variant<ImageTexture, ProductTexture, MixTexture, CheckerboardTexture, DotsTexture,
-               BilinearTexture>
-      kind;
-};
 
 // --- materials ---
 
@@ -233,7 +147,7 @@ struct Material {
   Vec3d emission{0.0};  // radiance; the geometric normal's side, or both
   bool emits_both_sides = false;
   ImageHandle emission_map{};          // a factor of the emission by place
-  TextureHandle emission_texture{};    // the same by a texture
+  TextureHandle emission_texture{};    // the same by a texture that looks at uv alone
   bool emission_is_maps_mean = false;  // white emission is the radiance where the map is as bright
                                        // as its texels' mean luminance
   ScalarInput opacity{1.0, {}, 0};     // coverage in [0,1]: the probability of a hit

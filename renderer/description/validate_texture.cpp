@@ -41,10 +41,21 @@ class Check {
     input(t.first);
     input(t.second);
   }
+  void operator()(const SquareRootTexture& t) { input(t.input); }
   void operator()(const MixTexture& t) {
     input(t.first);
     input(t.second);
     input(t.amount);
+  }
+  void operator()(const DirectionMixTexture& t) {
+    input(t.first);
+    input(t.second);
+    if (!(std::abs(length(t.direction) - 1) < 1e-6)) error("its direction is not of length 1");
+  }
+  void operator()(const SolidCheckerboardTexture& t) {
+    place(t.place_from_world);
+    input(t.even);
+    input(t.odd);
   }
   void operator()(const CheckerboardTexture& t) {
     mapping(t.mapping);
@@ -69,6 +80,12 @@ class Check {
   void mapping(const UvMapping& m) const {
     if (!is_finite_pair(m.scale) || !is_finite_pair(m.offset))
       error("its mapping has numbers that are not finite");
+    if (m.kind != MappingKind::Surface) place(m.place_from_world);
+  }
+  void place(const Transform& t) const {
+    if (!is_finite(t.linear[0]) || !is_finite(t.linear[1]) || !is_finite(t.linear[2]) ||
+        !is_finite(t.translation))
+      error("the transform of its places has numbers that are not finite");
   }
   void value(const Vec3d& v) const {
     for (int c = 0; c < 3; ++c)

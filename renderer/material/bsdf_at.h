@@ -17,15 +17,15 @@ namespace candela {
 
 template <bool textured = true>
 [[nodiscard]] inline Rgb colour_at(const ColourParameter& parameter, const TextureStore& textures,
-                                   Vec2f uv) {
+                                   const TexturePoint& at) {
   if (!textured || !parameter.texture) return parameter.constant;
-  return clamp_unit(Rgb(textures.lookup(parameter.texture, uv)));
+  return clamp_unit(Rgb(textures.lookup_at(parameter.texture, at)));
 }
 template <bool textured = true>
 [[nodiscard]] inline float scalar_at(const ScalarParameter& parameter, const TextureStore& textures,
-                                     Vec2f uv) {
+                                     const TexturePoint& at) {
   if (!textured || !parameter.texture) return parameter.constant;
-  return clamp_unit(textures.lookup(parameter.texture, uv)[parameter.channel]);
+  return clamp_unit(textures.lookup_at(parameter.texture, at)[parameter.channel]);
 }
 
 // Which models bsdf_at() can make of a material. Lab surfaces without a highlight are Lambert's.
@@ -82,15 +82,15 @@ inline void limit_reflectance(Rgb& diffuse, Rgb& specular) {
 
 template <bool textured>
 [[nodiscard]] inline Bsdf cook_torrance_at(const Material& material, const TextureStore& textures,
-                                           Vec2f uv) {
+                                           const TexturePoint& at) {
   Bsdf bsdf{.model = material.energy_compensation ? BsdfModel::CompensatedCookTorrance
                                                   : BsdfModel::CookTorrance,
             .fresnel = fresnel_term(material),
             .geometry = material.geometry == GeometryModel::Smith ? GeometryTerm::Smith
                                                                   : GeometryTerm::SchlickGgx,
-            .alpha = ggx_width(scalar_at<textured>(material.roughness, textures, uv)),
-            .diffuse = colour_at<textured>(material.diffuse, textures, uv),
-            .specular = colour_at<textured>(material.specular, textures, uv),
+            .alpha = ggx_width(scalar_at<textured>(material.roughness, textures, at)),
+            .diffuse = colour_at<textured>(material.diffuse, textures, at),
+            .specular = colour_at<textured>(material.specular, textures, at),
             .f0 = material.f0,
             .eta = material.eta,
             .k = material.k};
@@ -99,13 +99,14 @@ template <bool textured>
 }
 
 template <bool textured>
-[[nodiscard]] inline Bsdf lab_at(const Material& material, const TextureStore& textures, Vec2f uv) {
+[[nodiscard]] inline Bsdf lab_at(const Material& material, const TextureStore& textures,
+                                 const TexturePoint& at) {
   Bsdf bsdf{.model = BsdfModel::Lab,
             .alpha = material.roughness.constant,
-            .diffuse = colour_at<textured>(material.diffuse, textures, uv),
+            .diffuse = colour_at<textured>(material.diffuse, textures, at),
             .specular = material.specular.constant};
   if (textured && material.specular.texture) {
-    const Vec4f specular = textures.lookup(material.specular.texture, uv);
+    const Vec4f specular = textures.lookup_at(material.specular.texture, at);
     bsdf.specular = clamp_unit(Rgb(specular));
     bsdf.alpha = lab_width(clamp_unit(specular.w) * 256);
   }
@@ -124,9 +125,10 @@ struct MetalIndex {
 // k = 2 sqrt(r / (1 - r)).
 template <bool textured>
 [[nodiscard]] inline MetalIndex metal_index_at(const Material& material,
-                                               const TextureStore& textures, Vec2f uv) {
+                                               const TextureStore& textures,
+                                               const TexturePoint& at) {
   if (!textured || !material.specular.texture) return {material.eta, material.k};
-  Rgb r = glm::min(colour_at<textured>(material.specular, textures, uv),
+  Rgb r = glm::min(colour_at<textured>(material.specular, textures, at),
                    Rgb{largest_metal_reflectance});
   return {Rgb{1},
           {2 * std::sqrt(r.x / (1 - r.x)), 2 * std::sqrt(r.y / (1 - r.y)),
@@ -135,8 +137,8 @@ template <bool textured>
 
 template <bool textured>
 [[nodiscard]] inline Bsdf conductor_at(const Material& material, const TextureStore& textures,
-                                       Vec2f uv) {
-  const float alpha = scalar_at<textured>(material.roughness, textures, uv);
+                                       const TexturePoint& at) {
+  const float alpha = scalar_at<textured>(material.roughness, textures, at);
   if (material.energy_compensation && alpha >= smallest_ggx_width)
     return {.model = BsdfModel::CompensatedCookTorrance,
             .fresnel = FresnelTerm::Conductor,
@@ -146,7 +148,7 @@ template <bool textured>
             .f0 = material.f0,
             .eta = material.eta,
             .k = material.k};
-  MetalIndex metal = metal_index_at<textured>(material, textures, uv);
+  MetalIndex metal = metal_index_at<textured>(material, textures, at);
   return {.model = BsdfModel::Conductor,
           .is_smooth = !(alpha >= smallest_ggx_width),
           .alpha = ggx_width(alpha),
@@ -157,18 +159,19 @@ template <bool textured>
 // The smaller of two widths counts as at least the smallest where the larger one is rough.
 template <bool textured>
 [[nodiscard]] inline Vec2f widths_at(const Material& material, const TextureStore& textures,
-                                     Vec2f uv) {
-  const float along = scalar_at<textured>(material.roughness, textures, uv);
+                                     const TexturePoint& at) {
+  const float along = scalar_at<textured>(material.roughness, textures, at);
   if (!material.is_anisotropic) return {along, along};
-  return {along, scalar_at<textured>(material.roughness_across, textures, uv)};
+  return {along, scalar_at<textured>(material.roughness_across, textures, at)};
 }
 
 template <bool textured>
 [[nodiscard]] inline Bsdf anisotropic_conductor_at(const Material& material,
-                                                   const TextureStore& textures, Vec2f uv) {
-  const Vec2f widths = widths_at<textured>(material, textures, uv);
+                                                   const TextureStore& textures,
+                                                   const TexturePoint& at) {
+  const Vec2f widths = widths_at<textured>(material, textures, at);
   const bool is_smooth = !(std::max(widths.x, widths.y) >= smallest_ggx_width);
-  MetalIndex metal = metal_index_at<textured>(material, textures, uv);
+  MetalIndex metal = metal_index_at<textured>(material, textures, at);
   return {.model = is_smooth ? BsdfModel::Conductor : BsdfModel::AnisotropicConductor,
           .is_smooth = is_smooth,
           .alpha = ggx_width(widths.x),
@@ -179,10 +182,10 @@ template <bool textured>
 
 template <bool textured>
 [[nodiscard]] inline Bsdf anisotropic_dielectric_at(const Material& material,
-                                                    const TextureStore& textures, Vec2f uv,
-                                                    bool is_front_side) {
+                                                    const TextureStore& textures,
+                                                    const TexturePoint& at, bool is_front_side) {
   const float eta = is_front_side ? material.eta.x : 1 / material.eta.x;
-  const Vec2f widths = widths_at<textured>(material, textures, uv);
+  const Vec2f widths = widths_at<textured>(material, textures, at);
   const bool is_smooth = is_smooth_dielectric(std::max(widths.x, widths.y), eta);
   // What float can tell from smooth (is_smooth_dielectric()).
   const float least =
@@ -198,11 +201,11 @@ template <bool textured>
 
 template <bool textured>
 [[nodiscard]] inline Bsdf sheet_at(const Material& material, const TextureStore& textures,
-                                   Vec2f uv) {
+                                   const TexturePoint& at) {
   Bsdf bsdf{.model = BsdfModel::DiffuseTransmission,
-            .diffuse = colour_at<textured>(material.diffuse, textures, uv),
+            .diffuse = colour_at<textured>(material.diffuse, textures, at),
             .eta = Rgb{1},
-            .transmittance = colour_at<textured>(material.specular, textures, uv)};
+            .transmittance = colour_at<textured>(material.specular, textures, at)};
   limit_reflectance(bsdf.diffuse, bsdf.transmittance);
   return bsdf;
 }
@@ -210,20 +213,20 @@ template <bool textured>
 // Coats that float cannot tell from smooth are smooth: their width is 0.
 template <bool textured>
 [[nodiscard]] inline Vec2f coat_widths_at(const Material& material, const TextureStore& textures,
-                                          Vec2f uv) {
-  const Vec2f widths = widths_at<textured>(material, textures, uv);
+                                          const TexturePoint& at) {
+  const Vec2f widths = widths_at<textured>(material, textures, at);
   if (!(std::max(widths.x, widths.y) >= smallest_ggx_width)) return {0, 0};
   return ggx_width(widths);
 }
 
 template <bool textured>
 [[nodiscard]] inline Bsdf coated_diffuse_at(const Material& material, const TextureStore& textures,
-                                            Vec2f uv) {
-  const Vec2f widths = coat_widths_at<textured>(material, textures, uv);
+                                            const TexturePoint& at) {
+  const Vec2f widths = coat_widths_at<textured>(material, textures, at);
   return {.model = BsdfModel::CoatedDiffuse,
           .alpha = widths.x,
           .diffuse = coated_reflectance(*material.coat, std::sqrt(widths.x * widths.y),
-                                        colour_at<textured>(material.diffuse, textures, uv),
+                                        colour_at<textured>(material.diffuse, textures, at),
                                         material.coat_bounces),
           .alpha_across = widths.y,
           .coat = material.coat.get()};
@@ -231,10 +234,11 @@ template <bool textured>
 
 template <bool textured>
 [[nodiscard]] inline Bsdf coated_conductor_at(const Material& material,
-                                              const TextureStore& textures, Vec2f uv) {
-  const Vec2f coat = coat_widths_at<textured>(material, textures, uv);
-  const Vec2f metal{scalar_at<textured>(material.metal_roughness, textures, uv),
-                    scalar_at<textured>(material.metal_roughness_across, textures, uv)};
+                                              const TextureStore& textures,
+                                              const TexturePoint& at) {
+  const Vec2f coat = coat_widths_at<textured>(material, textures, at);
+  const Vec2f metal{scalar_at<textured>(material.metal_roughness, textures, at),
+                    scalar_at<textured>(material.metal_roughness_across, textures, at)};
   const float eta = material.coat->eta();
   const Vec2f widths{coated_metal_width(eta, coat.x, metal.x),
                      coated_metal_width(eta, coat.y, metal.y)};
@@ -252,9 +256,9 @@ template <bool textured>
 
 template <bool textured>
 [[nodiscard]] inline Bsdf dielectric_at(const Material& material, const TextureStore& textures,
-                                        Vec2f uv, bool is_front_side) {
+                                        const TexturePoint& at, bool is_front_side) {
   const float eta = is_front_side ? material.eta.x : 1 / material.eta.x;
-  const float alpha = scalar_at<textured>(material.roughness, textures, uv);
+  const float alpha = scalar_at<textured>(material.roughness, textures, at);
   return {.model = BsdfModel::Dielectric,
           .is_smooth = is_smooth_dielectric(alpha, eta),
           .alpha = ggx_width(alpha),
@@ -265,44 +269,44 @@ template <bool textured>
 // `is_front_side`: wo lies on the side that the geometric normal (of the file's winding) points to,
 // the outside of glass. Kernels pass the models that their scene has, and whether it has textures.
 template <ModelSet models = all_models, bool textured = true>
-[[nodiscard]] inline Bsdf bsdf_at(const Material& material, const TextureStore& textures, Vec2f uv,
-                                  bool is_front_side) {
+[[nodiscard]] inline Bsdf bsdf_at(const Material& material, const TextureStore& textures,
+                                  const TexturePoint& at, bool is_front_side) {
   if constexpr (models == model_bit(BsdfModel::Diffuse))
-    return {.diffuse = colour_at<textured>(material.diffuse, textures, uv)};
+    return {.diffuse = colour_at<textured>(material.diffuse, textures, at)};
   if constexpr (models == model_bit(BsdfModel::CookTorrance))
-    return cook_torrance_at<textured>(material, textures, uv);
+    return cook_torrance_at<textured>(material, textures, at);
   constexpr auto has = [](BsdfModel model) { return (models & model_bit(model)) != 0; };
   constexpr bool has_compensated = has(BsdfModel::CompensatedCookTorrance);
   switch (material.model) {
     case MaterialModel::Diffuse:
       return {.model = BsdfModel::Diffuse,
-              .diffuse = colour_at<textured>(material.diffuse, textures, uv)};
+              .diffuse = colour_at<textured>(material.diffuse, textures, at)};
     case MaterialModel::CookTorrance:
       if constexpr (has(BsdfModel::CookTorrance) || has_compensated)
-        return cook_torrance_at<textured>(material, textures, uv);
+        return cook_torrance_at<textured>(material, textures, at);
       break;
     case MaterialModel::Lab:
-      return lab_at<textured>(material, textures, uv);
+      return lab_at<textured>(material, textures, at);
     case MaterialModel::Mirror:
       if constexpr (has(BsdfModel::Mirror))
         return {.model = BsdfModel::Mirror,
-                .diffuse = colour_at<textured>(material.diffuse, textures, uv)};
+                .diffuse = colour_at<textured>(material.diffuse, textures, at)};
       break;
     case MaterialModel::Conductor:
       if constexpr (has(BsdfModel::AnisotropicConductor)) {
         if (material.is_anisotropic)
-          return anisotropic_conductor_at<textured>(material, textures, uv);
+          return anisotropic_conductor_at<textured>(material, textures, at);
       }
       if constexpr (has(BsdfModel::Conductor) || has_compensated)
-        return conductor_at<textured>(material, textures, uv);
+        return conductor_at<textured>(material, textures, at);
       break;
     case MaterialModel::Dielectric:
       if constexpr (has(BsdfModel::AnisotropicDielectric)) {
         if (material.is_anisotropic)
-          return anisotropic_dielectric_at<textured>(material, textures, uv, is_front_side);
+          return anisotropic_dielectric_at<textured>(material, textures, at, is_front_side);
       }
       if constexpr (has(BsdfModel::Dielectric))
-        return dielectric_at<textured>(material, textures, uv, is_front_side);
+        return dielectric_at<textured>(material, textures, at, is_front_side);
       break;
     case MaterialModel::ThinDielectric:
       if constexpr (has(BsdfModel::ThinDielectric))
@@ -312,15 +316,15 @@ template <ModelSet models = all_models, bool textured = true>
       break;
     case MaterialModel::DiffuseTransmission:
       if constexpr (has(BsdfModel::DiffuseTransmission))
-        return sheet_at<textured>(material, textures, uv);
+        return sheet_at<textured>(material, textures, at);
       break;
     case MaterialModel::CoatedDiffuse:
       if constexpr (has(BsdfModel::CoatedDiffuse))
-        return coated_diffuse_at<textured>(material, textures, uv);
+        return coated_diffuse_at<textured>(material, textures, at);
       break;
     case MaterialModel::CoatedConductor:
       if constexpr (has(BsdfModel::CoatedConductor))
-        return coated_conductor_at<textured>(material, textures, uv);
+        return coated_conductor_at<textured>(material, textures, at);
       break;
     case MaterialModel::Mix:  // its parts have bsdfs
       break;

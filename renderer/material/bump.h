@@ -44,16 +44,25 @@ inline constexpr float smallest_uv_shear = 1e-5f;
 }
 
 // (dh/du, dh/dv) of a height map by central differences over one texel, which are continuous where
-// forward differences of a bilinear map jump.
-[[nodiscard]] inline Vec2f height_slope(const TextureStore& textures, TextureHandle map, Vec2f uv) {
+// forward differences of a bilinear map jump. Maps by place are moved along the surface.
+[[nodiscard]] inline Vec2f height_slope(const TextureStore& textures, TextureHandle map,
+                                        const TexturePoint& at, const Vec3f& dp_du,
+                                        const Vec3f& dp_dv) {
   const TextureInfo& info = textures.info(map);
   const auto width = static_cast<float>(info.width);
   const auto height = static_cast<float>(info.height);
   if (!(width > 0) || !(height > 0)) return {0, 0};
-  const Vec2f du{0.5f / width, 0};
-  const Vec2f dv{0, 0.5f / height};
-  return {(textures.lookup(map, uv + du).x - textures.lookup(map, uv - du).x) * width,
-          (textures.lookup(map, uv + dv).x - textures.lookup(map, uv - dv).x) * height};
+  const float du = 0.5f / width;
+  const float dv = 0.5f / height;
+  const bool is_by_place = textures.is_by_place(map);
+  const auto height_at = [&](float u, float v) {
+    if (!is_by_place) return textures.lookup(map, at.uv + Vec2f(u, v)).x;
+    return textures
+        .lookup_at(map, {at.uv + Vec2f(u, v), at.position + dp_du * u + dp_dv * v, at.normal})
+        .x;
+  };
+  return {(height_at(du, 0) - height_at(-du, 0)) * width,
+          (height_at(0, dv) - height_at(0, -dv)) * height};
 }
 
 // A tangent-space normal encoded as (n + 1) / 2: x along u, y along v (up in the picture), z along
@@ -74,17 +83,19 @@ inline constexpr float smallest_uv_shear = 1e-5f;
   return material.height.is_valid() || material.normal_map.is_valid();
 }
 
-// The material's normal at uv: the normal map's first, the height map's on top of it. `n` is the
-// shading normal on the front side; dp/du and dp/dv in the same space as n.
+// The material's normal at a point: the normal map's first, the height map's on top of it. `n` is
+// the shading normal on the front side; dp/du and dp/dv in the same space as n.
 [[nodiscard]] inline Vec3f shading_normal_at(const Material& material, const TextureStore& textures,
-                                             Vec2f uv, const Vec3f& n, const Vec3f& dp_du,
-                                             const Vec3f& dp_dv) {
+                                             const TexturePoint& at, const Vec3f& n,
+                                             const Vec3f& dp_du, const Vec3f& dp_dv) {
   Vec3f normal = n;
   if (material.normal_map)
-    normal = mapped_normal(normal, dp_du, dp_dv, Vec3f(textures.lookup(material.normal_map, uv)));
+    normal =
+        mapped_normal(normal, dp_du, dp_dv, Vec3f(textures.lookup_at(material.normal_map, at)));
   if (material.height)
-    normal = bump_normal(normal, dp_du, dp_dv, height_slope(textures, material.height, uv),
-                         material.height_scale);
+    normal =
+        bump_normal(normal, dp_du, dp_dv, height_slope(textures, material.height, at, dp_du, dp_dv),
+                    material.height_scale);
   return normal;
 }
 

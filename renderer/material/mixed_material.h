@@ -12,12 +12,12 @@ namespace candela {
 // of u after a choice is uniform again. A material that is no mixture is its own part.
 [[nodiscard]] inline const Material& material_of_mix(const std::vector<Material>& materials,
                                                      const Material& mix,
-                                                     const TextureStore& textures, Vec2f uv,
-                                                     float u) {
+                                                     const TextureStore& textures,
+                                                     const TexturePoint& at, float u) {
   constexpr float below_one = 1 - 0x1p-24f;
   const Material* part = &mix;
   while (part->model == MaterialModel::Mix) {
-    const float amount = scalar_at(part->amount, textures, uv);
+    const float amount = scalar_at(part->amount, textures, at);
     const bool is_second = u < amount;
     u = std::min(is_second ? u / amount : (u - amount) / (1 - amount), below_one);
     part = &materials[part->parts[is_second ? 1 : 0].index];
@@ -28,10 +28,11 @@ namespace candela {
 // For integrators without random numbers: the part that is there more often.
 [[nodiscard]] inline const Material& greater_part_of_mix(const std::vector<Material>& materials,
                                                          const Material& mix,
-                                                         const TextureStore& textures, Vec2f uv) {
+                                                         const TextureStore& textures,
+                                                         const TexturePoint& at) {
   const Material* part = &mix;
   while (part->model == MaterialModel::Mix)
-    part = &materials[part->parts[scalar_at(part->amount, textures, uv) > 0.5f ? 1 : 0].index];
+    part = &materials[part->parts[scalar_at(part->amount, textures, at) > 0.5f ? 1 : 0].index];
   return *part;
 }
 

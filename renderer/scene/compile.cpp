@@ -24,7 +24,9 @@ void compile_materials(const SceneDescription& description, const CompileOptions
                        const std::vector<bool>& used, Scene& scene, DropCounts& dropped,
                        Diagnostics& diagnostics) {
   CoatTables coats;
-  TextureCompiler textures(description, scene.textures, diagnostics);
+  const Normalisation& n = scene.normalisation;
+  TextureCompiler textures(description, scene.textures, diagnostics,
+                           {Mat3d(1 / n.scale), n.centre});
   for (std::size_t i = 0; i < description.materials.size(); ++i) {
     const description::Material& material = description.materials[i];
     scene.material_names.push_back(material.name);

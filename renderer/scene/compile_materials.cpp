@@ -187,7 +187,7 @@ struct ModelCompiler {
                                              &out.metal_roughness, &out.metal_roughness_across};
     for (const ScalarParameter* const width : widths)
       if (width->texture) return;
-    Bsdf bsdf = bsdf_at(out, texture.store(), Vec2f(0), true);
+    Bsdf bsdf = bsdf_at(out, texture.store(), {}, true);
     if (bsdf.is_smooth) return;
     const auto mean = [](float a, float b) { return std::sqrt(a * b); };
     const CoatedMetalLayers layers{

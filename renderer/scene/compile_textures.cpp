@@ -9,18 +9,19 @@ Vec4f constant_of(const Vec3d& value) {
   return {Vec3f(value), 1};
 }
 
-void set_mapping(const description::UvMapping& mapping, Procedural& out) {
-  out.uv_scale = Vec2f(mapping.scale);
-  out.uv_offset = Vec2f(mapping.offset);
+PlaceMap place_map(const Transform& place_from_world, const Transform& world_from_normalised) {
+  const Transform t = place_from_world * world_from_normalised;
+  return {Vec3f(t.linear[0]), Vec3f(t.linear[1]), Vec3f(t.linear[2]), Vec3f(t.translation)};
 }
 
 bool is_identity(const description::UvMapping& mapping) {
-  return mapping.scale == Vec2d(1.0) && mapping.offset == Vec2d(0.0);
+  return mapping.scale == Vec2d(1.0) && mapping.offset == Vec2d(0.0) &&
+         mapping.kind == description::MappingKind::Surface;
 }
 
 bool is_pattern(const Procedural& p) {
   return p.kind == ProceduralKind::Checkerboard || p.kind == ProceduralKind::Dots ||
-         p.kind == ProceduralKind::Bilinear;
+         p.kind == ProceduralKind::Bilinear || p.is_by_place();
 }
 
 struct Builder {
@@ -34,9 +35,22 @@ struct Builder {
     out.inputs[0].texture = compile.image(t.image);
     return out;
   }
+  Procedural operator()(const description::DirectionMixTexture& t) const {
+    return {.kind = ProceduralKind::DirectionMix,
+            .direction = Vec3f(t.direction),
+            .inputs = {compile.input(t.first), compile.input(t.second)}};
+  }
+  Procedural operator()(const description::SolidCheckerboardTexture& t) const {
+    return {.kind = ProceduralKind::SolidCheckerboard,
+            .place = place_map(t.place_from_world, compile.world_from_normalised()),
+            .inputs = {compile.input(t.even), compile.input(t.odd)}};
+  }
   Procedural operator()(const description::ProductTexture& t) const {
     return {.kind = ProceduralKind::Product,
             .inputs = {compile.input(t.first), compile.input(t.second)}};
+  }
+  Procedural operator()(const description::SquareRootTexture& t) const {
+    return {.kind = ProceduralKind::SquareRoot, .inputs = {compile.input(t.input)}};
   }
   Procedural operator()(const description::MixTexture& t) const {
     return {.kind = ProceduralKind::Mix,
@@ -60,6 +74,15 @@ struct Builder {
     const Vec3d* const corners[] = {&t.v00, &t.v01, &t.v10, &t.v11};
     for (std::size_t i = 0; i < 4; ++i) out.inputs[i].constant = constant_of(*corners[i]);
     return out;
+  }
+
+ private:
+  void set_mapping(const description::UvMapping& mapping, Procedural& out) const {
+    out.uv_scale = Vec2f(mapping.scale);
+    out.uv_offset = Vec2f(mapping.offset);
+    out.mapping = mapping.kind;
+    if (mapping.kind != description::MappingKind::Surface)
+      out.place = place_map(mapping.place_from_world, compile.world_from_normalised());
   }
 };
 
@@ -88,7 +111,7 @@ TextureValue TextureCompiler::added(const Procedural& procedural) {
       is_pattern(procedural) ||
       std::any_of(procedural.inputs.begin(), procedural.inputs.end(),
                   [](const TextureValue& input) { return input.texture.is_valid(); });
-  if (!varies) return {evaluate_procedural(procedural, store_, Vec2f(0)), {}};
+  if (!varies) return {evaluate_procedural(procedural, store_, {}), {}};
   return {Vec4f(1), store_.add(procedural)};
 }
 

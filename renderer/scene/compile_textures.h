@@ -13,15 +13,21 @@ namespace candela {
 
 class TextureCompiler {
  public:
-  // All must outlive it. The scene was validated.
+  // `world_from_normalised`: of the scene that is compiled. All must outlive it. The scene was
+  // validated.
   TextureCompiler(const description::SceneDescription& scene, TextureStore& store,
-                  Diagnostics& diagnostics)
-      : scene_(scene), store_(store), diagnostics_(diagnostics), compiled_(scene.textures.size()) {}
+                  Diagnostics& diagnostics, const Transform& world_from_normalised = {})
+      : scene_(scene),
+        store_(store),
+        diagnostics_(diagnostics),
+        world_from_normalised_(world_from_normalised),
+        compiled_(scene.textures.size()) {}
 
   [[nodiscard]] TextureStore& store() const { return store_; }
   // Invalid for an invalid handle.
   [[nodiscard]] TextureHandle image(description::ImageHandle image);
   [[nodiscard]] TextureValue texture(description::TextureHandle texture);
+  [[nodiscard]] const Transform& world_from_normalised() const { return world_from_normalised_; }
   // A constant, an image or a texture.
   [[nodiscard]] TextureValue input(const description::ColourInput& input);
 
@@ -31,6 +37,7 @@ class TextureCompiler {
   const description::SceneDescription& scene_;
   TextureStore& store_;
   Diagnostics& diagnostics_;
+  Transform world_from_normalised_;
   std::vector<std::optional<TextureValue>> compiled_;
 };
 

@@ -3,6 +3,8 @@
 #include <bit>
 #include <cmath>
 
+#include "renderer/math/constants.h"
+#include "renderer/math/transcendental.h"
 #include "renderer/sampling/hash.h"
 #include "renderer/texture/texture.h"
 
@@ -13,8 +15,35 @@ float finite_or_zero(float x) {
   return std::isfinite(x) ? x : 0.0f;
 }
 
-Vec4f value_of(const TextureValue& input, const TextureStore& textures, Vec2f uv) {
-  return input.texture ? textures.lookup(input.texture, uv) : input.constant;
+Vec4f value_of(const TextureValue& input, const TextureStore& textures, const TexturePoint& at) {
+  return input.texture ? textures.lookup_at(input.texture, at) : input.constant;
+}
+
+// u and v of a place, by its direction from the origin where they are angles.
+Vec2f uv_of_place(description::MappingKind mapping, const Vec3f& p) {
+  constexpr float inverse_two_pi = 0.5f * inverse_pi;
+  switch (mapping) {
+    case description::MappingKind::Surface:
+    case description::MappingKind::Planar:
+      break;
+    case description::MappingKind::Spherical: {
+      const float about = arc_tangent(p.y, p.x) * inverse_two_pi;
+      return {arc_tangent(std::sqrt(p.x * p.x + p.y * p.y), p.z) * inverse_pi,
+              about < 0 ? about + 1 : about};
+    }
+    case description::MappingKind::Cylindrical:
+      return {0.5f + arc_tangent(p.y, p.x) * inverse_two_pi, p.z};
+  }
+  return {p.x, p.y};
+}
+
+// Where a texture looks of its own.
+Vec2f place_in(const Procedural& p, const TexturePoint& at) {
+  const Vec2f uv = p.mapping == description::MappingKind::Surface
+                       ? at.uv
+                       : uv_of_place(p.mapping, p.place(at.position));
+  const Vec2f moved = uv * p.uv_scale + p.uv_offset;
+  return {finite_or_zero(moved.x), finite_or_zero(moved.y)};
 }
 
 Vec4f image_value(const Procedural& p, const Vec4f& texel) {
@@ -33,6 +62,12 @@ bool is_odd(float whole) {
 
 bool is_on_odd_square(Vec2f place) {
   return is_odd(std::floor(place.x)) != is_odd(std::floor(place.y));
+}
+
+bool is_in_odd_cube(const Vec3f& place) {
+  return is_odd(std::floor(finite_or_zero(place.x))) !=
+         (is_odd(std::floor(finite_or_zero(place.y))) !=
+          is_odd(std::floor(finite_or_zero(place.z))));
 }
 
 // A dot of radius 0.35 in every other cell by chance, moved so that it stays within its cell.
@@ -60,26 +95,39 @@ Vec4f bilinear(const std::array<TextureValue, 4>& corners, Vec2f at) {
 
 }  // namespace
 
-Vec4f evaluate_procedural(const Procedural& procedural, const TextureStore& textures, Vec2f uv) {
+Vec4f evaluate_procedural(const Procedural& procedural, const TextureStore& textures,
+                          const TexturePoint& at) {
   const std::array<TextureValue, 4>& inputs = procedural.inputs;
-  const Vec2f moved = uv * procedural.uv_scale + procedural.uv_offset;
-  const Vec2f place{finite_or_zero(moved.x), finite_or_zero(moved.y)};
+  const auto mixed = [&](const Vec4f& amount, std::size_t from, std::size_t to) {
+    return (Vec4f(1) - amount) * value_of(inputs[from], textures, at) +
+           amount * value_of(inputs[to], textures, at);
+  };
   switch (procedural.kind) {
-    case ProceduralKind::Image:
-      return image_value(procedural, value_of(inputs[0], textures, place));
+    case ProceduralKind::Image: {
+      TexturePoint there = at;
+      there.uv = place_in(procedural, at);
+      return image_value(procedural, value_of(inputs[0], textures, there));
+    }
     case ProceduralKind::Product:
-      return value_of(inputs[0], textures, uv) * value_of(inputs[1], textures, uv);
-    case ProceduralKind::Mix: {
-      const Vec4f amount = value_of(inputs[2], textures, uv);
-      return (Vec4f(1) - amount) * value_of(inputs[0], textures, uv) +
-             amount * value_of(inputs[1], textures, uv);
+      return value_of(inputs[0], textures, at) * value_of(inputs[1], textures, at);
+    case ProceduralKind::SquareRoot: {
+      const Vec4f value = glm::max(value_of(inputs[0], textures, at), Vec4f(0));
+      return {std::sqrt(value.x), std::sqrt(value.y), std::sqrt(value.z), value.w};
+    }
+    case ProceduralKind::Mix:
+      return mixed(value_of(inputs[2], textures, at), 0, 1);
+    case ProceduralKind::DirectionMix: {
+      const float cosine = std::abs(dot(at.normal, procedural.direction));
+      return mixed(Vec4f(std::min(cosine, 1.0f)), 1, 0);
     }
     case ProceduralKind::Checkerboard:
-      return value_of(inputs[is_on_odd_square(place) ? 1 : 0], textures, uv);
+      return value_of(inputs[is_on_odd_square(place_in(procedural, at)) ? 1 : 0], textures, at);
+    case ProceduralKind::SolidCheckerboard:
+      return value_of(inputs[is_in_odd_cube(procedural.place(at.position)) ? 1 : 0], textures, at);
     case ProceduralKind::Dots:
-      return value_of(inputs[is_in_dot(place) ? 0 : 1], textures, uv);
+      return value_of(inputs[is_in_dot(place_in(procedural, at)) ? 0 : 1], textures, at);
     case ProceduralKind::Bilinear:
-      return bilinear(inputs, place);
+      return bilinear(inputs, place_in(procedural, at));
   }
   return Vec4f(0);
 }

@@ -58,23 +58,34 @@ class Texture {
     return filters_.all(view_, {{column, column, 0}, {row, row, 0}});
   }
 
-  // Inputs of procedural textures are in `store`.
-  [[nodiscard]] Vec4f lookup(const TextureStore& store, Vec2f uv) {
+  // Inputs of procedural textures are in `store`. `at`: all of the point, or null where only uv is
+  // known.
+  [[nodiscard]] Vec4f lookup(const TextureStore& store, Vec2f uv, const TexturePoint* at) {
     if (!is_ready_.load(std::memory_order_acquire)) prepare();
-    if (is_special_) return special(store, uv);
+    if (is_special_) return special(store, uv, at);
     return filters_.all(view_, footprint_of(uv, view_.width, view_.height, wrap_));
   }
 
-  [[nodiscard]] float lookup_alpha(const TextureStore& store, Vec2f uv) {
+  [[nodiscard]] float lookup_alpha(const TextureStore& store, Vec2f uv, const TexturePoint* at) {
     if (!is_ready_.load(std::memory_order_acquire)) prepare();
-    if (is_special_) return special(store, uv).w;
+    if (is_special_) return special(store, uv, at).w;
     return filters_.alpha(view_, footprint_of(uv, view_.width, view_.height, wrap_));
+  }
+
+  [[nodiscard]] bool is_by_place(const TextureStore& store) const {
+    if (!procedural_) return false;
+    return procedural_->is_by_place() ||
+           std::any_of(procedural_->inputs.begin(), procedural_->inputs.end(),
+                       [&](const TextureValue& input) {
+                         return input.texture && store.is_by_place(input.texture);
+                       });
   }
 
  private:
   // Of what is no image of several texels.
-  [[nodiscard]] Vec4f special(const TextureStore& store, Vec2f uv) const {
-    return procedural_ ? evaluate_procedural(*procedural_, store, uv) : constant_;
+  [[nodiscard]] Vec4f special(const TextureStore& store, Vec2f uv, const TexturePoint* at) const {
+    if (!procedural_) return constant_;
+    return evaluate_procedural(*procedural_, store, at != nullptr ? *at : TexturePoint{.uv = uv});
   }
   void prepare() {
     std::call_once(prepare_once_, [this] {
@@ -133,8 +144,8 @@ namespace {
 
 // As fine as the finest of its inputs, where it looks at them.
 TextureInfo info_of(const Procedural& procedural, const TextureStore& textures) {
-  const bool is_pattern =
-      procedural.kind == ProceduralKind::Checkerboard || procedural.kind == ProceduralKind::Dots;
+  const bool is_pattern = procedural.kind == ProceduralKind::Checkerboard ||
+                          procedural.kind == ProceduralKind::Dots || procedural.is_by_place();
   constexpr float pattern_size = 1024;  // patterns have edges that no texel is fine enough for
   Vec2f size(is_pattern ? pattern_size : 1.0f);
   for (const TextureValue& input : procedural.inputs) {
@@ -159,11 +170,23 @@ bool TextureStore::is_image(TextureHandle texture) const {
 }
 
 Vec4f TextureStore::lookup(TextureHandle texture, Vec2f uv) const {
-  return textures_[texture.index]->lookup(*this, uv);
+  return textures_[texture.index]->lookup(*this, uv, nullptr);
 }
 
 float TextureStore::lookup_alpha(TextureHandle texture, Vec2f uv) const {
-  return textures_[texture.index]->lookup_alpha(*this, uv);
+  return textures_[texture.index]->lookup_alpha(*this, uv, nullptr);
+}
+
+Vec4f TextureStore::lookup_at(TextureHandle texture, const TexturePoint& at) const {
+  return textures_[texture.index]->lookup(*this, at.uv, &at);
+}
+
+float TextureStore::lookup_alpha_at(TextureHandle texture, const TexturePoint& at) const {
+  return textures_[texture.index]->lookup_alpha(*this, at.uv, &at);
+}
+
+bool TextureStore::is_by_place(TextureHandle texture) const {
+  return textures_[texture.index]->is_by_place(*this);
 }
 
 Vec4f TextureStore::texel(TextureHandle texture, int x, int y) const {

@@ -61,6 +61,11 @@ class TextureStore {
   [[nodiscard]] Vec4f lookup(TextureHandle texture, Vec2f uv) const;
   // lookup().w, without the work for colour.
   [[nodiscard]] float lookup_alpha(TextureHandle texture, Vec2f uv) const;
+  // The same of textures that may look at more than uv.
+  [[nodiscard]] Vec4f lookup_at(TextureHandle texture, const TexturePoint& at) const;
+  [[nodiscard]] float lookup_alpha_at(TextureHandle texture, const TexturePoint& at) const;
+  // Whether it does.
+  [[nodiscard]] bool is_by_place(TextureHandle texture) const;
   // One texel of an image, decoded to linear; row 0 is the file's first, 0 <= x < width, 0 <= y <
   // height. For tables that are built over all texels (environment maps), not for kernels.
   [[nodiscard]] Vec4f texel(TextureHandle texture, int x, int y) const;

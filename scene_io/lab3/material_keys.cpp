@@ -12,9 +12,9 @@ namespace {
 
 using Keys = std::vector<std::string_view>;
 
-constexpr std::string_view common_keys[] = {"Name",     "Type",       "Blend",       "Emission",
-                                            "TwoSided", "opacity",    "opacity_map", "HeightMap",
-                                            "bump_map", "bump_scale", "normal_map"};
+constexpr std::string_view common_keys[] = {"Name",        "Type",     "Blend",      "Emission",
+                                            "EmissionMap", "TwoSided", "opacity",    "opacity_map",
+                                            "HeightMap",   "bump_map", "bump_scale", "normal_map"};
 constexpr std::string_view lab_keys[] = {
     "Diffuse",  "Albedo",    "BaseColor",  "DiffuseMap", "AlbedoMap",   "BaseColorMap", "Specular",
     "Metallic", "Shininess", "Glossiness", "Smoothness", "SpecularMap", "MetallicMap"};

@@ -53,10 +53,15 @@ Fields::Hint hint_of(MaterialType type) {
 }
 
 void read_emission(Reader& reader, const Fields& fields, description::Material& material) {
-  material.emission = fields.colour("Emission", not_negative).value_or(Vec3d(0.0));
+  const Entry* map = fields.find("EmissionMap");
+  material.emission = fields.colour("Emission", not_negative).value_or(Vec3d(map ? 1.0 : 0.0));
   material.emits_both_sides = fields.flag("TwoSided", false);
-  if (fields.has("Emission")) reader.is_extended = true;
-  if (fields.has("TwoSided") && !fields.has("Emission"))
+  if (map)
+    material.emission_map =
+        read_image(reader, map, colour_encoding(map->value->text), Wrap::Repeat);
+  const bool emits = fields.has("Emission") || map;
+  if (emits) reader.is_extended = true;
+  if (fields.has("TwoSided") && !emits)
     reader.warning(fields.find("TwoSided")->key_offset, "TwoSided has no effect without Emission");
 }
 

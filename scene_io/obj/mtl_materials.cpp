@@ -157,8 +157,9 @@ void set_model(const MtlStatements& s, Material& material, ImageTable& images) {
 }
 
 void set_surface(const MtlStatements& s, Material& material, ImageTable& images) {
-  material.emission = glm::max(s.ke.value_or(Vec3d{0.0}), 0.0);
+  material.emission = glm::max(s.ke.value_or(Vec3d(s.map_ke ? 1.0 : 0.0)), 0.0);
   material.emits_both_sides = !is_black(material.emission);
+  if (!is_black(material.emission)) material.emission_map = images.add(s.map_ke, Encoding::Srgb);
   material.opacity = opacity(s, material, images);
   material.normal_map = images.add(s.norm, Encoding::Linear);
 }

@@ -31,7 +31,8 @@ constexpr std::array<Keyword<double>, 6> scalars{{{"Ns", &MtlStatements::ns, tru
                                                   {"Ni", &MtlStatements::ni, false},
                                                   {"Pr", &MtlStatements::pr, false},
                                                   {"Pm", &MtlStatements::pm, false}}};
-constexpr std::array<Keyword<MtlTexture>, 8> maps{{{"map_Kd", &MtlStatements::map_kd, true},
+constexpr std::array<Keyword<MtlTexture>, 9> maps{{{"map_Kd", &MtlStatements::map_kd, true},
+                                                   {"map_Ke", &MtlStatements::map_ke, false},
                                                    {"map_Ks", &MtlStatements::map_ks, true},
                                                    {"map_Bump", &MtlStatements::bump, true},
                                                    {"bump", &MtlStatements::bump, true},
@@ -45,7 +46,7 @@ constexpr std::array<std::string_view, 21> silent{
     "decal",  "Km",     "Ps",      "Pc",        "Pcr",      "aniso",   "anisor",
     "map_Ps", "map_Tr", "map_aat", "sharpness", "map_Pc",   "map_Pcr", "map_Tf"};
 // Known, and a loss with MtlUse::Full.
-constexpr std::array<std::string_view, 2> lost{"map_Ke", "map_Pm"};
+constexpr std::array<std::string_view, 1> lost{"map_Pm"};
 
 template <class Table>
 auto find_keyword(const Table& table, std::string_view word) {

@@ -26,7 +26,7 @@ struct MtlStatements {
   std::optional<Vec3d> kd, ks, ke, tf;
   std::optional<double> ns, ni, d, tr, pr, pm;
   std::optional<int> illum;
-  std::optional<MtlTexture> map_kd, map_ks, map_d, map_pr, bump, norm;
+  std::optional<MtlTexture> map_kd, map_ks, map_ke, map_d, map_pr, bump, norm;
 };
 
 // One entry for each newmtl; of equal names all are kept. With MtlUse::Lab statements that have no

@@ -104,11 +104,9 @@ DiffuseTransmissionMaterial diffuse_transmission(MaterialReader& reader) {
   ColourInput reflectance = reader.reflectance("reflectance", 0.25);
   ColourInput transmittance = reader.reflectance("transmittance", 0.25);
   const auto is_constant = [](const ColourInput& input) { return !input.map && !input.texture; };
-  if (scale != 1 && !(is_constant(reflectance) && is_constant(transmittance)))
-    reader.context.warn_once("transmission scale", reader.arguments.statement().place,
-                             "\"scale\" is ignored where colours are textures");
-  if (is_constant(reflectance)) reflectance.factor *= std::clamp(scale, 0.0, 1.0);
-  if (is_constant(transmittance)) transmittance.factor *= std::clamp(scale, 0.0, 1.0);
+  const Place& place = reader.arguments.statement().place;
+  reflectance = reader.textures.scaled(reflectance, std::clamp(scale, 0.0, 1.0), place);
+  transmittance = reader.textures.scaled(transmittance, std::clamp(scale, 0.0, 1.0), place);
   const Vec3d sum = reflectance.factor + transmittance.factor;
   if (is_constant(reflectance) && is_constant(transmittance) && max_component(sum) > 1) {
     reflectance.factor /= glm::max(sum, Vec3d(1.0));

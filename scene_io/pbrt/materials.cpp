@@ -29,15 +29,8 @@ bool is_constant(const ScalarInput& input) {
 
 // [Pharr23, section 9.6]: the square root of what the author writes.
 ScalarInput width_of(MaterialReader& reader, ScalarInput input, bool remaps) {
-  if (!is_constant(input)) {
-    if (remaps)
-      reader.context.warn_once("remap", reader.arguments.statement().place,
-                               "roughness by a texture is not remapped: its values are the GGX "
-                               "width itself, and not their squares");
-    return input;
-  }
-  const double x = std::max(input.factor, 0.0);
-  input.factor = std::min(remaps ? std::sqrt(x) : x, 1.0);
+  if (remaps) input = reader.textures.square_root(input, reader.arguments.statement().place);
+  if (is_constant(input)) input.factor = std::clamp(input.factor, 0.0, 1.0);
   return input;
 }
 
@@ -100,12 +93,10 @@ Widths read_widths(MaterialReader& reader, std::string_view prefix) {
   const ScalarInput u = read("uroughness").value_or(both);
   const ScalarInput v = read("vroughness").value_or(both);
   const bool remaps = reader.arguments.flag("remaproughness", true);
+  const bool is_same = is_constant(u) && is_constant(v) ? u.factor == v.factor
+                                                        : u.map == v.map && u.texture == v.texture;
   Widths widths{width_of(reader, u, remaps), {}};
-  const ScalarInput across = width_of(reader, v, remaps);
-  const bool is_same =
-      is_constant(widths.along) && is_constant(across)
-          ? widths.along.factor == across.factor
-          : widths.along.map == across.map && widths.along.texture == across.texture;
+  const ScalarInput across = is_same ? widths.along : width_of(reader, v, remaps);
   if (!is_same) widths.across = across;
   const bool is_smooth = is_constant(widths.along) && is_constant(across) &&
                          std::max(widths.along.factor, across.factor) < smooth;

@@ -1,58 +1,26 @@
 #include "scene_io/pbrt/textures.h"
 
 #include <algorithm>
-#include <filesystem>
+#include <cmath>
 
 #include <fmt/format.h>
 
-#include "scene_io/pbrt/source_files.h"
 #include "scene_io/pbrt/spectrum.h"
+#include "scene_io/pbrt/transforms.h"
 #include "scene_io/text/cursor.h"
 
 namespace candela::pbrt {
 namespace {
 
 using description::ColourInput;
-using description::Encoding;
-using description::ImageHandle;
+using description::MappingKind;
 using description::ScalarInput;
-using description::TextureHandle;
 using description::UvMapping;
-using description::Wrap;
 
 constexpr int deepest = 64;  // textures of textures
 
-bool has_extension(std::string_view name, std::string_view extension) {
-  return name.size() > extension.size() &&
-         text::equal_ignoring_case(name.substr(name.size() - extension.size()), extension);
-}
-
 bool is_constant(const ColourInput& input) {
   return !input.map && !input.texture;
-}
-
-Wrap wrap_of(Arguments& arguments) {
-  const Parameter* parameter = arguments.find("wrap", {ParameterType::String});
-  if (!parameter || parameter->strings.size() != 1 || parameter->strings[0] == "repeat")
-    return Wrap::Repeat;
-  if (parameter->strings[0] == "black") return Wrap::Black;
-  if (parameter->strings[0] == "clamp") return Wrap::Clamp;
-  if (parameter->strings[0] == "mirror") return Wrap::Mirror;  // candela's own
-  arguments.warning(*parameter, fmt::format("{} is none of repeat, black and clamp: it is repeated",
-                                            text::quoted(parameter->strings[0])));
-  return Wrap::Repeat;
-}
-
-// Only PNG files are as "encoding" says.
-Encoding encoding_of(Arguments& arguments, std::string_view file_name) {
-  const Parameter* parameter = arguments.find("encoding", {ParameterType::String});
-  if (!parameter || parameter->strings.size() != 1 || !has_extension(file_name, ".png"))
-    return encoding_of_file(file_name);
-  const auto encoding = encoding_named(parameter->strings[0]);
-  if (!encoding)
-    arguments.warning(*parameter, fmt::format("{} is not supported: it counts as sRGB",
-                                              text::quoted(parameter->strings[0])));
-  return encoding.value_or(Encoding::Srgb);
 }
 
 std::vector<std::string_view> names_of(const std::map<std::string, TextureStatement>& textures) {
@@ -72,62 +40,6 @@ ScalarInput to_scalar(const ColourInput& input) {
 }
 
 }  // namespace
-
-std::string_view name_of(Encoding encoding) {
-  switch (encoding) {
-    case Encoding::Linear:
-      return "linear";
-    case Encoding::Srgb:
-      return "sRGB";
-    case Encoding::LabGamma:
-      return "gamma 2.2";
-  }
-  return "linear";
-}
-
-std::optional<Encoding> encoding_named(std::string_view name) {
-  for (const Encoding encoding : {Encoding::Linear, Encoding::Srgb, Encoding::LabGamma})
-    if (name_of(encoding) == name) return encoding;
-  return std::nullopt;
-}
-
-Encoding encoding_of_file(std::string_view name) {
-  const bool is_linear =
-      has_extension(name, ".exr") || has_extension(name, ".hdr") || has_extension(name, ".pfm");
-  return is_linear ? Encoding::Linear : Encoding::Srgb;
-}
-
-ImageHandle add_image(Context& context, const Parameter& file, Encoding encoding, Wrap wrap) {
-  if (file.strings.size() != 1) {
-    context.report.error(file.place, "expected the name of one image file");
-    return {};
-  }
-  const std::string path =
-      resolve_file(context.scene.path, file.place, file.strings[0], context.report);
-  std::error_code failed;
-  const auto status = std::filesystem::status(path, failed);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    context.report.error(file.place, fmt::format("{} is no regular file; expected an image",
-                                                 text::quoted_path(path)));
-    return {};
-  }
-  auto& images = context.scene.images;
-  const auto same = std::find_if(images.begin(), images.end(), [&](const auto& image) {
-    return image.path == path && image.encoding == encoding && image.wrap == wrap;
-  });
-  if (same != images.end()) return ImageHandle(static_cast<std::size_t>(same - images.begin()));
-  images.push_back({path, encoding, wrap, file.place.span()});
-  return ImageHandle(images.size() - 1);
-}
-
-template <class Texture>
-ColourInput Textures::add(Texture kind, const std::string& name, const Place& place) {
-  auto& textures = context_.scene.textures;
-  textures.push_back({name, place.span(), std::move(kind)});
-  ColourInput input;
-  input.texture = TextureHandle(textures.size() - 1);
-  return input;
-}
 
 std::optional<ColourInput> Textures::colour(Arguments& arguments, std::string_view name) {
   const Parameter* parameter = arguments.find(
@@ -168,35 +80,19 @@ ScalarInput Textures::complement(const ScalarInput& input, const Place& place) {
   return result;
 }
 
-void Textures::set_heights(Arguments& arguments, description::Material& material) {
-  if (set_own_heights(arguments, material)) return;
-  const Parameter* parameter =
-      arguments.find("displacement", {ParameterType::Texture, ParameterType::Float});
-  if (!parameter) parameter = arguments.find("bumpmap", {ParameterType::Texture});  // pbrt-v3
-  if (!parameter || parameter->type != ParameterType::Texture) return;
-  const auto heights = scalar_texture(*parameter);
-  if (!heights) return;
-  material.height = heights->map;
-  material.height_texture = heights->texture;
-  material.height_scale = heights_are_lengths;
+ScalarInput Textures::square_root(const ScalarInput& input, const Place& place) {
+  ScalarInput result;
+  result.factor = std::sqrt(std::max(input.factor, 0.0));
+  if (!input.map && !input.texture) return result;
+  const description::SquareRootTexture texture{{Vec3d(1.0), input.map, input.texture}};
+  result.texture = add(texture, "root", place).texture;
+  return result;
 }
 
-// candela's own: heights in the unit that it has.
-bool Textures::set_own_heights(Arguments& arguments, description::Material& material) {
-  const Parameter* parameter = arguments.find("heights", {ParameterType::Texture});
-  if (!parameter) return false;
-  arguments.accept({"displacement"});
-  material.height_scale = arguments.number("heightscale").value_or(1);
-  const auto heights = scalar_texture(*parameter);
-  if (!heights) return true;
-  material.height = heights->map;
-  material.height_texture = heights->texture;
-  return true;
-}
-
-ImageHandle Textures::normal_map(Arguments& arguments) {
-  const Parameter* file = arguments.find("normalmap", {ParameterType::String});
-  return file ? add_image(context_, *file, Encoding::Linear, Wrap::Repeat) : ImageHandle();
+ColourInput Textures::scaled(const ColourInput& input, double factor, const Place& place) {
+  if (is_constant(input)) return {input.factor * factor, {}, {}};
+  if (factor == 1) return input;
+  return add(description::ProductTexture{input, {Vec3d(factor), {}, {}}}, "scaled", place);
 }
 
 Textures::Value Textures::named(Kind kind, const Parameter& parameter) {
@@ -240,17 +136,19 @@ Textures::Value Textures::make(Kind kind, TextureStatement& texture, const std::
   if (type == "constant")
     value = input(kind, arguments, "value", Vec3d(1.0));
   else if (type == "imagemap")
-    value = image(arguments, name);
+    value = image(texture, arguments, name);
   else if (type == "scale")
     value = product(kind, arguments, name);
-  else if (type == "mix" || type == "directionmix")
+  else if (type == "mix")
     value = mix(kind, arguments, name);
+  else if (type == "directionmix")
+    value = direction_mix(kind, texture, arguments, name);
   else if (type == "checkerboard")
-    value = checkerboard(kind, arguments, name);
+    value = checkerboard(kind, texture, arguments, name);
   else if (type == "dots")
-    value = dots(kind, arguments, name);
+    value = dots(kind, texture, arguments, name);
   else if (type == "bilerp")
-    value = bilerp(kind, arguments, name);
+    value = bilerp(kind, texture, arguments, name);
   else
     return stand_in(arguments);
   arguments.warn_of_unknown();
@@ -286,42 +184,40 @@ ColourInput Textures::input(Kind kind, Arguments& arguments, std::string_view na
   return {Vec3d(arguments.number(name).value_or(otherwise.x)), {}, {}};
 }
 
-UvMapping Textures::mapping(Arguments& arguments) {
-  const Parameter* kind = arguments.find("mapping", {ParameterType::String});
-  arguments.accept({"v1", "v2"});
+// Places are in the space that holds at the texture's directive.
+UvMapping Textures::mapping(const TextureStatement& texture, Arguments& arguments) {
+  const std::string kind = arguments.string("mapping").value_or("uv");
   UvMapping mapping;
-  mapping.scale = {arguments.number("uscale").value_or(1), arguments.number("vscale").value_or(1)};
   mapping.offset = {arguments.number("udelta").value_or(0), arguments.number("vdelta").value_or(0)};
-  if (kind && kind->strings.size() == 1 && kind->strings[0] != "uv")
-    context_.warn_once("mapping " + kind->strings[0], kind->place,
-                       fmt::format("the mapping {} is not supported: the surface's uv are used",
-                                   text::quoted(kind->strings[0])));
+  mapping.scale = {arguments.number("uscale").value_or(1), arguments.number("vscale").value_or(1)};
+  const Vec3d v1 = arguments.point("v1").value_or(Vec3d(1, 0, 0));
+  const Vec3d v2 = arguments.point("v2").value_or(Vec3d(0, 1, 0));
+  if (kind == "uv") return mapping;
+  mapping.scale = Vec2d(1.0);
+  mapping.place_from_world = place_from_world(texture);
+  if (kind == "planar") {
+    mapping.kind = MappingKind::Planar;
+    const Mat3d rows(v1, v2, Vec3d(0.0));
+    mapping.place_from_world =
+        Transform{glm::transpose(rows), Vec3d(0.0)} * mapping.place_from_world;
+    return mapping;
+  }
+  mapping.offset = Vec2d(0.0);
+  if (kind == "spherical")
+    mapping.kind = MappingKind::Spherical;
+  else if (kind == "cylindrical")
+    mapping.kind = MappingKind::Cylindrical;
+  else
+    arguments.error(
+        *arguments.find("mapping"),
+        fmt::format("is {}, expected uv, planar, spherical or cylindrical", text::quoted(kind)));
   return mapping;
 }
 
-Textures::Value Textures::image(Arguments& arguments, const std::string& name) {
-  const Parameter* file = arguments.find("filename", {ParameterType::String});
-  // All maps are filtered by the footprint; pbrt-v3's spellings.
-  arguments.accept({"filter", "maxanisotropy", "trilinear", "gamma"});
-  const Wrap wrap = wrap_of(arguments);
-  const Encoding encoding =
-      encoding_of(arguments, file && file->strings.size() == 1 ? file->strings[0] : "");
-  description::ImageTexture texture;
-  texture.mapping = mapping(arguments);
-  texture.factor = arguments.number("scale").value_or(1);
-  texture.is_inverted = arguments.flag("invert", false);
-  if (!file) {
-    context_.report.error(arguments.statement().place,
-                          "an imagemap without its file: expected \"string filename\"");
-    return std::nullopt;
-  }
-  texture.image = add_image(context_, *file, encoding, wrap);
-  if (!texture.image) return std::nullopt;
-  const bool is_plain = texture.mapping.scale == Vec2d(1.0) &&
-                        texture.mapping.offset == Vec2d(0.0) && texture.factor == 1 &&
-                        !texture.is_inverted;
-  if (is_plain) return ColourInput{Vec3d(1.0), texture.image, {}};
-  return add(texture, name, arguments.statement().place);
+Transform Textures::place_from_world(const TextureStatement& texture) {
+  if (!is_singular(texture.world_from_texture)) return inverse(texture.world_from_texture);
+  context_.report.error(texture.statement.place, "the transform of this texture is singular");
+  return {};
 }
 
 // pbrt-v3 names the two factors tex1 and tex2, and so does candela where the second is a colour.
@@ -330,6 +226,8 @@ Textures::Value Textures::product(Kind kind, Arguments& arguments, const std::st
   if (is_v3) arguments.accept({"tex", "scale"});
   description::ProductTexture texture;
   texture.first = input(kind, arguments, is_v3 ? "tex1" : "tex", Vec3d(1.0));
+  if (arguments.flag("root", false))  // candela's own
+    return add(description::SquareRootTexture{texture.first}, name, arguments.statement().place);
   texture.second = is_v3 ? input(kind, arguments, "tex2", Vec3d(1.0))
                          : input(Kind::Float, arguments, "scale", Vec3d(1.0));
   if (is_constant(texture.first) && is_constant(texture.second))
@@ -341,32 +239,43 @@ Textures::Value Textures::mix(Kind kind, Arguments& arguments, const std::string
   description::MixTexture texture;
   texture.first = input(kind, arguments, "tex1", Vec3d(0.0));
   texture.second = input(kind, arguments, "tex2", Vec3d(1.0));
-  if (arguments.statement().type == "directionmix") {
-    arguments.accept({"dir"});
-    context_.warn_once("directionmix", arguments.statement().place,
-                       "textures that depend on the normal are not supported: their two halves "
-                       "are mixed evenly");
-  } else {
-    texture.amount = input(Kind::Float, arguments, "amount", Vec3d(0.5));
+  texture.amount = input(Kind::Float, arguments, "amount", Vec3d(0.5));
+  return add(texture, name, arguments.statement().place);
+}
+
+Textures::Value Textures::direction_mix(Kind kind, const TextureStatement& statement,
+                                        Arguments& arguments, const std::string& name) {
+  description::DirectionMixTexture texture;
+  texture.first = input(kind, arguments, "tex1", Vec3d(0.0));
+  texture.second = input(kind, arguments, "tex2", Vec3d(1.0));
+  const Vec3d along = arguments.point("dir").value_or(Vec3d(0, 1, 0));
+  const Vec3d direction = statement.world_from_texture.vector(along);
+  const double size = max_component(glm::abs(direction));
+  if (!(size > 0 && std::isfinite(size))) {
+    context_.report.error(arguments.statement().place, "\"dir\" is no direction");
+    return std::nullopt;
   }
+  texture.direction = normalize(direction / size);
   return add(texture, name, arguments.statement().place);
 }
 
-Textures::Value Textures::checkerboard(Kind kind, Arguments& arguments, const std::string& name) {
-  description::CheckerboardTexture texture;
-  texture.mapping = mapping(arguments);
-  texture.even = input(kind, arguments, "tex1", Vec3d(1.0));
-  texture.odd = input(kind, arguments, "tex2", Vec3d(0.0));
+Textures::Value Textures::checkerboard(Kind kind, const TextureStatement& statement,
+                                       Arguments& arguments, const std::string& name) {
+  const ColourInput even = input(kind, arguments, "tex1", Vec3d(1.0));
+  const ColourInput odd = input(kind, arguments, "tex2", Vec3d(0.0));
   arguments.accept({"aamode"});  // pbrt-v3
-  if (arguments.integer("dimension").value_or(2) != 2)
-    context_.warn_once("checkerboard", arguments.statement().place,
-                       "checkerboards of three dimensions are not supported: two are used");
-  return add(texture, name, arguments.statement().place);
+  const UvMapping squares = mapping(statement, arguments);
+  const Place& place = arguments.statement().place;
+  if (arguments.integer("dimension").value_or(2) == 3)
+    return add(description::SolidCheckerboardTexture{place_from_world(statement), even, odd}, name,
+               place);
+  return add(description::CheckerboardTexture{squares, even, odd}, name, place);
 }
 
-Textures::Value Textures::dots(Kind kind, Arguments& arguments, const std::string& name) {
+Textures::Value Textures::dots(Kind kind, const TextureStatement& statement, Arguments& arguments,
+                               const std::string& name) {
   description::DotsTexture texture;
-  texture.mapping = mapping(arguments);
+  texture.mapping = mapping(statement, arguments);
   texture.inside = input(kind, arguments, "inside", Vec3d(1.0));
   texture.outside = input(kind, arguments, "outside", Vec3d(0.0));
   return add(texture, name, arguments.statement().place);
@@ -379,9 +288,10 @@ Vec3d Textures::corner(Kind kind, Arguments& arguments, std::string_view name, d
   return value.factor;
 }
 
-Textures::Value Textures::bilerp(Kind kind, Arguments& arguments, const std::string& name) {
+Textures::Value Textures::bilerp(Kind kind, const TextureStatement& statement, Arguments& arguments,
+                                 const std::string& name) {
   description::BilinearTexture texture;
-  texture.mapping = mapping(arguments);
+  texture.mapping = mapping(statement, arguments);
   texture.v00 = corner(kind, arguments, "v00", 0);
   texture.v01 = corner(kind, arguments, "v01", 1);
   texture.v10 = corner(kind, arguments, "v10", 0);

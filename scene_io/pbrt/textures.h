@@ -26,6 +26,9 @@ class Textures {
   std::optional<description::ScalarInput> scalar_texture(const Parameter& parameter);
   // 1 minus a number.
   description::ScalarInput complement(const description::ScalarInput& input, const Place& place);
+  description::ScalarInput square_root(const description::ScalarInput& input, const Place& place);
+  description::ColourInput scaled(const description::ColourInput& input, double factor,
+                                  const Place& place);
   // Heights: an image or a texture. `height_scale` becomes heights_are_lengths for pbrt's.
   void set_heights(Arguments& arguments, description::Material& material);
   // A file of normals.
@@ -39,17 +42,23 @@ class Textures {
   bool set_own_heights(Arguments& arguments, description::Material& material);
   Value named(Kind kind, const Parameter& parameter);
   Value make(Kind kind, TextureStatement& texture, const std::string& name);
-  Value image(Arguments& arguments, const std::string& name);
+  Value image(const TextureStatement& statement, Arguments& arguments, const std::string& name);
   Value product(Kind kind, Arguments& arguments, const std::string& name);
   Value mix(Kind kind, Arguments& arguments, const std::string& name);
-  Value checkerboard(Kind kind, Arguments& arguments, const std::string& name);
-  Value dots(Kind kind, Arguments& arguments, const std::string& name);
-  Value bilerp(Kind kind, Arguments& arguments, const std::string& name);
+  Value direction_mix(Kind kind, const TextureStatement& statement, Arguments& arguments,
+                      const std::string& name);
+  Value checkerboard(Kind kind, const TextureStatement& statement, Arguments& arguments,
+                     const std::string& name);
+  Value dots(Kind kind, const TextureStatement& statement, Arguments& arguments,
+             const std::string& name);
+  Value bilerp(Kind kind, const TextureStatement& statement, Arguments& arguments,
+               const std::string& name);
   Value stand_in(Arguments& arguments);
   description::ColourInput input(Kind kind, Arguments& arguments, std::string_view name,
                                  const Vec3d& otherwise);
   Vec3d corner(Kind kind, Arguments& arguments, std::string_view name, double otherwise);
-  description::UvMapping mapping(Arguments& arguments);
+  description::UvMapping mapping(const TextureStatement& texture, Arguments& arguments);
+  Transform place_from_world(const TextureStatement& texture);
   template <class Texture>
   description::ColourInput add(Texture kind, const std::string& name, const Place& place);
 
@@ -57,6 +66,15 @@ class Textures {
   std::map<std::string, Value> made_[2];  // by kind
   int depth_ = 0;
 };
+
+template <class Texture>
+description::ColourInput Textures::add(Texture kind, const std::string& name, const Place& place) {
+  auto& textures = context_.scene.textures;
+  textures.push_back({name, place.span(), std::move(kind)});
+  description::ColourInput input;
+  input.texture = description::TextureHandle(textures.size() - 1);
+  return input;
+}
 
 // "sRGB", "linear" or, for lab3's, "gamma 2.2": what pbrt-v4 calls encodings of PNG files.
 [[nodiscard]] std::string_view name_of(description::Encoding encoding);

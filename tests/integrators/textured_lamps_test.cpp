@@ -2,6 +2,8 @@
 // that meet them agree on it.
 #include <gtest/gtest.h>
 
+#include "integrators/ray_bench/record_rays.h"
+#include "renderer/accel/embree_accel.h"
 #include "tests/light/map_images.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
@@ -110,6 +112,13 @@ TEST(Unit_TexturedLamps, ArePickedByTheirMeans) {
   speck.images[0].wrap = description::Wrap::Clamp;
   const Scene compiled_speck = compiled(speck, {});
   EXPECT_GT(compiled_speck.light_sampler.probability(0), 0.0f);  // the half where v < u
+}
+
+TEST(Unit_TexturedLamps, HaveShadowRaysToBeMeasured) {
+  const Scene scene = compiled(lamp_over_floor("lamp_rays"), {});
+  const EmbreeAccel accelerator(scene);
+  const RecordedRays rays = record_rays(scene, accelerator, {.width = 16, .height = 16});
+  EXPECT_GT(rays[static_cast<std::size_t>(RayClass::Shadow)].size(), 10u);
 }
 
 // White emission stands for the radiance of the mean, whatever the image's size of numbers.

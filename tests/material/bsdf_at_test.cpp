@@ -32,7 +32,7 @@ TEST(Unit_BsdfAt, MapsReplaceFactors) {
   material.diffuse = {Rgb{0.5f}, {}};
   EXPECT_EQ(bsdf_at(material, picture.store, {}, true).diffuse, Rgb{0.5f});
   material.diffuse.texture = picture.handle;
-  const Bsdf mapped = bsdf_at(material, picture.store, {0.3f, 0.7f}, true);
+  const Bsdf mapped = bsdf_at(material, picture.store, {Vec2f(0.3f, 0.7f)}, true);
   EXPECT_EQ(mapped.model, BsdfModel::Diffuse);
   EXPECT_FLOAT_EQ(mapped.diffuse.x, 0.2f);
   EXPECT_FLOAT_EQ(mapped.diffuse.z, 1);

@@ -107,7 +107,7 @@ TEST(Unit_Bump, SlopesComeFromTheHeightMap) {
   TextureStore store;
   Diagnostics diagnostics;
   const TextureHandle map = store.add({path, Encoding::Linear, Wrap::Repeat, {}}, diagnostics);
-  const Vec2f slope = height_slope(store, map, {0.5f, 0.4f});
+  const Vec2f slope = height_slope(store, map, {Vec2f(0.5f, 0.4f)}, Vec3f(0), Vec3f(0));
   EXPECT_NEAR(slope.x, 17.0f / 255 * 8, 1e-5f);
   EXPECT_NEAR(slope.y, 0, 1e-5f);
 
@@ -117,7 +117,7 @@ TEST(Unit_Bump, SlopesComeFromTheHeightMap) {
   material.height = map;
   material.height_scale = 0.5f;
   EXPECT_TRUE(has_bump(material));
-  expect_near(shading_normal_at(material, store, {0.5f, 0.4f}, up, {1, 0, 0}, {0, 1, 0}),
+  expect_near(shading_normal_at(material, store, {Vec2f(0.5f, 0.4f)}, up, {1, 0, 0}, {0, 1, 0}),
               normalize(Vec3f{-0.5f * 17.0f / 255 * 8, 0, 1}), 1e-5f);
 }
 
@@ -130,7 +130,8 @@ TEST(Unit_Bump, HeightsRiseWithVUpwards) {
   TextureStore store;
   Diagnostics diagnostics;
   const TextureHandle map = store.add({path, Encoding::Linear, Wrap::Repeat, {}}, diagnostics);
-  EXPECT_NEAR(height_slope(store, map, {0.4f, 0.5f}).y, -17.0f / 255 * 8, 1e-5f);
+  EXPECT_NEAR(height_slope(store, map, {Vec2f(0.4f, 0.5f)}, Vec3f(0), Vec3f(0)).y, -17.0f / 255 * 8,
+              1e-5f);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ inline std::vector<Case> all_assets_by(IntegratorKind integrator, const std::str
 inline std::vector<Case> pbrt_assets() {
   std::vector<Case> list;
   for (const std::string asset : {"pbrt_lights", "pbrt_materials", "pbrt_media", "pbrt_mixtures",
-                                  "pbrt_shapes", "pbrt_textured_lights"})
+                                  "pbrt_place_textures", "pbrt_shapes", "pbrt_textured_lights"})
     list.push_back({asset, IntegratorKind::Path, asset + "_path"});
   return list;
 }

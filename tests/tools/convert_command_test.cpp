@@ -51,7 +51,8 @@ TEST_P(Agreement_ConvertedAsset, RendersTheSameBits) {
 INSTANTIATE_TEST_SUITE_P(, Agreement_ConvertedAsset,
                          testing::Values("cornell_box", "cornell_box_diffuse", "cutouts",
                                          "glass_and_metal", "pbrt_lights", "pbrt_materials",
-                                         "pbrt_mixtures", "pbrt_shapes", "pbrt_textured_lights"),
+                                         "pbrt_mixtures", "pbrt_place_textures", "pbrt_shapes",
+                                         "pbrt_textured_lights"),
                          [](const auto& info) { return std::string(info.param); });
 
 TEST(Agreement_Convert, SharedScenesRenderTheSameBits) {

@@ -12,6 +12,7 @@ namespace {
 using description::ColourInput;
 using description::Encoding;
 using description::ImageHandle;
+using description::MappingKind;
 using description::ScalarInput;
 using description::TextureHandle;
 using description::UvMapping;
@@ -40,12 +41,60 @@ void add_wrap(Wrap wrap, Directive& directive) {
   }
 }
 
+// Planes are written by their axes in the world; of other mappings by place see space_of().
+void add_place_mapping(const UvMapping& mapping, Directive& directive) {
+  const Transform& place = mapping.place_from_world;
+  const Mat3d rows = glm::transpose(place.linear);
+  switch (mapping.kind) {
+    case MappingKind::Surface:
+      return;
+    case MappingKind::Planar:
+      directive.add("string mapping", "planar");
+      directive.add("vector3 v1", rows[0] * mapping.scale.x);
+      directive.add("vector3 v2", rows[1] * mapping.scale.y);
+      directive.add("float udelta", place.translation.x * mapping.scale.x + mapping.offset.x);
+      directive.add("float vdelta", place.translation.y * mapping.scale.y + mapping.offset.y);
+      return;
+    case MappingKind::Spherical:
+      directive.add("string mapping", "spherical");
+      return;
+    case MappingKind::Cylindrical:
+      directive.add("string mapping", "cylindrical");
+      return;
+  }
+}
+
 void add_mapping(const UvMapping& mapping, Directive& directive) {
+  if (mapping.kind != MappingKind::Surface) return add_place_mapping(mapping, directive);
   if (mapping.scale != Vec2d(1.0))
     directive.add("float uscale", mapping.scale.x).add("float vscale", mapping.scale.y);
   if (mapping.offset != Vec2d(0.0))
     directive.add("float udelta", mapping.offset.x).add("float vdelta", mapping.offset.y);
 }
+
+// The space that must hold where a texture's directive stands.
+struct SpaceOf {
+  using Space = std::optional<Transform>;  // world <- texture
+
+  Space operator()(const description::ImageTexture& t) const { return of(t.mapping); }
+  Space operator()(const description::CheckerboardTexture& t) const { return of(t.mapping); }
+  Space operator()(const description::DotsTexture& t) const { return of(t.mapping); }
+  Space operator()(const description::BilinearTexture& t) const { return of(t.mapping); }
+  Space operator()(const description::SolidCheckerboardTexture& t) const {
+    return inverse(t.place_from_world);
+  }
+  template <class Other>
+  Space operator()(const Other&) const {
+    return std::nullopt;
+  }
+
+ private:
+  static Space of(const UvMapping& mapping) {
+    const bool is_by_angle =
+        mapping.kind == MappingKind::Spherical || mapping.kind == MappingKind::Cylindrical;
+    return is_by_angle ? Space(inverse(mapping.place_from_world)) : std::nullopt;
+  }
+};
 
 bool is_grey(const Vec3d& colour) {
   return colour.x == colour.y && colour.y == colour.z;
@@ -83,6 +132,23 @@ struct TextureDirectives {
     Directive out = directive("mix");
     out.add(input("tex1", t.first)).add(input("tex2", t.second));
     out.add(writer.input(TextureWriter::Kind::Float, "amount", t.amount));
+    return out;
+  }
+  // pbrt has no roots; candela's own "scale" has.
+  Directive operator()(const description::SquareRootTexture& t) const {
+    Directive out = directive("scale");
+    out.add(input("tex", t.input)).add_own("bool root", true);
+    return out;
+  }
+  Directive operator()(const description::DirectionMixTexture& t) const {
+    Directive out = directive("directionmix");
+    out.add(input("tex1", t.first)).add(input("tex2", t.second));
+    out.add("vector3 dir", t.direction);
+    return out;
+  }
+  Directive operator()(const description::SolidCheckerboardTexture& t) const {
+    Directive out = directive("checkerboard");
+    out.add("integer dimension", 3).add(input("tex1", t.even)).add(input("tex2", t.odd));
     return out;
   }
   Directive operator()(const description::CheckerboardTexture& t) const {
@@ -270,7 +336,15 @@ std::string TextureWriter::make(Kind kind, const description::Texture& texture) 
     return name;
   }
   const Directive out = std::visit(TextureDirectives{*this, name, kind}, texture.kind);
-  text_ += out.text();
+  if (std::holds_alternative<description::SquareRootTexture>(texture.kind))
+    context_.warn(texture.span, fmt::format("texture '{}': pbrt has no square roots of textures: "
+                                            "the texture itself is written",
+                                            texture.name));
+  if (const auto space = std::visit(SpaceOf{}, texture.kind))
+    text_ += "AttributeBegin\n  Transform " + matrix_text(*space) + "\n" + out.text("  ") +
+             "AttributeEnd\n";
+  else
+    text_ += out.text();
   return name;
 }
 

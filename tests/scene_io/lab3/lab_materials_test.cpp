@@ -151,6 +151,15 @@ TEST(Unit_Lab3Materials, BlendIsReadAndIgnored) {
             "2:22: Blend: found 'Opaqe', expected Opaque or Transparent, did you mean 'Opaque'?");
 }
 
+TEST(Unit_Lab3Materials, EmissionByAPicture) {
+  const SceneDescription scene = scene_with("EmissionMap: glow.png");
+  const auto& material = scene.materials.at(0);
+  EXPECT_EQ(material.emission, Vec3d(1));
+  EXPECT_EQ(scene.images.at(material.emission_map.index).encoding, Encoding::Srgb);
+  EXPECT_EQ(scene_with("EmissionMap: glow.exr, Emission: 5").materials.at(0).emission, Vec3d(5));
+  EXPECT_EQ(scene_with("EmissionMap: glow.exr").images.at(0).encoding, Encoding::Linear);
+}
+
 TEST(Unit_Lab3Materials, EmissionOnAnyMaterial) {
   const SceneDescription scene = scene_with("Emission: [17, 12, 4], TwoSided: yes");
   EXPECT_EQ(scene.materials.at(0).emission, Vec3d(17, 12, 4));

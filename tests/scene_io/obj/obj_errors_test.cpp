@@ -180,9 +180,9 @@ TEST(Errors_Mtl, NameThePlaceAndWhatWasExpected) {
       {"newmtl a\nKd spectral a.rfl 1\n",
        "a.mtl:2:4: warning: 'spectral' is left out; expected three numbers\n"
        "Kd spectral a.rfl 1\n   ^"},
-      {"newmtl a\nmap_Ke a.png\n",
-       "a.mtl:2:1: warning: 'map_Ke' is left out: only a factor is supported here\n"
-       "map_Ke a.png\n^"},
+      {"newmtl a\nmap_Pm a.png\n",
+       "a.mtl:2:1: warning: 'map_Pm' is left out: only a factor is supported here\n"
+       "map_Pm a.png\n^"},
   };
   for (const Case& c : cases) {
     Diagnostics diagnostics;

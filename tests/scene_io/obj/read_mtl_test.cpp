@@ -106,6 +106,20 @@ TEST(Unit_Mtl, FullEmissionOpacityBumpAndNormalMap) {
   EXPECT_EQ(std::get<LabMaterial>(m.model).shininess, 900.0);
 }
 
+// A factor of Ke, which is 1 where only the map is there.
+TEST(Unit_Mtl, FullEmissionByAMap) {
+  const MtlLibrary library = parse(
+      "newmtl a\nKe 2 3 4\nmap_Ke a.png\nnewmtl b\nmap_Ke a.png\nnewmtl c\nKe 0 0 0\n"
+      "map_Ke a.png\n",
+      MtlUse::Full);
+  EXPECT_EQ(library.materials.at(0).emission, Vec3d(2, 3, 4));
+  EXPECT_EQ(library.materials.at(1).emission, Vec3d(1.0));
+  EXPECT_EQ(library.images.at(library.materials.at(1).emission_map.index).path, "folder/a.png");
+  EXPECT_EQ(library.images.at(0).encoding, Encoding::Srgb);
+  EXPECT_EQ(library.materials.at(2).emission, Vec3d(0.0));
+  EXPECT_FALSE(library.materials.at(2).emission_map);
+}
+
 TEST(Unit_Mtl, FullOpacityIsSaidOnce) {
   EXPECT_EQ(lab("Kd 1 1 1\nd .5\n", MtlUse::Full).alpha, 0.5);
   EXPECT_EQ(only("Kd 1 1 1\nd .5\n", MtlUse::Full).opacity.factor, 1.0);

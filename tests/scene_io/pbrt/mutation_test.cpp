@@ -28,6 +28,12 @@ MakeNamedMaterial "wall" "string type" "diffuse" "texture reflectance" "board"
 MakeNamedMaterial "steel" "string type" "conductor" "rgb eta" [ .2 .9 1 ] "rgb k" [ 3 2 1 ]
   "float uroughness" .1 "float vroughness" .2 "bool remaproughness" false
 MakeNamedMedium "fog" "string type" "homogeneous"
+MakeNamedMaterial "both" "string type" "mix" "string materials" [ "wall" "steel" ]
+  "texture amount" "mixed"
+LightSource "goniometric" "string filename" "picture.png" "float power" 9
+LightSource "projection" "string filename" "picture.exr" "float fov" 50
+Texture "flat" "spectrum" "checkerboard" "string mapping" "planar" "vector3 v1" [ 1 0 2 ]
+Texture "snow" "spectrum" "directionmix" "texture tex1" "flat" "vector3 dir" [ 0 1 1 ]
 LightSource "distant" "point3 from" [ 0 0 9 ] "blackbody L" 5000
 LightSource "infinite" "string filename" "picture.exr" "float scale" .5
 AttributeBegin
@@ -53,6 +59,10 @@ Transform [ 1 0 0 0  0 1 0 0  0 0 1 0  3 0 0 1 ]
 ObjectInstance "thing"
 CoordSysTransform "here"
 ObjectInstance "thing"
+Material "diffuse" "texture reflectance" "snow"
+Shape "disk"
+NamedMaterial "both"
+Shape "disk" "float radius" 2
 Material "dielectric" "spectrum eta" "glass-BK7"
 Include "world.pbrt"
 Material "conductor" "rgb reflectance" [ .9 .8 .7 ]
@@ -68,8 +78,8 @@ Shape "cylinder" "float zmax" 2
 
 TEST(Unit_PbrtMutations, TheScenesOwnTextIsFine) {
   const auto scene = test::pbrt_scene(everything);
-  EXPECT_EQ(scene.instances.size(), 11u);
-  EXPECT_EQ(scene.lights.size(), 3u);
+  EXPECT_EQ(scene.instances.size(), 13u);
+  EXPECT_EQ(scene.lights.size(), 5u);
   const Diagnostics problems = description::validate(scene);
   EXPECT_FALSE(problems.has_errors()) << to_string(problems.list().front());
 }

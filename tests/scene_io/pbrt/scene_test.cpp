@@ -212,6 +212,33 @@ TEST(Unit_PbrtMaterials, RoughnessIsSquaredUnlessItSaysNo) {
   EXPECT_NEAR(two.roughness_across->factor, 0.2, 1e-12);
 }
 
+TEST(Unit_PbrtMaterials, RoughnessByATextureIsRemappedToo) {
+  const auto width = [](const std::string& remaps) {
+    const auto scene = pbrt_world(
+        "Texture \"t\" \"float\" \"checkerboard\"\nMaterial \"conductor\" \"texture roughness\" "
+        "\"t\" " +
+        remaps + " Shape \"disk\"");
+    EXPECT_FALSE(validate(scene).has_errors());
+    const auto metal = std::get<ConductorMaterial>(scene.materials.at(0).model);
+    EXPECT_FALSE(metal.roughness_across);
+    return scene.textures.at(metal.roughness.texture.index).kind;
+  };
+  EXPECT_EQ(std::get<SquareRootTexture>(width("")).input.texture.index, 0u);
+  EXPECT_TRUE(std::holds_alternative<CheckerboardTexture>(width("\"bool remaproughness\" false")));
+}
+
+TEST(Unit_PbrtMaterials, ScaledSheetsOfTextures) {
+  const auto scene = pbrt_world(
+      "Texture \"t\" \"spectrum\" \"checkerboard\"\nMaterial \"diffusetransmission\" \"texture "
+      "reflectance\" \"t\" \"rgb transmittance\" [ .5 .5 .5 ] \"float scale\" .5 Shape \"disk\"");
+  const auto& sheet = std::get<DiffuseTransmissionMaterial>(scene.materials.at(0).model);
+  const auto& product =
+      std::get<ProductTexture>(scene.textures.at(sheet.reflectance.texture.index).kind);
+  EXPECT_EQ(product.first.texture.index, 0u);
+  EXPECT_EQ(product.second.factor, Vec3d(0.5));
+  EXPECT_EQ(sheet.transmittance.factor, Vec3d(0.25));
+}
+
 TEST(Unit_PbrtMaterials, MetalsByTheirReflectance) {
   const auto metal = std::get<ConductorMaterial>(
       material_of("\"conductor\" \"rgb reflectance\" [ .9 .5 0 ]").model);
@@ -287,45 +314,7 @@ TEST(Unit_PbrtMaterials, HeightsAreLengthsInTheWorld) {
   EXPECT_NEAR(scale_of("Scale 3 3 3\n"), 1.0 / 6, 1e-12);
 }
 
-TEST(Unit_PbrtTextures, KindsAndTheirInputs) {
-  const auto scene = pbrt_world(R"(
-    Texture "map" "spectrum" "imagemap" "string filename" "picture.png" "string wrap" "clamp"
-    Texture "twice" "spectrum" "imagemap" "string filename" "picture.png" "float uscale" 2
-      "float vdelta" .5 "bool invert" true "string encoding" "linear"
-    Texture "board" "spectrum" "checkerboard" "texture tex1" "map" "texture tex2" "twice"
-    Texture "alpha" "float" "imagemap" "string filename" "picture.png"
-    Material "diffuse" "texture reflectance" "board"
-    Shape "disk" "texture alpha" "alpha")");
-  const auto& material = scene.materials.at(0);
-  const auto& reflectance = std::get<DiffuseMaterial>(material.model).reflectance;
-  ASSERT_EQ(reflectance.texture.index, 1u);
-  const auto& board = std::get<CheckerboardTexture>(scene.textures.at(1).kind);
-  EXPECT_EQ(scene.images.at(board.even.map.index).wrap, Wrap::Clamp);
-  EXPECT_EQ(scene.images.at(board.even.map.index).encoding, Encoding::Srgb);
-  ASSERT_EQ(board.odd.texture.index, 0u);
-  const auto& twice = std::get<ImageTexture>(scene.textures.at(0).kind);
-  EXPECT_EQ(twice.mapping.scale, Vec2d(2, 1));
-  EXPECT_EQ(twice.mapping.offset, Vec2d(0, 0.5));
-  EXPECT_TRUE(twice.is_inverted);
-  EXPECT_EQ(scene.images.at(twice.image.index).encoding, Encoding::Linear);
-  EXPECT_TRUE(material.opacity.map.is_valid());
-  EXPECT_EQ(material.opacity.channel, alpha_or_first);
-}
-
-TEST(Errors_PbrtTextures, NamesThatAreNotThere) {
-  EXPECT_EQ(pbrt_world_error("Texture \"wood\" \"spectrum\" \"constant\"\nMaterial \"diffuse\" "
-                             "\"texture reflectance\" \"wodo\""),
-            "3:20: there is no spectrum texture 'wodo', did you mean 'wood'?");
-  EXPECT_EQ(pbrt_world_error("Texture \"t\" \"spectrum\" \"scale\" \"texture tex\" \"t\"\nMaterial "
-                             "\"diffuse\" \"texture reflectance\" \"t\""),
-            "2:32: textures are made of each other more than 64 deep: 't' perhaps of itself");
-  EXPECT_EQ(pbrt_world_error("Texture \"t\" \"flaot\" \"constant\""),
-            "2:13: Texture: found 'flaot', expected float or spectrum");
-  EXPECT_EQ(pbrt_world_error(
-                "Texture \"t\" \"float\" \"constant\"\nTexture \"t\" \"float\" \"constant\""),
-            "3:1: the float texture 't' is defined twice");
-}
-
+// In the space of their own directive.
 TEST(Errors_PbrtMaterials, WhatIsWrongWithThem) {
   EXPECT_EQ(pbrt_world_error("MakeNamedMaterial \"a\" \"rgb reflectance\" [ 1 1 1 ]"),
             "2:19: the material 'a' has no type: expected \"string type\"");

@@ -54,6 +54,26 @@ TEST(Unit_PbrtShapes, SpheresHaveTheirAreaAndPointOutwards) {
   }
 }
 
+// What docs/pbrt.md states: how far the mesh is from the sphere, and what it covers from any side.
+TEST(Unit_PbrtShapes, SpheresAreMeshesNearTheSphere) {
+  const Mesh mesh = mesh_of("Shape \"sphere\"");
+  double farthest = 0;  // of vertices and planes: all else lies between
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Vec3d& p = mesh.positions[mesh.triangles[i][0]];
+    if (length(face_of(mesh, i)) < 1e-12) continue;
+    farthest = std::max({farthest, std::abs(length(p) - 1),
+                         std::abs(dot(p, normalize(face_of(mesh, i))) - 1)});
+  }
+  EXPECT_LT(farthest, 0.0004);
+  EXPECT_GT(farthest, 0.0002);
+  for (const Vec3d& side : {Vec3d(0, 0, 1), Vec3d(1, 0, 0), normalize(Vec3d(3, 4, 9))}) {
+    double projected = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+      projected += std::abs(dot(face_of(mesh, i), side)) / 4;
+    EXPECT_NEAR(projected / pi_double, 1, 0.00015);
+  }
+}
+
 TEST(Unit_PbrtShapes, PartsOfSpheres) {
   const Mesh mesh =
       mesh_of("Shape \"sphere\" \"float radius\" 2 \"float zmin\" 0 \"float phimax\" 90");

@@ -278,5 +278,46 @@ TEST(Unit_WriteTextures, OfEveryKind) {
   EXPECT_EQ(std::get<MixTexture>(back[6].kind).first.texture.index, 4u);
 }
 
+// Places are found again whatever the space, and roots that pbrt does not have.
+TEST(Unit_WriteTextures, ByPlaceAndByNormal) {
+  SceneDescription scene = room();
+  const auto add = [&](auto kind) {
+    scene.textures.push_back({"t", {}, std::move(kind)});
+    ColourInput input;
+    input.texture = TextureHandle(scene.textures.size() - 1);
+    return input;
+  };
+  const Transform turned{Mat3d(0, 2, 0, 0, 0, 2, 2, 0, 0), {0.5, -1, 0.25}};
+  const auto mapped = [&](MappingKind kind) { return UvMapping{{1, 1}, {0, 0}, kind, turned}; };
+  const ColourInput flat =
+      add(CheckerboardTexture{{{3, 2}, {0.5, 0}, MappingKind::Planar, turned}});
+  const ColourInput round = add(DotsTexture{mapped(MappingKind::Spherical), flat});
+  const ColourInput tube = add(CheckerboardTexture{mapped(MappingKind::Cylindrical), round});
+  const ColourInput cubes = add(SolidCheckerboardTexture{turned, tube});
+  const ColourInput snow = add(DirectionMixTexture{cubes, flat, {0, 0, 1}});
+  const ColourInput root = add(SquareRootTexture{snow});
+  scene.materials[0].model = DiffuseMaterial{root};
+  const RoundTrip trip = test::round_trip(scene);
+  const auto& back = trip.scene.textures;
+  ASSERT_EQ(back.size(), 6u) << trip.written.text;
+  const auto expect_at = [](const Vec3d& found, const Vec3d& expected) {
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 1e-12);
+  };
+  const Vec3d p(3, 4, 5);
+  const Vec3d there = turned.point(p);
+  const auto& plane = std::get<CheckerboardTexture>(back[0].kind).mapping;
+  EXPECT_EQ(plane.kind, MappingKind::Planar);
+  const Vec3d on_plane = plane.place_from_world.point(p);
+  EXPECT_NEAR(on_plane.x + plane.offset.x, there.x * 3 + 0.5, 1e-12);
+  EXPECT_NEAR(on_plane.y + plane.offset.y, there.y * 2, 1e-12);
+  const auto& dots = std::get<DotsTexture>(back[1].kind).mapping;
+  EXPECT_EQ(dots.kind, MappingKind::Spherical);
+  expect_at(dots.place_from_world.point(p), there);
+  EXPECT_EQ(std::get<CheckerboardTexture>(back[2].kind).mapping.kind, MappingKind::Cylindrical);
+  expect_at(std::get<SolidCheckerboardTexture>(back[3].kind).place_from_world.point(p), there);
+  EXPECT_EQ(std::get<DirectionMixTexture>(back[4].kind).direction, Vec3d(0, 0, 1));
+  EXPECT_EQ(std::get<SquareRootTexture>(back[5].kind).input.texture.index, 4u);
+}
+
 }  // namespace
 }  // namespace candela::pbrt

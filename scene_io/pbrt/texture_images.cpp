@@ -1,0 +1,155 @@
+// Image files as pbrt names them: textures, heights, normals.
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "scene_io/pbrt/source_files.h"
+#include "scene_io/pbrt/textures.h"
+#include "scene_io/text/cursor.h"
+
+namespace candela::pbrt {
+namespace {
+
+using description::ColourInput;
+using description::Encoding;
+using description::ImageHandle;
+using description::MappingKind;
+using description::Wrap;
+
+bool has_extension(std::string_view name, std::string_view extension) {
+  return name.size() > extension.size() &&
+         text::equal_ignoring_case(name.substr(name.size() - extension.size()), extension);
+}
+
+Wrap wrap_of(Arguments& arguments) {
+  const Parameter* parameter = arguments.find("wrap", {ParameterType::String});
+  if (!parameter || parameter->strings.size() != 1 || parameter->strings[0] == "repeat")
+    return Wrap::Repeat;
+  if (parameter->strings[0] == "black") return Wrap::Black;
+  if (parameter->strings[0] == "clamp") return Wrap::Clamp;
+  if (parameter->strings[0] == "mirror") return Wrap::Mirror;  // candela's own
+  arguments.warning(*parameter, fmt::format("{} is none of repeat, black and clamp: it is repeated",
+                                            text::quoted(parameter->strings[0])));
+  return Wrap::Repeat;
+}
+
+// Only PNG files are as "encoding" says.
+Encoding encoding_of(Arguments& arguments, std::string_view file_name) {
+  const Parameter* parameter = arguments.find("encoding", {ParameterType::String});
+  if (!parameter || parameter->strings.size() != 1 || !has_extension(file_name, ".png"))
+    return encoding_of_file(file_name);
+  const auto encoding = encoding_named(parameter->strings[0]);
+  if (!encoding)
+    arguments.warning(*parameter, fmt::format("{} is not supported: it counts as sRGB",
+                                              text::quoted(parameter->strings[0])));
+  return encoding.value_or(Encoding::Srgb);
+}
+
+}  // namespace
+
+std::string_view name_of(Encoding encoding) {
+  switch (encoding) {
+    case Encoding::Linear:
+      return "linear";
+    case Encoding::Srgb:
+      return "sRGB";
+    case Encoding::LabGamma:
+      return "gamma 2.2";
+  }
+  return "linear";
+}
+
+std::optional<Encoding> encoding_named(std::string_view name) {
+  for (const Encoding encoding : {Encoding::Linear, Encoding::Srgb, Encoding::LabGamma})
+    if (name_of(encoding) == name) return encoding;
+  return std::nullopt;
+}
+
+Encoding encoding_of_file(std::string_view name) {
+  const bool is_linear =
+      has_extension(name, ".exr") || has_extension(name, ".hdr") || has_extension(name, ".pfm");
+  return is_linear ? Encoding::Linear : Encoding::Srgb;
+}
+
+ImageHandle add_image(Context& context, const Parameter& file, Encoding encoding, Wrap wrap) {
+  if (file.strings.size() != 1) {
+    context.report.error(file.place, "expected the name of one image file");
+    return {};
+  }
+  const std::string path =
+      resolve_file(context.scene.path, file.place, file.strings[0], context.report);
+  std::error_code failed;
+  const auto status = std::filesystem::status(path, failed);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    context.report.error(file.place, fmt::format("{} is no regular file; expected an image",
+                                                 text::quoted_path(path)));
+    return {};
+  }
+  auto& images = context.scene.images;
+  const auto same = std::find_if(images.begin(), images.end(), [&](const auto& image) {
+    return image.path == path && image.encoding == encoding && image.wrap == wrap;
+  });
+  if (same != images.end()) return ImageHandle(static_cast<std::size_t>(same - images.begin()));
+  images.push_back({path, encoding, wrap, file.place.span()});
+  return ImageHandle(images.size() - 1);
+}
+
+void Textures::set_heights(Arguments& arguments, description::Material& material) {
+  if (set_own_heights(arguments, material)) return;
+  const Parameter* parameter =
+      arguments.find("displacement", {ParameterType::Texture, ParameterType::Float});
+  if (!parameter) parameter = arguments.find("bumpmap", {ParameterType::Texture});  // pbrt-v3
+  if (!parameter || parameter->type != ParameterType::Texture) return;
+  const auto heights = scalar_texture(*parameter);
+  if (!heights) return;
+  material.height = heights->map;
+  material.height_texture = heights->texture;
+  material.height_scale = heights_are_lengths;
+}
+
+// candela's own: heights in the unit that it has.
+bool Textures::set_own_heights(Arguments& arguments, description::Material& material) {
+  const Parameter* parameter = arguments.find("heights", {ParameterType::Texture});
+  if (!parameter) return false;
+  arguments.accept({"displacement"});
+  material.height_scale = arguments.number("heightscale").value_or(1);
+  const auto heights = scalar_texture(*parameter);
+  if (!heights) return true;
+  material.height = heights->map;
+  material.height_texture = heights->texture;
+  return true;
+}
+
+ImageHandle Textures::normal_map(Arguments& arguments) {
+  const Parameter* file = arguments.find("normalmap", {ParameterType::String});
+  return file ? add_image(context_, *file, Encoding::Linear, Wrap::Repeat) : ImageHandle();
+}
+
+Textures::Value Textures::image(const TextureStatement& statement, Arguments& arguments,
+                                const std::string& name) {
+  const Parameter* file = arguments.find("filename", {ParameterType::String});
+  // All maps are filtered by the footprint; pbrt-v3's spellings.
+  arguments.accept({"filter", "maxanisotropy", "trilinear", "gamma"});
+  const Wrap wrap = wrap_of(arguments);
+  const Encoding encoding =
+      encoding_of(arguments, file && file->strings.size() == 1 ? file->strings[0] : "");
+  description::ImageTexture texture;
+  texture.mapping = mapping(statement, arguments);
+  texture.factor = arguments.number("scale").value_or(1);
+  texture.is_inverted = arguments.flag("invert", false);
+  if (!file) {
+    context_.report.error(arguments.statement().place,
+                          "an imagemap without its file: expected \"string filename\"");
+    return std::nullopt;
+  }
+  texture.image = add_image(context_, *file, encoding, wrap);
+  if (!texture.image) return std::nullopt;
+  const bool is_plain =
+      texture.mapping.scale == Vec2d(1.0) && texture.mapping.offset == Vec2d(0.0) &&
+      texture.mapping.kind == MappingKind::Surface && texture.factor == 1 && !texture.is_inverted;
+  if (is_plain) return ColourInput{Vec3d(1.0), texture.image, {}};
+  return add(texture, name, arguments.statement().place);
+}
+
+}  // namespace candela::pbrt
