@@ -62,8 +62,8 @@ struct Material {
   Rgb k{0};
   Rgb transmittance{1};
   // Coated models; `roughness` is the coat's. Shared by materials that are coated alike.
-  std::shared_ptr<const CoatTable> coat;
-  std::shared_ptr<const CoatedMetalTable> metal;
+  std::shared_ptr<const CoatTable> coat = nullptr;
+  std::shared_ptr<const CoatedMetalTable> metal = nullptr;
   ScalarParameter metal_roughness{0, {}, 0};         // CoatedConductor: of the metal
   ScalarParameter metal_roughness_across{0, {}, 0};  // along dp/dv
   int coat_bounces = 0;  // how often light may leave the surface below; 0: no limit

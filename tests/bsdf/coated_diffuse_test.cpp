@@ -121,7 +121,7 @@ TEST(Unit_CoatedDiffuse, SmoothCoatsLeaveTheirShareToTheDensity) {
                       : 0;
     const double integral = statistics::integrate_sphere(
         [&](const Vec3f& wi) { return double{evaluate_bsdf(coated.bsdf, wo, wi).pdf}; }, {});
-    EXPECT_NEAR(integral, 1 - double{mirrored} / count, 1.5 / count + 1e-4);
+    EXPECT_NEAR(integral, 1 - static_cast<double>(mirrored) / count, 1.5 / count + 1e-4);
   }
   EXPECT_FALSE(is_only_delta(coated.bsdf));
 }

@@ -148,7 +148,9 @@ TEST(Unit_Filter, ChangesItsSignWhereItIsZero) {
     for (float x = -3.999f; x < 4; x += 0.01f) {
       const Filter filter(kind, 4);
       const double f = weight(kind, double{x}, 4);
-      if (std::abs(f) > 1e-4) EXPECT_EQ(filter.weight({x, 0}) > 0, f > 0) << x;
+      if (std::abs(f) > 1e-4) {
+        EXPECT_EQ(filter.weight({x, 0}) > 0, f > 0) << x;
+      }
     }
 }
 
