@@ -25,6 +25,16 @@ Vec3f unit_or_zero(const Vec3d& sum) {
 
 }  // namespace
 
+bool shares_vertices(const description::Mesh& mesh) {
+  std::vector<bool> is_used(mesh.positions.size(), false);
+  for (const auto& triangle : mesh.triangles)
+    for (const std::uint32_t vertex : triangle) {
+      if (is_used[vertex]) return true;
+      is_used[vertex] = true;
+    }
+  return false;
+}
+
 void compute_smooth_normals(description::Mesh& mesh) {
   mesh.normals.clear();
   if (mesh.positions.empty()) return;

@@ -10,4 +10,7 @@ namespace candela::mesh {
 // the mesh they transform by its cofactor matrix, so computing them before or after is the same.
 void compute_smooth_normals(description::Mesh& mesh);
 
+// False where there is nothing to smooth: the normals would be the triangles' own.
+[[nodiscard]] bool shares_vertices(const description::Mesh& mesh);
+
 }  // namespace candela::mesh

@@ -333,7 +333,8 @@ std::optional<Mesh> parse_ply(const std::string& path, std::string_view bytes,
   if (!read_body(source, *header, mesh, diagnostics)) return std::nullopt;
   mesh.name = path;
   mesh.span = {source.name, 1, 1};
-  if (mesh.normals.empty() && options.smooth_missing_normals) mesh::compute_smooth_normals(mesh);
+  if (mesh.normals.empty() && options.smooth_missing_normals && mesh::shares_vertices(mesh))
+    mesh::compute_smooth_normals(mesh);
   return mesh;
 }
 

@@ -110,11 +110,14 @@ std::string triangle_header(std::string_view more = "", std::string_view faces =
       more, faces);
 }
 
+// And only where triangles share a vertex: else there is nothing to smooth.
 TEST(Unit_Ply, MissingNormalsAreComputedOnlyWhereAsked) {
-  const std::string text = triangle_header() + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-  EXPECT_TRUE(parse(text).normals.empty());
-  EXPECT_TRUE(parse(text).uvs.empty());
-  EXPECT_EQ(parse(text, true).normals, std::vector<Vec3f>(3, {0, 0, 1}));
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
+  const std::string two = triangle_header("", "2") + points + "3 0 1 2\n3 0 1 2\n";
+  EXPECT_TRUE(parse(two).normals.empty());
+  EXPECT_TRUE(parse(two).uvs.empty());
+  EXPECT_EQ(parse(two, true).normals, std::vector<Vec3f>(3, {0, 0, 1}));
+  EXPECT_TRUE(parse(triangle_header() + points + "3 0 1 2\n", true).normals.empty());
 }
 
 TEST(Unit_Ply, TextureCoordinatesHaveManyNames) {
