@@ -42,7 +42,8 @@ void expect_refused(const std::vector<std::string>& words, const std::string& se
 }
 
 TEST(Errors_CommandLine, UsageErrorsEndWithTwo) {
-  expect_usage_error({}, "candela: expected a command: render, info, check, compare, convert, bench");
+  expect_usage_error({},
+                     "candela: expected a command: render, info, check, compare, convert, bench");
   expect_usage_error({"render", "s.yaml", "--integrator", "pth"},
                      "candela render: --integrator: unknown integrator 'pth', did you mean 'path'? "
                      "Known: path");

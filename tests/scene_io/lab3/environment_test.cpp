@@ -175,7 +175,8 @@ TEST(Errors_Lab3Render, Values) {
             "1:22: Integrator: found 'pth', expected path, report, whitted or raster, did you mean "
             "'path'?");
   EXPECT_EQ(error_in("Render: {Filter: tent}\n"),
-            "1:18: Filter: found 'tent', expected box, gaussian, blackman_harris, triangle, mitchell or sinc");
+            "1:18: Filter: found 'tent', expected box, gaussian, blackman_harris, triangle, "
+            "mitchell or sinc");
   EXPECT_EQ(error_in("Render: {MaxDepth: -1}\n"),
             "1:20: MaxDepth: found '-1', expected a whole number from 0 to 1000000");
   EXPECT_EQ(error_in("Render: 5\n"), "1:9: found '5', expected the keys of Render");

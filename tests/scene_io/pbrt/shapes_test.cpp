@@ -61,8 +61,8 @@ TEST(Unit_PbrtShapes, SpheresAreMeshesNearTheSphere) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const Vec3d& p = mesh.positions[mesh.triangles[i][0]];
     if (length(face_of(mesh, i)) < 1e-12) continue;
-    farthest = std::max({farthest, std::abs(length(p) - 1),
-                         std::abs(dot(p, normalize(face_of(mesh, i))) - 1)});
+    farthest = std::max(
+        {farthest, std::abs(length(p) - 1), std::abs(dot(p, normalize(face_of(mesh, i))) - 1)});
   }
   EXPECT_LT(farthest, 0.0004);
   EXPECT_GT(farthest, 0.0002);
