@@ -133,6 +133,7 @@ std::uint32_t choose_splitting(const RenderOptions& options, const TileFunction&
                                const CancelFlag* cancel) {
   const std::uint64_t seed = mix_bits(options.seed + 2);  // none that the picture uses
   std::vector<TrialPair> tiles(trial_tiles(options));
+  if (tiles.empty()) return 1;
   parallel_for(tiles.size(), [&](std::size_t i) {
     if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return;
     TilePass pass;
