@@ -62,9 +62,9 @@ template <FeatureSet F, class A>
         path.throughput * light_on_medium_from_always<F>(context, place, medium, wo, counts);
     const LightSampler& lights = context.scene.light_sampler;
     if (lights.has_table()) {
-      LightPick pick = lights.pick(numbers.light_choice);
-      picked = light_on_medium<F>(context, pick.light, numbers.light_point, pick.probability, place,
-                                  asymmetry, wo);
+      Vec2f u = numbers.light_point;
+      LightPick pick = pick_light(lights, numbers.light_choice, u);
+      picked = light_on_medium<F>(context, pick.light, u, pick.probability, place, asymmetry, wo);
       picked.contribution *= path.throughput;
     }
   }

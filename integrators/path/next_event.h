@@ -62,6 +62,14 @@ template <FeatureSet F, class A>
   return {contribution, light.shadow_ray};
 }
 
+// A light by power; where the number that chose is u.x, what is left of it takes its place.
+[[nodiscard]] inline LightPick pick_light(const LightSampler& lights, std::uint32_t choice,
+                                          Vec2f& u) {
+  LightPick pick = lights.pick(choice);
+  if (lights.has_few()) u.x = pick.rest;
+  return pick;
+}
+
 // Of the light that is picked by power; `choice`: 32 random bits, where the lights are few those of
 // u.x.
 template <FeatureSet F, class A>
@@ -70,8 +78,7 @@ template <FeatureSet F, class A>
                                               const Vec3f& wo_local, TileCounts& counts) {
   const LightSampler& lights = context.scene.light_sampler;
   if (!lights.has_table()) return {};
-  LightPick pick = lights.pick(choice);
-  if (lights.has_few()) u.x = pick.rest;
+  LightPick pick = pick_light(lights, choice, u);
   return sample_direct_light<F>(context, pick.light, u, pick.probability, point, bsdf, wo_local,
                                 counts);
 }
