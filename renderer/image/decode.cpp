@@ -15,6 +15,7 @@
 #include "renderer/image/guard.h"
 #include "renderer/image/image_format.h"
 #include "renderer/image/openimageio_setup.h"
+#include "renderer/image/sample_type.h"
 #include "renderer/image/tga.h"
 
 namespace candela {
@@ -37,27 +38,6 @@ using OIIO::TypeDesc;
 constexpr int band_rows = 256;
 // Above any ratio of TIFF's compressions but that of blank fax pages.
 constexpr double best_tiff_compression = 2000;
-
-SampleType sample_type_of(TypeDesc type) {
-  if (type == TypeDesc::UINT8) return SampleType::U8;
-  if (type == TypeDesc::UINT16) return SampleType::U16;
-  if (type == TypeDesc::HALF) return SampleType::Half;
-  return SampleType::Float;
-}
-
-TypeDesc type_desc_of(SampleType type) {
-  switch (type) {
-    case SampleType::U8:
-      return TypeDesc::UINT8;
-    case SampleType::U16:
-      return TypeDesc::UINT16;
-    case SampleType::Half:
-      return TypeDesc::HALF;
-    case SampleType::Float:
-      return TypeDesc::FLOAT;
-  }
-  return TypeDesc::FLOAT;
-}
 
 std::string_view reader_of(ImageFormat format) {
   return format == ImageFormat::Tga ? "targa" : name_of(format);

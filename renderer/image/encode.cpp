@@ -15,6 +15,7 @@
 #include "renderer/base/floating_point_traps.h"
 #include "renderer/image/display_transform.h"
 #include "renderer/image/openimageio_setup.h"
+#include "renderer/image/sample_type.h"
 
 namespace candela {
 namespace {
@@ -186,20 +187,6 @@ Result<std::string> encode(ImageFormat format, const Encodable& image) {
   return std::string(buffer.begin(), buffer.end());
 }
 
-TypeDesc type_of(SampleType type) {
-  switch (type) {
-    case SampleType::U8:
-      return TypeDesc::UINT8;
-    case SampleType::U16:
-      return TypeDesc::UINT16;
-    case SampleType::Half:
-      return TypeDesc::HALF;
-    case SampleType::Float:
-      return TypeDesc::FLOAT;
-  }
-  return TypeDesc::FLOAT;
-}
-
 std::vector<std::byte> one_channel(const DecodedImage& image, std::size_t channel) {
   const std::size_t bytes = size_of(image.header.sample_type);
   const std::size_t stride = bytes * image.header.channels.size();
@@ -227,7 +214,7 @@ Result<std::string> encode_samples(const DecodedImage& image, int channel) {
     std::vector<std::byte> picked;
     Encodable result;
     result.spec = ImageSpec(header.width, header.height, channel < 0 ? count : 1,
-                            type_of(header.sample_type));
+                            type_desc_of(header.sample_type));
     result.samples = image.samples.get();
     if (channel < 0) {
       result.spec.channelnames = header.channels;

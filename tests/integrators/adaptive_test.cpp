@@ -116,10 +116,7 @@ TEST(Agreement_Adaptive, CropsAreOfTheWholePicture) {
   const PixelRect crop{5, 11, 20, 32};
   settings.options.crop = crop;
   const Image part = rendered(scene, settings).film.to_image(true);
-  for (int y = crop.y0; y < crop.y1; ++y)
-    for (int x = crop.x0; x < crop.x1; ++x)
-      for (std::size_t c = 0; c < whole.channel_count(); ++c)
-        ASSERT_EQ(part.pixel(x - crop.x0, y - crop.y0)[c], whole.pixel(x, y)[c]) << c;
+  expect_part(part, whole, crop);
 }
 
 // Too few samples for a pilot, or no replicates to tell its noise by: as without.

@@ -1,7 +1,7 @@
 // Invariants 1, 2 and 5 in scenes with media, and of the media kernel in scenes without.
 #include <gtest/gtest.h>
 
-#include "integrators/path/kernels.h"
+#include "tests/integrators/sample_ranges.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
 
@@ -26,7 +26,7 @@ SceneDescription smoky_room(double unit = 1) {
   return scene;
 }
 
-std::vector<float> picture(const Scene& scene, const RenderSettings& settings) {
+std::vector<float> media_picture(const Scene& scene, const RenderSettings& settings) {
   const RenderResult result = rendered(scene, settings);
   EXPECT_EQ(result.statistics.kernel, "path/media");
   return result.film.to_image(true).values;
@@ -36,19 +36,21 @@ TEST(Agreement_MediaSameBits, OverThreadsTilesAndRuns) {
   RenderSettings settings = settings_of(40, 20);
   const Scene scene = compiled(smoky_room(), settings.options);
   settings.threads = 1;
-  const std::vector<float> one = picture(scene, settings);
+  const std::vector<float> one = media_picture(scene, settings);
   settings.threads = 3;
-  EXPECT_EQ(picture(scene, settings), one);
+  EXPECT_EQ(media_picture(scene, settings), one);
   settings.options.tile_size = 7;
-  EXPECT_EQ(picture(scene, settings), one);
+  EXPECT_EQ(media_picture(scene, settings), one);
 }
 
 TEST(Agreement_MediaSameBits, OverScalesByPowersOfTwo) {
   const RenderSettings settings = settings_of(32, 8);
-  const std::vector<float> reference = picture(compiled(smoky_room(), settings.options), settings);
+  const std::vector<float> reference =
+      media_picture(compiled(smoky_room(), settings.options), settings);
   for (const int exponent : {-40, -10, 10, 40}) {
     const SceneDescription scaled = smoky_room(std::ldexp(1.0, exponent));
-    EXPECT_EQ(picture(compiled(scaled, settings.options), settings), reference) << "2^" << exponent;
+    EXPECT_EQ(media_picture(compiled(scaled, settings.options), settings), reference)
+        << "2^" << exponent;
   }
 }
 
@@ -56,18 +58,8 @@ TEST(Agreement_MediaSameBits, OverScalesByPowersOfTwo) {
 TEST(Agreement_MediaSameBits, OverSampleRanges) {
   const RenderSettings settings = settings_of(24, 40);
   const Scene scene = compiled(smoky_room(), settings.options);
-  const EmbreeAccel accelerator(scene);
-  const Filter filter = make_filter(settings.options);
-  const auto context = make_path_context(scene, accelerator, filter, settings.options);
-  const PixelRect all{0, 0, 24, 24};
-  const auto picture_of = [&](const std::vector<std::uint32_t>& cuts) {
-    Film film(24, 24, all, 0, 4);
-    for (std::size_t i = 1; i < cuts.size(); ++i)
-      render_tile<media_features>(
-          context, {all, {cuts[i - 1], cuts[i]}, nullptr, settings.options.seed}, film);
-    return film.to_image(true).values;
-  };
-  EXPECT_EQ(picture_of({0, 1, 16, 17, 31, 32, 40}), picture_of({0, 40}));
+  EXPECT_EQ(picture_of_ranges<media_features>(scene, settings, {0, 1, 16, 17, 31, 32, 40}),
+            picture_of_ranges<media_features>(scene, settings, {0, 40}));
 }
 
 TEST(Agreement_MediaSameBits, WithoutMediaTheKernelIsTheGeneralOne) {

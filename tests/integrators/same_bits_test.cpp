@@ -1,8 +1,8 @@
 // Invariants 1 and 2: one scene, one set of options, one seed, one image, bit by bit.
 #include <gtest/gtest.h>
 
-#include "integrators/path/kernels.h"
 #include "renderer/math/constants.h"
+#include "tests/integrators/sample_ranges.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
 
@@ -14,10 +14,6 @@ using namespace test;
 constexpr AovSet all_aovs = aov_bit(Aov::Albedo) | aov_bit(Aov::Normal) | aov_bit(Aov::Depth) |
                             aov_bit(Aov::Position) | aov_bit(Aov::MaterialId) |
                             aov_bit(Aov::Samples);
-
-Image picture(const Scene& scene, const RenderSettings& settings) {
-  return rendered(scene, settings).film.to_image(true);
-}
 
 TEST(Agreement_SameBits, OverThreads) {
   RenderSettings settings = settings_of(50, 20);
@@ -50,11 +46,7 @@ TEST(Agreement_SameBits, OverCrops) {
   const PixelRect crop{13, 5, 41, 50};
   settings.options.crop = crop;
   const Image part = picture(scene, settings);
-  ASSERT_EQ(part.width, crop.width());
-  for (int y = crop.y0; y < crop.y1; ++y)
-    for (int x = crop.x0; x < crop.x1; ++x)
-      for (std::size_t c = 0; c < whole.channel_count(); ++c)
-        ASSERT_EQ(part.pixel(x - crop.x0, y - crop.y0)[c], whole.pixel(x, y)[c]);
+  expect_part(part, whole, crop);
 }
 
 TEST(Agreement_SameBits, SpecialisedKernelIsTheGeneralOne) {
@@ -91,18 +83,11 @@ TEST(Agreement_SameBits, SamplesArePrefixes) {
 
 // Blocks of samples that are cut anywhere: their parts give the bits of the whole.
 TEST(Agreement_SameBits, OverSampleRanges) {
-  const RenderSettings settings = settings_of(24, 40);
+  RenderSettings settings = settings_of(24, 40);
+  settings.options.aovs = all_aovs;
   const Scene scene = compiled(small_room(), settings.options);
-  const EmbreeAccel accelerator(scene);
-  const Filter filter = make_filter(settings.options);
-  const auto context = make_path_context(scene, accelerator, filter, settings.options);
-  const PixelRect all{0, 0, 24, 24};
   const auto picture_of = [&](const std::vector<std::uint32_t>& cuts) {
-    Film film(24, 24, all, all_aovs, 4);
-    for (std::size_t i = 1; i < cuts.size(); ++i)
-      render_tile<general_features>(
-          context, {all, {cuts[i - 1], cuts[i]}, nullptr, settings.options.seed}, film);
-    return film.to_image(true).values;
+    return picture_of_ranges<general_features>(scene, settings, cuts);
   };
   const std::vector<float> whole = picture_of({0, 40});
   EXPECT_EQ(picture_of({0, 16, 32, 40}), whole);

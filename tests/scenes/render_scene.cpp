@@ -38,6 +38,20 @@ RenderResult rendered(const description::SceneDescription& description,
   return rendered(scene, settings);
 }
 
+Image picture(const Scene& scene, const RenderSettings& settings) {
+  return rendered(scene, settings).film.to_image(true);
+}
+
+void expect_part(const Image& part, const Image& whole, const PixelRect& crop) {
+  ASSERT_EQ(part.width, crop.width());
+  ASSERT_EQ(part.height, crop.height());
+  ASSERT_EQ(part.channels, whole.channels);
+  for (int y = crop.y0; y < crop.y1; ++y)
+    for (int x = crop.x0; x < crop.x1; ++x)
+      for (std::size_t c = 0; c < whole.channel_count(); ++c)
+        ASSERT_EQ(part.pixel(x - crop.x0, y - crop.y0)[c], whole.pixel(x, y)[c]);
+}
+
 std::vector<double> grey(const Image& image) {
   std::vector<double> values;
   for (int y = 0; y < image.height; ++y)

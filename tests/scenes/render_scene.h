@@ -27,6 +27,12 @@ struct RenderSettings {
                                     const RenderSettings& settings);
 [[nodiscard]] RenderResult rendered(const Scene& scene, const RenderSettings& settings);
 
+// With alpha.
+[[nodiscard]] Image picture(const Scene& scene, const RenderSettings& settings);
+
+// `part` is the crop's pixels of the picture `whole`, bit by bit.
+void expect_part(const Image& part, const Image& whole, const PixelRect& crop);
+
 // Each pixel's mean of R, G, B, in rows from the top.
 [[nodiscard]] std::vector<double> grey(const Image& image);
 

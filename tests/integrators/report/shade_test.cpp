@@ -96,10 +96,6 @@ TEST(Unit_ReportShade, OnlyTheCameraSeesLamps) {
   EXPECT_EQ(result.statistics.kernel, "report");
 }
 
-Image picture(const Scene& scene, const RenderSettings& settings) {
-  return rendered(scene, settings).film.to_image(true);
-}
-
 TEST(Agreement_ReportSameBits, OverThreadsTilesAndCrops) {
   RenderSettings settings = report_settings(40, 12);
   settings.options.aovs = aov_bit(Aov::Albedo) | aov_bit(Aov::Normal) | aov_bit(Aov::Depth);
@@ -114,10 +110,7 @@ TEST(Agreement_ReportSameBits, OverThreadsTilesAndCrops) {
   const PixelRect crop{13, 5, 31, 40};
   settings.options.crop = crop;
   const Image part = picture(scene, settings);
-  for (int y = crop.y0; y < crop.y1; ++y)
-    for (int x = crop.x0; x < crop.x1; ++x)
-      for (std::size_t c = 0; c < whole.channel_count(); ++c)
-        ASSERT_EQ(part.pixel(x - crop.x0, y - crop.y0)[c], whole.pixel(x, y)[c]);
+  expect_part(part, whole, crop);
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+// A picture whose samples come in ranges, cut anywhere.
+#pragma once
+
+#include <vector>
+
+#include "integrators/path/kernels.h"
+#include "tests/scenes/render_scene.h"
+
+namespace candela::test {
+
+// By the kernel of F; range i goes from cuts[i] to cuts[i + 1].
+template <FeatureSet F>
+[[nodiscard]] std::vector<float> picture_of_ranges(const Scene& scene,
+                                                   const RenderSettings& settings,
+                                                   const std::vector<std::uint32_t>& cuts) {
+  const RenderOptions& options = settings.options;
+  const EmbreeAccel accelerator(scene);
+  const Filter filter = make_filter(options);
+  const auto context = make_path_context(scene, accelerator, filter, options);
+  const PixelRect all{0, 0, options.width, options.height};
+  Film film(options.width, options.height, all, options.aovs, 4);
+  for (std::size_t i = 1; i < cuts.size(); ++i)
+    render_tile<F>(context, {all, {cuts[i - 1], cuts[i]}, nullptr, options.seed}, film);
+  return film.to_image(true).values;
+}
+
+}  // namespace candela::test
