@@ -134,7 +134,9 @@ CompileOptions compile_options(const RenderOptions& options) {
           .height = options.height,
           .lab_quantised = is_lab,
           .decides_cutouts = !is_lab,
-          .keeps_media = options.integrator == IntegratorKind::Path};
+          .keeps_media = options.integrator == IntegratorKind::Path,
+          .samples_constant_environment =
+              options.samples_constant_sky || !counts_met_light(options.sampling)};
 }
 
 }  // namespace candela

@@ -60,6 +60,9 @@ struct RenderOptions {
   SamplingStrategy sampling = SamplingStrategy::Mis;
   Heuristic heuristic = Heuristic::Power;    // of Mis
   SamplerKind sampler = SamplerKind::Sobol;  // path
+  // path: light samples for a constant environment, which BSDF samples find as well; strategies
+  // that count no light that paths meet have them anyway.
+  bool samples_constant_sky = false;
   SpecularModel specular = SpecularModel::Blinn;
   // whitted and raster: normals as the lab's code interpolates them, neither made unit nor turned
   // to the viewer; for comparisons with its pictures.

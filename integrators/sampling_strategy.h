@@ -36,6 +36,9 @@ enum class SamplingStrategy : std::uint8_t { Mis, Light, Bsdf, Cosine, Uniform }
 [[nodiscard]] constexpr bool samples_lights(SamplingStrategy strategy) {
   return strategy != SamplingStrategy::Bsdf;
 }
+[[nodiscard]] constexpr bool counts_met_light(SamplingStrategy strategy) {
+  return strategy == SamplingStrategy::Mis || strategy == SamplingStrategy::Bsdf;
+}
 [[nodiscard]] constexpr bool samples_bsdfs(SamplingStrategy strategy) {
   return strategy != SamplingStrategy::Cosine && strategy != SamplingStrategy::Uniform;
 }

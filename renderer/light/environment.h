@@ -41,6 +41,7 @@ struct Environment {
   GridDistribution distribution;
   double mean_luminance = 0;  // over the sphere
 
+  [[nodiscard]] bool is_constant() const { return mapping == EnvironmentMapping::Constant; }
   // A black environment is no light; it may still be what camera rays end in.
   [[nodiscard]] bool is_black() const { return !(mean_luminance > 0); }
 };

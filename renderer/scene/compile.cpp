@@ -107,7 +107,7 @@ Result<Scene> compile(const SceneDescription& description, const CompileOptions&
   compile_geometry(description, options, scene, dropped);
   compile_coverage(scene);
   scene.bounds = bounds_of(scene);
-  compile_lights(description, scene, dropped, diagnostics);
+  compile_lights(description, options, scene, dropped, diagnostics);
   scene.features = features_of(scene);
   for (const auto& [what, count] : dropped) scene.dropped.push_back({what, count});
   if (const auto lost = dropped.find(out_of_reach); lost != dropped.end())

@@ -16,6 +16,9 @@ struct CompileOptions {
   // false: all of them count, and the integrator looks at the opacity itself (whitted, raster).
   bool decides_cutouts = true;
   bool keeps_media = true;  // false: all is as clear as air
+  // Whether light samples look for a constant environment, too. Where directions are drawn from
+  // BSDFs these find it as well, and a shadow ray less a hit is worth more than the second sample.
+  bool samples_constant_environment = true;
 };
 
 // Validates, then compiles. Errors name the file and line of what cannot be rendered.

@@ -145,7 +145,8 @@ void add_triangle_lights(Scene& scene) {
   }
 }
 
-void add_environment(const SceneDescription& description, Scene& scene, Diagnostics& diagnostics) {
+void add_environment(const SceneDescription& description, const CompileOptions& options,
+                     Scene& scene, Diagnostics& diagnostics) {
   for (const description::Light& light : description.lights) {
     std::optional<Environment> environment =
         std::visit(EnvironmentCompiler{description, scene.textures, diagnostics}, light.kind);
@@ -156,6 +157,7 @@ void add_environment(const SceneDescription& description, Scene& scene, Diagnost
     }
     scene.environment = std::move(environment);
     if (scene.environment->is_black()) continue;
+    if (scene.environment->is_constant() && !options.samples_constant_environment) continue;
     scene.environment_light = static_cast<std::uint32_t>(scene.lights.size());
     scene.lights.push_back(make_environment_light());
   }
@@ -225,11 +227,11 @@ void add_triangle_light_surfaces(SceneDescription& description) {
   }
 }
 
-void compile_lights(const SceneDescription& description, Scene& scene, DropCounts& dropped,
-                    Diagnostics& diagnostics) {
+void compile_lights(const SceneDescription& description, const CompileOptions& options,
+                    Scene& scene, DropCounts& dropped, Diagnostics& diagnostics) {
   add_delta_lights(description, scene, dropped, diagnostics);
   add_triangle_lights(scene);
-  add_environment(description, scene, diagnostics);
+  add_environment(description, options, scene, diagnostics);
   scene.ambient = ambient_of(description);
   scene.light_sampler = build_light_sampler(scene);
 }

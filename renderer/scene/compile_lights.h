@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/description/scene_description.h"
+#include "renderer/scene/compile.h"
 #include "renderer/scene/compile_geometry.h"
 #include "renderer/scene/scene.h"
 
@@ -13,7 +14,7 @@ void add_triangle_light_surfaces(description::SceneDescription& description);
 
 // Fills lights, environment, ambient and light_sampler, and first_light of emissive geometries.
 // Black lights are dropped and counted. Geometry, bounds and normalisation must be complete.
-void compile_lights(const description::SceneDescription& description, Scene& scene,
-                    DropCounts& dropped, Diagnostics& diagnostics);
+void compile_lights(const description::SceneDescription& description, const CompileOptions& options,
+                    Scene& scene, DropCounts& dropped, Diagnostics& diagnostics);
 
 }  // namespace candela

@@ -69,8 +69,9 @@ struct Scene {
   std::vector<MediumBoundary> medium_boundaries;  // by material; empty where there are no media
   std::vector<Light> lights;
   LightSampler light_sampler;
-  std::optional<Environment> environment;         // at most one
-  std::uint32_t environment_light = Light::none;  // its index in `lights`; none: it sheds no light
+  std::optional<Environment> environment;  // at most one
+  // Its index in `lights`; none: light samples do not look for it.
+  std::uint32_t environment_light = Light::none;
   Rgb ambient{0};  // whitted's and raster's unshadowed light from everywhere: radiance
   TextureStore textures;
   std::vector<Camera> cameras;

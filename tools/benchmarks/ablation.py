@@ -35,6 +35,7 @@ TECHNIQUES = (  # a row is a line
     Technique("adaptive sampling", {"adaptive": "off"}),
     Technique("splitting at the first hit", {"splitting": 1}),
     Technique("Sobol points (off: plain random numbers)", {"sampler": "independent"}),
+    Technique("no light samples for a constant sky", {"sky_samples": "on"}),
     Technique("four replicates (off: one, no stated error)", {"replicates": 1}),
     Technique("light and BSDF samples (off: light alone)", {"sampling": "light"},
               timed_on=SAME_KERNEL),
@@ -53,7 +54,18 @@ def add_arguments(parser):
     parser.add_argument("--pairs", type=int, help="pictures with and without (8)")
     parser.add_argument("--size", type=int, metavar="N", help="pixels a side (96)")
     parser.add_argument("--spp", type=int, help="samples of a picture (128: adaptive sampling's least)")
+    parser.add_argument("--technique", action="append", metavar="WORDS",
+                        help="only rows whose name has these words; may be given several times")
     parser.add_argument("--threads", type=int, default=1, help="(1)")
+
+
+def wanted(options):
+    words = options.technique or [""]
+    found = [t for t in TECHNIQUES if any(w.lower() in t.name.lower() for w in words)]
+    if not found:
+        names = ", ".join(f"'{t.name}'" for t in TECHNIQUES)
+        raise CandelaFailed(f"no technique is called {' or '.join(words)}; there are {names}")
+    return found
 
 
 def run(options):
@@ -67,11 +79,12 @@ def run(options):
     spp = options.spp or (16 if options.quick else 128)
     pairs = options.pairs or (3 if options.quick else 8)
     scenes = chosen_scenes.chosen(candela, out, options.scenes, default_scenes())
+    techniques = wanted(options)
     rows = []
     for name, scene in scenes.items():
         right = truth.reference(candela, name, scene, size, 16 * spp)
         common = {"size": f"{size}x{size}", "spp": spp, "threads": options.threads}
-        for technique in TECHNIQUES:
+        for technique in techniques:
             try:
                 rows.append(row(candela, name, scene, right, technique, pairs, common))
             except CandelaFailed as reason:

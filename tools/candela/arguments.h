@@ -62,6 +62,7 @@ struct RenderArguments {
   std::optional<SamplingStrategy> sampling;
   std::optional<Heuristic> heuristic;
   std::optional<SamplerKind> sampler;
+  std::optional<bool> samples_constant_sky;
   std::optional<SpecularModel> specular;
   bool has_lab_normals = false;
   std::optional<double> report_p_rr;

@@ -82,6 +82,7 @@ void add_options(Json& json, const RenderReport& report) {
     if (options.integrator == IntegratorKind::Path) {
       json["heuristic"] = name_of(options.heuristic, heuristic_choices());
       json["sampler"] = name_of(options.sampler, sampler_choices());
+      json["sky_samples"] = options.samples_constant_sky;
     }
   }
   if (options.integrator == IntegratorKind::Report) json["rr"] = options.report_p_rr;

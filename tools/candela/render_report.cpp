@@ -22,9 +22,10 @@ std::string lab_text(const RenderOptions& options) {
 std::string strategy_text(const RenderOptions& options) {
   switch (options.integrator) {
     case IntegratorKind::Path:
-      return fmt::format(" sampling={} heuristic={} sampler={}", sampling_name(options),
-                         name_of(options.heuristic, heuristic_choices()),
-                         name_of(options.sampler, sampler_choices()));
+      return fmt::format(" sampling={} heuristic={} sampler={} sky_samples={}",
+                         sampling_name(options), name_of(options.heuristic, heuristic_choices()),
+                         name_of(options.sampler, sampler_choices()),
+                         options.samples_constant_sky ? "on" : "off");
     case IntegratorKind::Report:
       return fmt::format(" sampling={} rr={}", sampling_name(options), options.report_p_rr);
     case IntegratorKind::Whitted:

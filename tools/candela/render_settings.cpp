@@ -112,6 +112,19 @@ void settle_grid(bool is_said, RenderOptions& options, std::vector<std::string>&
                   asked, integrator_name(options), side * side, side, side));
 }
 
+void refuse_what_only_path_does(const RenderArguments& arguments, const RenderOptions& options) {
+  if (options.integrator == IntegratorKind::Path) return;
+  const auto refuse = [&](bool is_said, std::string_view option) {
+    if (is_said)
+      throw Refusal{fmt::format("{} is for path, this is {}", option, integrator_name(options)),
+                    ExitCode::Usage};
+  };
+  refuse(options.adaptive, "--adaptive");
+  refuse(arguments.splitting.has_value(), "--splitting");
+  refuse(arguments.sampler.has_value(), "--sampler");
+  refuse(arguments.samples_constant_sky.has_value(), "--sky-samples");
+}
+
 // What draws nothing at random has no error to state, and a grid is complete or has gaps.
 void refuse_stop_rules(const RenderArguments& arguments, const RenderOptions& options) {
   const auto refuse = [&](bool is_said, std::string_view option) {
@@ -127,14 +140,6 @@ void refuse_stop_rules(const RenderArguments& arguments, const RenderOptions& op
     refuse(arguments.replicates.has_value(), "--replicates");
     refuse(arguments.clamp.has_value(), "--clamp");
   }
-  if (options.integrator != IntegratorKind::Path && options.adaptive)
-    throw Refusal{fmt::format("--adaptive is for path, this is {}", integrator_name(options)),
-                  ExitCode::Usage};
-  if (options.integrator != IntegratorKind::Path && (arguments.splitting || arguments.sampler))
-    throw Refusal{
-        fmt::format("{} is for path, this is {}", arguments.splitting ? "--splitting" : "--sampler",
-                    integrator_name(options)),
-        ExitCode::Usage};
   if (options.adaptive && options.replicates < 2)
     throw Refusal{"--adaptive needs an error to go by, and --replicates 1 states none",
                   ExitCode::Usage};
@@ -160,6 +165,7 @@ void settle_stop_rules(const RenderArguments& arguments, RenderOptions& options)
         std::min(*arguments.relmse_goal, options.target_relmse.value_or(*arguments.relmse_goal));
   options.time_limit_seconds = arguments.time_limit_seconds;
   if (arguments.clamp) options.clamp = static_cast<float>(*arguments.clamp);
+  refuse_what_only_path_does(arguments, options);
   refuse_stop_rules(arguments, options);
 }
 
@@ -305,6 +311,8 @@ RenderSettings settled(const RenderArguments& arguments,
   options.sampling = arguments.sampling.value_or(options.sampling);
   options.heuristic = arguments.heuristic.value_or(options.heuristic);
   options.sampler = arguments.sampler.value_or(options.sampler);
+  options.samples_constant_sky =
+      arguments.samples_constant_sky.value_or(options.samples_constant_sky);
   refuse_what_does_not_fit(arguments, options);
   refuse_sampling(arguments, options);
   if (is_lab_shading(options.integrator)) {
