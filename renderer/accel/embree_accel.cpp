@@ -54,10 +54,25 @@ bool is_clear_in_lane(const RTCFilterFunctionNArguments& arguments, unsigned n, 
                            ray.direction);
 }
 
+// Which of the four lanes from the first one on ask: 0 or -1.
+int asking_lanes(const int* valid) {
+  Mask4 lanes;
+  std::memcpy(&lanes, valid, sizeof(lanes));
+  return mask_of(lanes);
+}
+
+// One ray, or four, eight or sixteen, of which mostly one asks.
 void let_light_through(const RTCFilterFunctionNArguments* arguments) {
-  for (unsigned lane = 0; lane < arguments->N; ++lane)
-    if (arguments->valid[lane] != 0 && is_clear_in_lane(*arguments, arguments->N, lane))
-      arguments->valid[lane] = 0;
+  const unsigned n = arguments->N;
+  if (n == 1) {
+    if (is_clear_in_lane(*arguments, 1, 0)) arguments->valid[0] = 0;
+    return;
+  }
+  for (unsigned first = 0; first < n; first += 4)
+    for (int mask = asking_lanes(arguments->valid + first); mask != 0; mask &= mask - 1) {
+      const unsigned lane = first + static_cast<unsigned>(lowest_lane(mask));
+      if (is_clear_in_lane(*arguments, n, lane)) arguments->valid[lane] = 0;
+    }
 }
 
 // Four floats at once: Embree loads origin and direction as vectors, and a vector load cannot be

@@ -30,6 +30,7 @@ struct Geometry {
   std::vector<Vec3f> normals;  // empty, or one a vertex; zero: "use the triangle's"
   std::vector<Vec2f> uvs;      // empty, or one a vertex
   MaterialHandle material;
+  bool reads_tangents = true;  // dp/du and dp/dv of surface points
   // Some triangles are neither wholly opaque nor wholly clear: visibility asks alpha_test.h.
   bool has_cutouts = false;
   // Index into the light table of triangle 0's light; triangle i has first_light + i. none: dark.

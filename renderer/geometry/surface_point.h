@@ -23,7 +23,7 @@ struct SurfacePoint {
   Vec3f front_normal{0, 0, 1};      // unit shading normal as the file has it, on the front side
   Frame shading;                    // z on the side of wo; set by set_shading_frame
   Vec2f uv{0.5f, 0.5f};
-  Vec3f dpdu{0};  // world space, not normalised; zero where uv is degenerate
+  Vec3f dpdu{0};  // world space, not normalised; zero where uv is degenerate or nothing reads it
   Vec3f dpdv{0};
 };
 
@@ -132,6 +132,7 @@ struct Corners {
     Vec2f d1 = geometry.uvs[index[1]] - t0;
     Vec2f d2 = geometry.uvs[index[2]] - t0;
     point.uv = t0 + d1 * hit.u + d2 * hit.v;
+    if (!geometry.reads_tangents) return point;
     const float determinant = difference_of_products(d1.x, d2.y, d1.y, d2.x);
     if (determinant != 0) {
       point.dpdu = to_vec3(e1 * d2.y - e2 * d1.y) / determinant;

@@ -66,9 +66,8 @@ struct CubePoint {
   return {d / r, cell.probability * cube_cells_over_face_area(grid) * (r2 * r)};
 }
 
-// The density of sample_cube() at the unit direction d.
-[[nodiscard]] inline float cube_pdf(const GridDistribution& grid, const Vec3f& d) {
-  const CubePoint point = cube_point(d);
+// The density of sample_cube() at the point of a unit direction.
+[[nodiscard]] inline float cube_pdf(const GridDistribution& grid, const CubePoint& point) {
   const std::uint32_t rows = grid.rows() / 6;
   const auto index = [](float x, std::uint32_t count) {
     return std::min(static_cast<std::uint32_t>(x * static_cast<float>(count)), count - 1);

@@ -70,49 +70,76 @@ namespace environment_detail {
 
 }  // namespace environment_detail
 
-// Radiance arriving from `direction`.
+// The place of a direction on the map, which its radiance and its density have in common.
+struct EnvironmentPoint {
+  CubePoint on_cube{};  // Cube
+  Vec2f on_map{0.5f};   // LatLong, EqualArea
+};
+[[nodiscard]] inline EnvironmentPoint environment_point(const Environment& environment,
+                                                        const Vec3f& direction) {
+  using namespace environment_detail;
+  switch (environment.mapping) {
+    case EnvironmentMapping::Constant:
+      return {};
+    case EnvironmentMapping::Cube:
+      return {.on_cube = cube_point(to_map(environment, direction))};
+    case EnvironmentMapping::LatLong:
+      return {.on_map = lat_long_point(to_map(environment, direction))};
+    case EnvironmentMapping::EqualArea:
+      return {.on_map = equal_area_sphere_to_square(to_map(environment, direction))};
+  }
+  return {};
+}
+
+// Radiance arriving from a direction.
 [[nodiscard]] inline Rgb environment_radiance(const Environment& environment,
                                               const TextureStore& textures,
-                                              const Vec3f& direction) {
+                                              const EnvironmentPoint& point) {
   using namespace environment_detail;
+  const auto& [cube, st] = point;
   switch (environment.mapping) {
     case EnvironmentMapping::Constant:
       return environment.scale;
     case EnvironmentMapping::Cube: {
-      const CubePoint point = cube_point(to_map(environment, direction));
-      Vec2f inset = environment.half_texel[static_cast<std::size_t>(point.face)];
-      return look_up(environment, textures, point.face,
-                     glm::clamp(point.st, inset, Vec2f(1) - inset));
+      Vec2f inset = environment.half_texel[static_cast<std::size_t>(cube.face)];
+      return look_up(environment, textures, cube.face,
+                     glm::clamp(cube.st, inset, Vec2f(1) - inset));
     }
     case EnvironmentMapping::LatLong: {
-      Vec2f st = lat_long_point(to_map(environment, direction));
       const float inset = environment.half_texel[0].y;  // columns wrap, rows do not
       return look_up(environment, textures, 0, {st.x, glm::clamp(st.y, inset, 1 - inset)});
     }
     case EnvironmentMapping::EqualArea: {
-      Vec2f st = equal_area_sphere_to_square(to_map(environment, direction));
       Vec2f inset = environment.half_texel[0];
       return look_up(environment, textures, 0, glm::clamp(st, inset, Vec2f(1) - inset));
     }
   }
   return Rgb(0);
 }
+[[nodiscard]] inline Rgb environment_radiance(const Environment& environment,
+                                              const TextureStore& textures,
+                                              const Vec3f& direction) {
+  return environment_radiance(environment, textures, environment_point(environment, direction));
+}
 
-// The density of sample_environment() at `direction`.
-[[nodiscard]] inline float environment_pdf(const Environment& environment, const Vec3f& direction) {
-  using namespace environment_detail;
+// The density of sample_environment() at a direction.
+[[nodiscard]] inline float environment_pdf(const Environment& environment,
+                                           const EnvironmentPoint& point) {
   if (environment.is_black()) return 0;
   switch (environment.mapping) {
     case EnvironmentMapping::Constant:
       return inverse_pi * 0.25f;
     case EnvironmentMapping::Cube:
-      return cube_pdf(environment.distribution, to_map(environment, direction));
+      return cube_pdf(environment.distribution, point.on_cube);
     case EnvironmentMapping::LatLong:
-      return lat_long_pdf(environment.distribution, to_map(environment, direction));
+      return lat_long_pdf(environment.distribution, point.on_map);
     case EnvironmentMapping::EqualArea:
-      return equal_area_pdf(environment.distribution, to_map(environment, direction));
+      return equal_area_pdf(environment.distribution, point.on_map);
   }
   return 0;
+}
+[[nodiscard]] inline float environment_pdf(const Environment& environment, const Vec3f& direction) {
+  return environment_pdf(environment, environment_point(environment, direction));
 }
 
 [[nodiscard]] inline EnvironmentSample sample_environment(const Environment& environment, Vec2f u) {

@@ -21,9 +21,8 @@ namespace candela {
   return {square_to_equal_area_sphere(st), cell.probability * equal_area_cells_over_sphere(grid)};
 }
 
-// The density of sample_equal_area() at the unit direction d.
-[[nodiscard]] inline float equal_area_pdf(const GridDistribution& grid, const Vec3f& d) {
-  Vec2f st = equal_area_sphere_to_square(d);
+// The density of sample_equal_area() at the point of a direction.
+[[nodiscard]] inline float equal_area_pdf(const GridDistribution& grid, Vec2f st) {
   const auto index = [](float x, std::uint32_t count) {
     return std::min(static_cast<std::uint32_t>(x * static_cast<float>(count)), count - 1);
   };

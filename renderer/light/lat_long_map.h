@@ -53,9 +53,8 @@ namespace candela {
   return {direction, cell.probability / lat_long_cell_solid_angle(grid, cell.row)};
 }
 
-// The density of sample_lat_long() at the direction d.
-[[nodiscard]] inline float lat_long_pdf(const GridDistribution& grid, const Vec3f& d) {
-  Vec2f st = lat_long_point(d);
+// The density of sample_lat_long() at the point of a direction.
+[[nodiscard]] inline float lat_long_pdf(const GridDistribution& grid, Vec2f st) {
   const auto index = [](float x, std::uint32_t count) {
     return std::min(static_cast<std::uint32_t>(x * static_cast<float>(count)), count - 1);
   };

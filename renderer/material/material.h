@@ -79,7 +79,8 @@ struct Material {
   TextureHandle height{};  // bump
   float height_scale = 1;  // see description::Material
   TextureHandle normal_map{};
-  bool reads_uv = false;  // all but the opacity, of its parts, too
+  bool reads_uv = false;        // all but the opacity, of its parts, too
+  bool reads_tangents = false;  // dp/du and dp/dv; of its parts, too
 
   [[nodiscard]] bool is_emissive() const { return !is_black(emission); }
 };

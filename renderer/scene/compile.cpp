@@ -33,8 +33,11 @@ void compile_materials(const SceneDescription& description, const CompileOptions
     if (used[i]) {
       scene.materials.push_back(compile_material(material, options, textures, coats));
       Material& compiled = scene.materials.back();
-      for (const MaterialHandle part : compiled.parts)
-        if (part) compiled.reads_uv |= scene.materials[part.index].reads_uv;
+      for (const MaterialHandle part : compiled.parts) {
+        if (!part) continue;
+        compiled.reads_uv |= scene.materials[part.index].reads_uv;
+        compiled.reads_tangents |= scene.materials[part.index].reads_tangents;
+      }
     } else {
       scene.materials.emplace_back();
       ++dropped["materials that nothing wears"];

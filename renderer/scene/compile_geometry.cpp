@@ -159,6 +159,7 @@ void compile_placement(const SceneDescription& description, const CompileOptions
       arrays.uvs = reads_uv ? mesh.uvs : std::vector<Vec2f>{};
       placement.geometries.push_back(picked(mesh, arrays, chosen, index, is_mirrored));
       placement.geometries.back().has_cutouts = is_partial;
+      placement.geometries.back().reads_tangents = material.reads_tangents;
     }
   }
 }

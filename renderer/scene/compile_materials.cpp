@@ -264,6 +264,7 @@ Material compile_material(const description::Material& material, const CompileOp
   out.height_scale = static_cast<float>(material.height_scale);
   out.normal_map = texture.image(material.normal_map);
   out.reads_uv = has_texture(out);
+  out.reads_tangents = out.is_anisotropic || out.height || out.normal_map;
   return out;
 }
 

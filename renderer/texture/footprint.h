@@ -50,7 +50,7 @@ struct AxisFootprint {
 }
 
 [[nodiscard]] inline AxisFootprint clamped_footprint(float place, std::int32_t size) {
-  AxisFootprint found = plain_footprint(clamped_to_unit(place), size);
+  AxisFootprint found = plain_footprint(place, size);
   if (found.first < 0) found.first = 0;
   if (found.second == size) found.second = size - 1;
   return found;
@@ -93,12 +93,16 @@ struct Footprint {
   AxisFootprint row;
 };
 
-// Nearly all textures repeat: that case is compiled into its place.
-[[nodiscard]] inline Footprint footprint_of(Vec2f uv, std::int32_t width, std::int32_t height,
-                                            Wrap wrap) {
+// Nearly all textures repeat, and skies end at their edges: those cases are compiled into their
+// place.
+[[nodiscard, gnu::always_inline]] inline Footprint footprint_of(Vec2f uv, std::int32_t width,
+                                                                std::int32_t height, Wrap wrap) {
   if (wrap == Wrap::Repeat)
     return {repeated_footprint(fraction(uv.x), width),
             repeated_footprint(1 - fraction(uv.y), height)};
+  if (wrap == Wrap::Clamp)
+    return {clamped_footprint(clamped_to_unit(uv.x), width),
+            clamped_footprint(1 - clamped_to_unit(uv.y), height)};
   return {axis_footprint(uv.x, width, wrap, false), axis_footprint(uv.y, height, wrap, true)};
 }
 

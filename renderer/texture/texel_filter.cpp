@@ -73,14 +73,14 @@ Float4 four_stored(const std::byte* place) {
 }
 
 template <SampleType type, int channels>
-float stored_alpha(const std::byte* place) {
+[[gnu::always_inline]] inline float stored_alpha(const std::byte* place) {
   return stored<type>(place + (channels - 1) * size_of(type));
 }
 
 // In stored units, or colour decoded; alpha is as stored in any case. What a file without alpha has
-// in its place is ignored.
+// in its place is ignored. (The four calls of a lookup are too many for GCC to inline by itself.)
 template <SampleType type, int channels, bool is_srgb>
-Float4 texel(const std::byte* place) {
+[[gnu::always_inline]] inline Float4 texel(const std::byte* place) {
   constexpr std::size_t step = size_of(type);
   constexpr bool has_alpha = channels % 2 == 0;
   if constexpr (channels <= 2) {
@@ -103,7 +103,8 @@ Value between(Value a, Value b, float weight) {
 
 // Of `read(place)` at four texels; beyond a border zeros.
 template <class Value, std::size_t texel_bytes, bool has_border>
-Value bilinear(const TexelView& view, const Footprint& footprint, const auto& read) {
+[[gnu::always_inline]] inline Value bilinear(const TexelView& view, const Footprint& footprint,
+                                             const auto& read) {
   const auto at = [&](std::int32_t column, std::int32_t row) -> Value {
     if constexpr (has_border)
       if (column < 0 || row < 0) return Value{};
