@@ -60,4 +60,10 @@ inline constexpr FeatureSet plain_features{
     .thin_lens = false,
     .models = model_bit(BsdfModel::Diffuse) | model_bit(BsdfModel::CookTorrance)};
 
+// The course's scenes: floor takes 7 % less time than by the general kernel, the teapot 2 %.
+inline constexpr FeatureSet lab_features{
+    .instances = false,
+    .thin_lens = false,
+    .models = model_bit(BsdfModel::Diffuse) | model_bit(BsdfModel::Lab)};
+
 }  // namespace candela

@@ -16,6 +16,8 @@ extern template TileCounts render_tile<general_features>(const PathContext<Embre
                                                          const TilePass&, Film&);
 extern template TileCounts render_tile<plain_features>(const PathContext<EmbreeAccel>&,
                                                        const TilePass&, Film&);
+extern template TileCounts render_tile<lab_features>(const PathContext<EmbreeAccel>&,
+                                                     const TilePass&, Film&);
 extern template TileCounts render_tile<general_features>(const PathContext<BvhAccel>&,
                                                          const TilePass&, Film&);
 extern template TileCounts render_tile<general_features>(
@@ -68,6 +70,8 @@ template <>
                                                                 bool use_general) {
   if (!use_general && plain_features.covers(features))
     return {"plain", &render_tile<plain_features, EmbreeAccel>};
+  if (!use_general && lab_features.covers(features))
+    return {"lab", &render_tile<lab_features, EmbreeAccel>};
   return general_kernel<EmbreeAccel>(features);
 }
 

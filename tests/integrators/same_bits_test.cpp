@@ -60,6 +60,32 @@ TEST(Agreement_SameBits, SpecialisedKernelIsTheGeneralOne) {
   EXPECT_EQ(special.film.to_image(false).values, general.film.to_image(false).values);
 }
 
+// Surfaces as lab3 has them, with a lamp, a point and a sky.
+description::SceneDescription lab_room() {
+  description::SceneDescription scene = small_room();
+  double shininess = 0;
+  for (description::Material& material : scene.materials)
+    material.model = description::LabMaterial{.diffuse = {Vec3d(0.6, 0.5, 0.3), {}},
+                                              .specular = {Vec3d(0.3), {}},
+                                              .shininess = shininess += 20};
+  scene.materials.front().model = description::LabMaterial{.diffuse = {Vec3d(0.7), {}}};
+  add_light(scene, description::PointLight{{0.2, 0.3, 0.4}, Vec3d(0.2)});
+  add_light(scene, description::ConstantEnvironment{Vec3d(0.1, 0.2, 0.3)});
+  return scene;
+}
+
+TEST(Agreement_SameBits, LabKernelIsTheGeneralOne) {
+  RenderSettings settings = settings_of(48, 16);
+  settings.options.aovs = all_aovs;
+  const Scene scene = compiled(lab_room(), settings.options);
+  const RenderResult special = rendered(scene, settings);
+  settings.options.use_general_kernel = true;
+  const RenderResult general = rendered(scene, settings);
+  EXPECT_EQ(special.statistics.kernel, "path/lab");
+  EXPECT_EQ(general.statistics.kernel, "path/general");
+  EXPECT_EQ(special.film.to_image(false).values, general.film.to_image(false).values);
+}
+
 TEST(Agreement_SameBits, SeedsDiffer) {
   RenderSettings settings = settings_of(16, 4, 1);
   const Scene scene = compiled(small_room(), settings.options);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "renderer/math/constants.h"
+#include "tests/image/crafted_files.h"
+#include "tests/image/temporary_folder.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
 
@@ -40,6 +42,31 @@ TEST(Unit_Compile, DropsWhatRaysCannotMeetAndCountsIt) {
   EXPECT_EQ(dropped_count(scene, "materials that nothing wears"), 1u);
   EXPECT_EQ(dropped_count(scene, "black lights"), 1u);
   EXPECT_TRUE(scene.lights.empty());
+}
+
+TEST(Unit_Compile, TangentsAreForMaterialsThatReadThem) {
+  const TemporaryFolder folder;
+  const std::string path = folder.put("map.png", crafted::png_rgba(2, 2, [](int x, int y, int) {
+                                        return static_cast<unsigned>(100 * x + 50 * y);
+                                      }));
+  description::SceneDescription scene = one_quad();
+  scene.images.push_back({path, description::Encoding::Linear, description::Wrap::Repeat, {}});
+  const description::ImageHandle map(0);
+  const auto reads_tangents = [&](const description::MaterialHandle worn) {
+    scene.meshes[0].materials = {worn};
+    scene.meshes[0].uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    return compiled(scene, {}).geometries.at(0).reads_tangents;
+  };
+  const auto mapped = add_material(scene, description::DiffuseMaterial{{Vec3d(1.0), map}});
+  const auto raised = add_material(scene, description::DiffuseMaterial{});
+  scene.materials.back().height = map;
+  const auto turned = add_material(scene, description::DiffuseMaterial{});
+  scene.materials.back().normal_map = map;
+  const auto mixed = add_material(scene, description::MixMaterial{mapped, raised});
+  EXPECT_FALSE(reads_tangents(mapped));
+  EXPECT_TRUE(reads_tangents(raised));
+  EXPECT_TRUE(reads_tangents(turned));
+  EXPECT_TRUE(reads_tangents(mixed)) << "its second part does";
 }
 
 TEST(Unit_Compile, SharedMeshesBecomeInstancesAndSingleOnesAreFlattened) {
