@@ -32,16 +32,17 @@ double sum_of(const Vec3d& v) {
 }
 
 // In bounces: fitted to the times of twelve scenes with and without splitting (docs/decisions.md).
-double cost_of(const RayCounts& rays) {
-  return 0.55 * static_cast<double>(rays.camera) + static_cast<double>(rays.indirect) +
-         0.1 * static_cast<double>(rays.shadow);
+// Samples that are skipped count as if they were not: whether they are must not change the picture.
+double cost_of(const TileCounts& counts) {
+  return 0.55 * static_cast<double>(counts.rays.camera + counts.skipped.samples) +
+         static_cast<double>(counts.rays.indirect) + 0.1 * static_cast<double>(counts.rays.shadow);
 }
 
 Trial run_trial(const TilePass& pass, const RenderOptions& options,
                 const TileFunction& render_tile) {
   Film film(options.width, options.height, pass.tile, 0, trial_replicates);
   Trial trial;
-  trial.cost = cost_of(render_tile(pass, film).rays);
+  trial.cost = cost_of(render_tile(pass, film));
   for (std::size_t i = 0; i < film.pixel_count(); ++i) {
     const Vec3d mean = film.mean(i);
     trial.mean += sum_of(mean);

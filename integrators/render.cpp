@@ -1,8 +1,10 @@
 #include "integrators/render.h"
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 
+#include "integrators/background_pixels.h"
 #include "integrators/check_media.h"
 #include "integrators/kernel.h"
 #include "integrators/path/check_sampling.h"
@@ -26,10 +28,15 @@ template <class A>
 Kernel path_kernel(const Scene& scene, const A& accelerator, const Filter& filter,
                    const RenderOptions& options) {
   const PathKernel<A> kernel = path_instance<A>(scene, options);
-  return {
-      "path/" + std::string(kernel.name),
-      [render = kernel.render, context = make_path_context(scene, accelerator, filter, options)](
-          const TilePass& pass, Film& film) { return render(context, pass, film); }};
+  PathContext<A> context = make_path_context(scene, accelerator, filter, options);
+  std::shared_ptr<const BackgroundPixels> background;
+  if (!options.use_general_kernel)
+    background = std::make_shared<const BackgroundPixels>(scene, filter, options);
+  context.background = background.get();
+  return {"path/" + std::string(kernel.name),
+          [render = kernel.render, context, background](const TilePass& pass, Film& film) {
+            return render(context, pass, film);
+          }};
 }
 
 template <class A>

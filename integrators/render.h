@@ -90,6 +90,7 @@ struct RayCounts {
 // What was not done because it could not matter.
 struct SkippedCounts {
   std::uint64_t shadow_rays = 0;  // the unoccluded contribution was zero
+  std::uint64_t samples = 0;      // of pixels that see nothing but the background, for sure
 };
 
 struct InvalidSample {

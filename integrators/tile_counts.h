@@ -22,6 +22,7 @@ struct TileCounts {
     rays.indirect += other.rays.indirect;
     rays.shadow += other.rays.shadow;
     skipped.shadow_rays += other.skipped.shadow_rays;
+    skipped.samples += other.skipped.samples;
     invalid_samples += other.invalid_samples;
     const auto order = [](const InvalidSample& s) { return std::tuple(s.y, s.x, s.sample); };
     if (other.first_invalid &&

@@ -14,6 +14,8 @@
 
 namespace candela {
 
+class BackgroundPixels;
+
 template <class A>
 struct PathContext {
   const Scene& scene;
@@ -21,7 +23,8 @@ struct PathContext {
   const Camera& camera;
   const Filter& filter;
   const RenderOptions& options;
-  std::uint32_t max_depth;  // the largest number where there is no limit
+  std::uint32_t max_depth;                       // the largest number where there is no limit
+  const BackgroundPixels* background = nullptr;  // null: of no pixel it is known
 };
 
 template <class A>

@@ -1,6 +1,7 @@
 // A tile's pixels through the path kernel: camera rays in, film samples out.
 #pragma once
 
+#include "integrators/background_pixels.h"
 #include "integrators/path/trace_block.h"
 #include "integrators/tile_pass.h"
 
@@ -66,6 +67,16 @@ inline void render_block(const PathContext<A>& context, const PixelSampler& pixe
                                                      : film.replicates();
 }
 
+// What the samples of a pixel that sees nothing would have brought and, in rays, taken.
+inline void add_background(const BackgroundPixels& background, const SampleRange& range, int x,
+                           int y, float clamp, Film& film, TileCounts& counts) {
+  for (std::uint32_t i = range.first; i < range.end; ++i)
+    add_or_count(background.sample(), x, y, i, clamp, film, counts);
+  const std::uint32_t count = range.end - range.first;
+  film.add_cost(x, y, static_cast<std::uint32_t>(ray_cost({.camera = count})));
+  counts.skipped.samples += count;
+}
+
 // The samples of a pass, in order.
 template <FeatureSet F, class A>
 TileCounts render_tile(const PathContext<A>& context, const TilePass& pass, Film& film) {
@@ -75,6 +86,10 @@ TileCounts render_tile(const PathContext<A>& context, const TilePass& pass, Film
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) {
       const SampleRange range = pass.of_pixel(x, y);
+      if (context.background != nullptr && context.background->contains(x, y)) {
+        add_background(*context.background, range, x, y, context.options.clamp, film, counts);
+        continue;
+      }
       const PixelSampler pixel(pass.seed, static_cast<std::uint32_t>(x),
                                static_cast<std::uint32_t>(y), sequences_of(context.options, film));
       const std::uint64_t rays_before = ray_cost(counts.rays);

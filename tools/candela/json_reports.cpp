@@ -104,7 +104,8 @@ void add_results(Json& json, const RenderReport& report) {
                   {"indirect", statistics.rays.indirect},
                   {"shadow", statistics.rays.shadow}};
   json["skipped"] = {{"shadow_rays", statistics.skipped.shadow_rays},
-                     {"textures", report.skipped_textures}};
+                     {"textures", report.skipped_textures},
+                     {"samples", statistics.skipped.samples}};
   json["invalid_samples"] = statistics.invalid_samples;
   json["first_invalid_sample"] = first_invalid_json(statistics.first_invalid);
   json["triangles"] = report.triangles;

@@ -1,0 +1,209 @@
+// Pixels of which it is claimed that they see only background: no ray may meet anything there, most
+// of those that do see only background are found, and the picture is the one that rays would give.
+#include "integrators/background_pixels.h"
+
+#include <gtest/gtest.h>
+
+#include "integrators/path/context.h"
+#include "integrators/projected_bounds.h"
+#include "renderer/accel/any_accel.h"
+#include "renderer/accel/bvh_accel.h"
+#include "renderer/math/constants.h"
+#include "tests/scenes/description.h"
+#include "tests/scenes/render_scene.h"
+#include "tests/scenes/soups.h"
+
+namespace candela {
+namespace {
+
+using namespace test;
+using description::SceneDescription;
+
+// A few small balls beside each other, as one mesh or as instances, in a constant sky.
+SceneDescription balls(bool are_instances) {
+  SceneDescription scene;
+  const auto white = add_material(scene, diffuse(Vec3d(0.7)));
+  const auto ball = add_mesh(scene, sphere({0, 0, 0}, 0.3, 2), white);
+  const Transform placed[] = {{Mat3d(1), {-1, 0.2, 0}}, {Mat3d(1), {0.9, -0.4, -1}}};
+  for (const Transform& transform : placed)
+    if (are_instances)
+      add_instance(scene, ball, transform);
+    else
+      add_mesh(scene, sphere(transform.translation, 0.3, 2), white);
+  add_light(scene, description::ConstantEnvironment{Vec3d(0.2, 0.5, 0.9)});
+  set_camera(scene, {0, 0, 5}, {0, 0, 0}, 50);
+  return scene;
+}
+
+struct Claim {
+  int claimed = 0;  // pixels
+  int wrong = 0;    // of them, with a ray that meets something
+  int missed = 0;   // pixels of which no ray met anything and of which nothing was claimed
+};
+
+// Camera rays at n x n places of each pixel's filter, its edges among them.
+Claim checked(const SceneDescription& description, const RenderSettings& settings) {
+  const Scene scene = compiled(description, settings.options);
+  const Filter filter = make_filter(settings.options);
+  const BackgroundPixels background(scene, filter, settings.options);
+  const BvhAccel accelerator(scene);
+  const Camera& camera = scene.cameras[0];
+  const auto width = static_cast<float>(settings.options.width);
+  const auto height = static_cast<float>(settings.options.height);
+  Claim claim;
+  for (int y = 0; y < settings.options.height; ++y)
+    for (int x = 0; x < settings.options.width; ++x) {
+      constexpr int n = 5;
+      bool meets = false;
+      for (int i = 0; i < n * n; ++i) {
+        Vec2f u{static_cast<float>(i % n) / (n - 1), static_cast<float>(i / n) / (n - 1)};
+        Vec2f place = filter.sample(glm::min(u, Vec2f(one_minus_epsilon)));
+        Vec2f film{(static_cast<float>(x) + 0.5f + place.x) / width,
+                   (static_cast<float>(y) + 0.5f + place.y) / height};
+        meets |= accelerator.intersect(camera.generate_ray(film, Vec2f(0))).is_hit();
+      }
+      const bool is_claimed = background.contains(x, y);
+      claim.claimed += is_claimed;
+      claim.wrong += is_claimed && meets;
+      claim.missed += !is_claimed && !meets;
+    }
+  return claim;
+}
+
+RenderSettings settings_for(FilterKind filter, int size = 48, int samples = 64) {
+  RenderSettings settings = settings_of(size, samples);
+  settings.options.filter = filter;
+  return settings;
+}
+
+TEST(Agreement_BackgroundPixels, NoRayMeetsAnythingAndFewAreMissed) {
+  for (const bool are_instances : {false, true})
+    for (const FilterKind filter : {FilterKind::Box, FilterKind::BlackmanHarris}) {
+      const Claim claim = checked(balls(are_instances), settings_for(filter));
+      EXPECT_EQ(claim.wrong, 0);
+      EXPECT_GT(claim.claimed, 48 * 48 * 2 / 3);
+      EXPECT_LT(claim.missed, 48 * 48 / 12) << "instances: " << are_instances;
+    }
+}
+
+TEST(Agreement_BackgroundPixels, NeitherInOrthographicPictures) {
+  SceneDescription scene = balls(false);
+  scene.cameras[0].kind = CameraKind::Orthographic;
+  scene.cameras[0].screen_window = description::ScreenWindow{-2, 2, -2, 2};
+  const Claim claim = checked(scene, settings_for(FilterKind::Triangle));
+  EXPECT_EQ(claim.wrong, 0);
+  EXPECT_GT(claim.claimed, 48 * 48 / 2);
+}
+
+// Triangles about the camera, before and behind it and across its plane, in views wide and narrow.
+TEST(Agreement_BackgroundPixels, NorAmongTrianglesAllAround) {
+  int claimed = 0;
+  for (std::uint32_t seed = 0; seed < 30; ++seed) {
+    SceneDescription scene;
+    const auto white = add_material(scene, diffuse(Vec3d(0.5)));
+    for (const Triangle& t : random_soup(12, 0.8f, seed))
+      add_mesh(scene, triangle(Vec3d(t[0]), Vec3d(t[1]), Vec3d(t[2])), white);
+    const double angles[] = {0.05, 10, 60, 140};
+    set_camera(scene, {0.3, -0.2, 0.4}, {1, 0.5 * static_cast<double>(seed % 5) - 1, 0},
+               angles[seed % 4]);
+    const Claim claim = checked(scene, settings_for(FilterKind::Box, 24, 64));
+    EXPECT_EQ(claim.wrong, 0) << "seed " << seed;
+    claimed += claim.claimed;
+  }
+  EXPECT_GT(claimed, 30 * 24 * 24 / 10);
+}
+
+// A ground that passes below the camera and behind it hides what is below the horizon alone.
+TEST(Unit_BackgroundPixels, AGroundLeavesTheSky) {
+  SceneDescription scene;
+  const auto white = add_material(scene, diffuse(Vec3d(0.5)));
+  add_mesh(scene, quad({-50, 0, 50}, {100, 0, 0}, {0, 0, -100}), white);
+  set_camera(scene, {0, 1, 0}, {0, 1, -5}, 60);
+  const Claim claim = checked(scene, settings_for(FilterKind::Box, 32));
+  EXPECT_EQ(claim.wrong, 0);
+  EXPECT_GE(claim.claimed, 32 * 14);
+}
+
+TEST(Unit_ProjectedBounds, AreThoseOfTheCorners) {
+  Camera camera;
+  camera.right = {0.5f, 0, 0};
+  camera.up = {0, 1, 0};
+  const Projection projection(camera, 1);
+  const std::array points{projection.point({0, 0, -2}), projection.point({1, 0, -2}),
+                          projection.point({0, 1, -4})};
+  const FilmBounds bounds = projection.bounds(points);
+  EXPECT_NEAR(bounds.lower.x, 0, 1e-4);
+  EXPECT_NEAR(bounds.upper.x, 1, 1e-4);
+  EXPECT_NEAR(bounds.lower.y, 0, 1e-4);
+  EXPECT_NEAR(bounds.upper.y, 0.25, 1e-4);
+  EXPECT_LT(bounds.lower.x, 0);
+  EXPECT_GT(bounds.upper.x, 1);
+  const std::array behind{projection.point({0, 0, 2}), projection.point({1, 3, 1})};
+  EXPECT_TRUE(projection.bounds(behind).is_empty());
+  const std::array across{projection.point({-1, 1, -1}), projection.point({-1, 1, 1})};
+  EXPECT_EQ(projection.bounds(across).lower.x, -infinity);
+  EXPECT_EQ(projection.bounds(across).upper.y, infinity);
+  EXPECT_NEAR(projection.bounds(across).upper.x, -2, 1e-4);
+}
+
+RenderResult with_kernel(const Scene& scene, RenderSettings settings, bool is_general) {
+  settings.options.use_general_kernel = is_general;
+  return rendered(scene, settings);
+}
+
+constexpr AovSet layers = aov_bit(Aov::Albedo) | aov_bit(Aov::Depth) | aov_bit(Aov::MaterialId) |
+                          aov_bit(Aov::Samples) | aov_bit(Aov::Variance);
+
+void expect_same_picture(const SceneDescription& description, const RenderSettings& settings,
+                         bool skips) {
+  const Scene scene = compiled(description, settings.options);
+  const RenderResult general = with_kernel(scene, settings, true);
+  const RenderResult special = with_kernel(scene, settings, false);
+  EXPECT_EQ(special.film.to_image(true).values, general.film.to_image(true).values);
+  EXPECT_EQ(special.statistics.splitting, general.statistics.splitting);
+  ASSERT_TRUE(special.error && general.error);
+  EXPECT_EQ(special.error->relmse, general.error->relmse);
+  EXPECT_EQ(general.statistics.skipped.samples, 0u);
+  EXPECT_EQ(special.statistics.rays.camera + special.statistics.skipped.samples,
+            general.statistics.rays.camera);
+  EXPECT_EQ(special.statistics.rays.indirect, general.statistics.rays.indirect);
+  EXPECT_EQ(special.statistics.skipped.samples > 0, skips);
+}
+
+TEST(Agreement_BackgroundPixels, SkippedSamplesLeaveThePictureAsItIs) {
+  RenderSettings settings = settings_for(FilterKind::BlackmanHarris, 40, 40);
+  settings.options.aovs = layers;
+  expect_same_picture(balls(false), settings, true);
+  expect_same_picture(balls(true), settings, true);
+  settings.options.transparent = true;
+  settings.options.clamp = 0.3f;
+  expect_same_picture(balls(false), settings, true);
+  settings.options.transparent = false;
+  expect_same_picture(balls(false), settings, true);
+  settings.options.crop = PixelRect{3, 1, 30, 17};
+  settings.options.tile_size = 7;
+  expect_same_picture(balls(false), settings, true);
+}
+
+TEST(Agreement_BackgroundPixels, AdaptiveAndSplitPicturesToo) {
+  RenderSettings settings = settings_for(FilterKind::Box, 64, 128);
+  settings.options.adaptive = true;
+  settings.options.splitting.reset();
+  settings.options.aovs = layers;
+  expect_same_picture(balls(false), settings, true);
+}
+
+TEST(Agreement_BackgroundPixels, NothingIsSkippedWhereSamplesDiffer) {
+  RenderSettings settings = settings_for(FilterKind::Mitchell, 32, 64);
+  expect_same_picture(balls(false), settings, false);
+  settings.options.filter = FilterKind::Box;
+  SceneDescription with_lens = balls(false);
+  with_lens.cameras[0].lens_radius = 0.1;
+  expect_same_picture(with_lens, settings, false);
+  SceneDescription all_around = balls(false);
+  all_around.cameras[0].kind = CameraKind::LatLong;
+  expect_same_picture(all_around, settings, false);
+}
+
+}  // namespace
+}  // namespace candela
