@@ -2,6 +2,8 @@
 
 #include "renderer/accel/alpha_test.h"
 
+#include "renderer/base/floating_point_traps.h"
+
 namespace candela {
 namespace {
 
@@ -84,6 +86,7 @@ bool is_same_primitive(const Hit& a, const Hit& b) {
 // With C the vertices relative to the origin, e the longest edge, n = e1 x e2 and d the direction:
 // a weight is a triple product of size |C||d||e| over n.d, the distance one of size |C||e|^2.
 ExactHit intersect_exactly(const Scene& scene, const Ray& ray, const Hit& hit, double extra_error) {
+  const FloatingPointTraps traps(Traps::Off);  // rays along the plane divide by 0
   const PlacedTriangle triangle = placed_triangle(scene, ray, hit);
   const Vec3d direction(ray.direction);
   const Vec3d a = triangle.vertices[0] - Vec3d(ray.origin);

@@ -350,7 +350,7 @@ LaneMask EmbreeAccel::occluded(const RayBlock& rays, LaneMask lanes) const {
   embree::occluded_block(state_->world.get(), valid.lanes.data(), embree_rays, query);
   LaneMask occluded = 0;
   for (std::uint32_t i = 0; i < block_size; ++i)
-    occluded |= static_cast<LaneMask>(embree_rays.tfar[i] < 0) << i;  // -infinity
+    occluded |= static_cast<LaneMask>(std::signbit(embree_rays.tfar[i])) << i;  // -infinity
   return occluded & lanes;
 }
 

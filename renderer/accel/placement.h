@@ -13,7 +13,8 @@ namespace candela {
 // Embree leaves out triangles with a vertex beyond this or not a number.
 [[nodiscard]] inline bool is_usable_vertex(const Vec3f& p) {
   constexpr float limit = 1.844e18f;
-  return std::abs(p.x) < limit && std::abs(p.y) < limit && std::abs(p.z) < limit;
+  return std::isless(std::abs(p.x), limit) && std::isless(std::abs(p.y), limit) &&
+         std::isless(std::abs(p.z), limit);
 }
 
 // World space -> an instance's object space.

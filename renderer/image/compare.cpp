@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/floating_point_traps.h"
 #include "renderer/image/display_transform.h"
 
 namespace candela {
@@ -79,6 +80,7 @@ struct PixelError {
 
 // Black on black is no error even where the whole reference is black and epsilon is 0.
 double relative_error(double x, double r, double epsilon) {
+  const FloatingPointTraps traps(Traps::Off);  // it is infinite beside black
   const double difference = x - r;
   if (difference == 0) return 0;
   return difference * difference / (r * r + epsilon);
@@ -182,6 +184,7 @@ Result<Image> error_heatmap(const Image& image, const Image& reference) {
       errors_of(image, reference, epsilon_of(sums_of(reference), image.pixel_count()));
   constexpr std::array<float, 3> invalid{1, 0, 0};
   constexpr double lowest = -6, highest = 2;
+  const FloatingPointTraps traps(Traps::Off);  // no error has the logarithm -infinity
   Image map(image.width, image.height, {"R", "G", "B"});
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const double error = errors[i].relative;

@@ -45,7 +45,7 @@ void convert_pixel(const float* pixel, const ColourChannels& channels,
 
 std::uint8_t display_value(double linear, const DisplayTransform& display) {
   const double exposed = linear * std::exp2(display.exposure);
-  if (!(exposed > 0)) return 0;
+  if (!std::isgreater(exposed, 0.0)) return 0;
   return rounded_to_8_bits(encoded(exposed, display.tone_map));
 }
 

@@ -105,7 +105,8 @@ Encodable hdr_of(const Image& image) {
   constexpr float largest = 1e38f;  // RGBE ends at 2^127
   Encodable result;
   result.floats = colour_values(image, false);
-  for (float& value : result.floats) value = value > 0 ? std::min(value, largest) : 0.0f;
+  for (float& value : result.floats)
+    value = std::isgreater(value, 0.0f) ? std::min(value, largest) : 0.0f;
   result.spec = colour_spec(image, result.floats.size(), TypeDesc::FLOAT);
   return result;
 }

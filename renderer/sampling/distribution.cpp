@@ -12,10 +12,10 @@ namespace {
 std::vector<double> relative_weights(std::span<const double> weights) {
   double largest = 0;
   for (const double w : weights)
-    if (w > largest) largest = w;
+    if (std::isgreater(w, largest)) largest = w;
   std::vector<double> relative(weights.size(), 0.0);
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    if (!(weights[i] > 0)) continue;
+    if (!std::isgreater(weights[i], 0.0)) continue;
     relative[i] = std::isinf(largest) ? (std::isinf(weights[i]) ? 1.0 : 0.0) : weights[i] / largest;
   }
   return relative;

@@ -208,9 +208,10 @@ class BodyReader {
 
   void add_normal(const std::array<double, SlotCount + 1>& record, Mesh& mesh) {
     const Vec3d normal{record[NormalX], record[NormalY], record[NormalZ]};
-    const double largest = max_component(glm::abs(normal));
-    if (!is_finite(normal)) ++replaced_count_;
-    const bool is_sound = is_finite(normal) && largest > 0.0;
+    const bool is_number = is_finite(normal);
+    if (!is_number) ++replaced_count_;
+    const double largest = is_number ? max_component(glm::abs(normal)) : 0.0;
+    const bool is_sound = largest > 0.0;
     // As long as float holds its square, the length is the file's.
     const bool is_moderate = largest > 1e-18 && largest < 1e18;
     mesh.normals.push_back(is_sound ? Vec3f(is_moderate ? normal : normal / largest) : Vec3f(0.0f));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "renderer/base/floating_point_traps.h"
 #include "tests/image/crafted_files.h"
 #include "tests/image/temporary_folder.h"
 
@@ -110,6 +111,7 @@ TEST(Unit_CoverageGrid, LeavesBlackBordersToTheLookup) {
 }
 
 TEST(Unit_CoverageGrid, AnyFloatIsACoordinate) {
+  const FloatingPointTraps traps(Traps::Off);  // what is fed is not always a number
   Picture picture(8, 8, blobs);
   const CoverageGrid grid(picture.store, picture.with(Wrap::Repeat), 3, false);
   constexpr float largest = std::numeric_limits<float>::max();
