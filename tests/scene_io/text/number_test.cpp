@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/base/floating_point_traps.h"
-
 #include <cstring>
 #include <limits>
 #include <random>
+
+#include "renderer/base/floating_point_traps.h"
 
 namespace candela::text {
 namespace {
