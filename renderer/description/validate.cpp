@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/floating_point_traps.h"
 #include "renderer/description/validate_camera.h"
 #include "renderer/description/validate_light.h"
 #include "renderer/description/validate_material.h"
@@ -96,6 +97,7 @@ void warn_of_nothing_to_see(const SceneDescription& scene, Diagnostics& diagnost
 }  // namespace
 
 Diagnostics validate(const SceneDescription& scene) {
+  const FloatingPointTraps traps(Traps::Off);  // what is looked at may be no number
   Diagnostics diagnostics;
   check_images(scene, diagnostics);
   check_textures(scene, diagnostics);

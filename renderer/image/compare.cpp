@@ -128,6 +128,7 @@ double ratio_of(double x, double r) {
 }
 
 double psnr_of(double largest, double mse) {
+  const FloatingPointTraps traps(Traps::Off);  // errors may be infinite
   if (mse == 0) return infinity;
   return 10 * std::log10(largest * largest / mse);
 }

@@ -1,5 +1,6 @@
 // --error, --relmse, --time, --replicates and --clamp on the command line.
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/tools/refusals.h"
@@ -18,6 +19,18 @@ TEST(Errors_StopOptions, AreRefusedInSentences) {
   expect_refused({cornell_box, "--relmse", "1e-3", "--integrator", "whitted"}, 2,
                  "--relmse is for path and report, this is whitted");
   expect_refused({cornell_box, "--time", "1s", "--ray-limit"}, 2, "--ray-limit needs --spp");
+}
+
+TEST(Errors_StopOptions, ATimeForNoSampleIsToldAndNothingIsWritten) {
+  const std::string folder = fresh_folder("no_time");
+  const ProgramResult result =
+      run_candela({"render", cornell_box, "--size", "16x16", "--time", "1e-9s", "-o",
+                   folder + "/a.exr", "--stats", folder + "/a.json"});
+  EXPECT_EQ(result.exit_code, 5) << result.error;
+  EXPECT_NE(result.error.find("the time did not suffice for a single sample; nothing was written"),
+            std::string::npos)
+      << result.error;
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
 struct StopRun {
@@ -58,7 +71,7 @@ TEST(Unit_StopOptions, TheScenesOwnSamplesCountOnlyWithoutARule) {
   EXPECT_EQ(both.stats["max_samples"], 17);
   EXPECT_EQ(both.stats["stop"]["by"], "spp");
   EXPECT_EQ(both.stats["spp"], 17);
-  EXPECT_EQ(run_of({"--time", "0.2s"}).stats["stop"]["by"], "time");
+  EXPECT_EQ(run_of({"--time", "1s"}).stats["stop"]["by"], "time");
 }
 
 TEST(Unit_StopOptions, ReplicatesAndClampAreTold) {

@@ -207,7 +207,8 @@ void RenderRun::report_reliability() {
         fmt::format("in {:.1f} % of the pixels rare strong samples hold most of the light: the "
                     "stated error may be too small (--aov heavy_tail shows where)",
                     report_.error->heavy_tails * 100));
-  if (report_.min_samples == 0 && report_.statistics.stop == StopReason::Time)
+  if (report_.min_samples == 0 && report_.max_samples > 0 &&
+      report_.statistics.stop == StopReason::Time)
     warn("the time did not suffice for one sample in every pixel; those without are black");
   for (const std::string& bias : biases_of(options()))
     if (bias.starts_with("clamp")) warn(bias + ": the picture is biased, it lacks light");
@@ -249,6 +250,10 @@ void RenderRun::wrote(const std::string& path, const Diagnostics& problems) {
 }
 
 void RenderRun::report_samples() {
+  if (report_.statistics.stop == StopReason::Time && report_.max_samples == 0) {
+    console_.error("the time did not suffice for a single sample; nothing was written");
+    return fail(ExitCode::Limit);
+  }
   if (!report_.is_interrupted()) return;
   fail(ExitCode::Interrupted);
   if (report_.max_samples == 0)
