@@ -13,6 +13,7 @@ struct FeatureSet {
   bool delta_lights = true;
   bool environment = true;
   bool thin_lens = true;
+  bool spheres = false;
   bool media = false;
   bool strategies = false;  // RenderOptions' sampling and heuristic count; else Mis by Power
   ModelSet models = all_models;
@@ -31,6 +32,7 @@ struct FeatureSet {
     if (textures) kinds |= light_kind_bit(LightKind::TexturedTriangle);
     if (textures && delta_lights)
       kinds |= light_kind_bit(LightKind::Goniometric) | light_kind_bit(LightKind::Projection);
+    if (spheres) kinds |= light_kind_bit(LightKind::Sphere);
     if (environment) kinds |= light_kind_bit(LightKind::Environment);
     return kinds;
   }
@@ -38,18 +40,19 @@ struct FeatureSet {
   [[nodiscard]] constexpr bool covers(const SceneFeatures& scene) const {
     return (textures || !(scene.textures || scene.bump)) && (instances || !scene.instances) &&
            (delta_lights || !scene.delta_lights) && (environment || !scene.environment) &&
-           (thin_lens || !scene.thin_lens) && (media || !scene.media) &&
-           (scene.bsdf_models & ~models) == 0;
+           (thin_lens || !scene.thin_lens) && (spheres || !scene.spheres) &&
+           (media || !scene.media) && (scene.bsdf_models & ~models) == 0;
   }
 };
 
-// Everything but media, which few scenes have: their kernel's paths know what they are in, and
-// their shadow rays what they cross.
+// Everything but media and spheres, which few scenes have: with media, paths know what they are in
+// and shadow rays what they cross; spheres alone take .5 % more instructions on glass_and_metal
+// (`tools/bench budget`). Scenes with either get the kernel of both.
 inline constexpr FeatureSet general_features{};
-inline constexpr FeatureSet media_features{.media = true};
+inline constexpr FeatureSet media_features{.spheres = true, .media = true};
 
 // For comparisons of estimators.
-inline constexpr FeatureSet strategy_features{.media = true, .strategies = true};
+inline constexpr FeatureSet strategy_features{.spheres = true, .media = true, .strategies = true};
 
 // Cornell boxes and the like: triangles, area lights, opaque untextured surfaces.
 inline constexpr FeatureSet plain_features{

@@ -54,7 +54,8 @@ template <class A>
 // All that the scene needs, and perhaps more.
 template <class A>
 [[nodiscard]] PathKernel<A> general_kernel(const SceneFeatures& features) {
-  if (features.media) return {"media", &render_tile<media_features, A>};
+  if (features.media || features.spheres)
+    return {features.media ? "media" : "spheres", &render_tile<media_features, A>};
   return {"general", &render_tile<general_features, A>};
 }
 

@@ -63,12 +63,30 @@ inline void add_environment(const Scene& scene, const RenderOptions& options, st
   }
 }
 
+// As add_emission(), of a sphere.
+template <FeatureSet F>
+inline void add_sphere_emission(const Scene& scene, const RenderOptions& options,
+                                std::uint32_t index, const Hit& hit, const Vec3f& wi,
+                                float distance, PathState& path) {
+  const Light& light = scene.lights[index];
+  Vec3f direction = from_octahedron({hit.u, hit.v});
+  const float pdf = path.is_delta ? 0.0f
+                                  : sphere_light_pdf(light, direction, wi, distance) *
+                                        scene.light_sampler.probability(index);
+  Rgb radiance = sphere_light_radiance(light, scene.geometries, scene.textures, direction, -wi);
+  add_met_light<F>(options, radiance, pdf, path);
+}
+
 // Light that the surface itself sends back along the ray, which was sampled at this distance.
 template <FeatureSet F>
 inline void add_emission(const Scene& scene, const RenderOptions& options, const Geometry& geometry,
                          const Hit& hit, const Vec3f& wi, float distance, PathState& path) {
   const std::uint32_t index = geometry.first_light + hit.triangle;
   const Light& light = scene.lights[index];
+  if constexpr (F.spheres) {
+    if (light.kind == LightKind::Sphere)
+      return add_sphere_emission<F>(scene, options, index, hit, wi, distance, path);
+  }
   const float pdf = path.is_delta ? 0.0f
                                   : triangle_light_pdf(light, wi, distance) *
                                         scene.light_sampler.probability(index);
@@ -99,7 +117,9 @@ template <FeatureSet F>
   if constexpr (F.instances) {
     if (hit.is_instanced()) instance = &scene.instances[hit.instance];
   }
-  return make_surface_point(scene.geometries[hit.geometry], instance, hit, wo, F.textures);
+  const Geometry& geometry = scene.geometries[hit.geometry];
+  if constexpr (F.spheres) return make_surface_point(geometry, instance, hit, wo, F.textures);
+  return make_triangle_point(geometry, instance, hit, wo, F.textures);
 }
 
 template <FeatureSet F>

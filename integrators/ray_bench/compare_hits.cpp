@@ -47,6 +47,39 @@ PlacedTriangle placed_triangle(const Scene& scene, const Ray& ray, const Hit& hi
   return triangle;
 }
 
+bool is_of_sphere(const Scene& scene, const Hit& hit) {
+  return !scene.geometries[hit.geometry].spheres.empty();
+}
+
+// Both accelerators meet spheres by one function: what may differ is what boxes and the transforms
+// of instances round, in the ray's origin by ulps of where it is. The farther from a limb the less
+// that moves: hits change where the ray's distance from the centre, or t, is within it of a limit.
+struct SphereMargins {
+  double t_error = 0;
+  bool is_at_limb = false;
+};
+SphereMargins sphere_margins(const Scene& scene, const Ray& ray, const Hit& hit) {
+  const Sphere& sphere = scene.geometries[hit.geometry].spheres[hit.triangle];
+  Vec3d centre(sphere.centre);
+  double radius = sphere.radius;
+  double condition = 1;
+  if (hit.is_instanced()) {
+    const Instance& instance = scene.instances[hit.instance];
+    centre = Vec3d(instance.point(sphere.centre));
+    radius *= length(Vec3d(instance.x));
+    condition = 3;  // of a similarity, by the sum of its columns' lengths
+  }
+  const Vec3d to_centre = centre - Vec3d(ray.origin);
+  const Vec3d direction(ray.direction);
+  const double along = dot(to_centre, direction) / length(direction);
+  const double beside = std::sqrt(std::max(0.0, dot(to_centre, to_centre) - along * along));
+  const double error =
+      roundings * unit_roundoff * condition * (length(Vec3d(ray.origin)) + length(centre) + radius);
+  const double half_chord = std::sqrt(std::max(0.0, radius * radius - beside * beside));
+  return {error * (1 + radius / std::max(half_chord, error)) / length(direction),
+          beside + error >= radius};
+}
+
 bool is_near_zero(double value, double error) {
   return std::abs(value) <= error;
 }
@@ -67,6 +100,13 @@ bool is_at_cutout_edge(const Scene& scene, const Ray& ray, const Hit& hit, doubl
 // rounds in units of the origin itself: a triangle of a few ulps of the origin's coordinates may be
 // lost with its box, however near.
 bool is_marginal(const Scene& scene, const Ray& ray, const Hit& hit) {
+  if (is_of_sphere(scene, hit)) {
+    const SphereMargins margins = sphere_margins(scene, ray, hit);
+    return margins.is_at_limb || is_near_zero(hit.t, margins.t_error) ||
+           is_near_zero(static_cast<double>(hit.t) - static_cast<double>(ray.t_max),
+                        margins.t_error) ||
+           is_at_cutout_edge(scene, ray, hit, roundings * unit_roundoff);
+  }
   const double box_error = 8 * unit_roundoff * length(Vec3d(ray.origin));
   const ExactHit exact = intersect_exactly(scene, ray, hit, box_error);
   if (exact.t_error == std::numeric_limits<double>::infinity()) return true;
@@ -108,14 +148,23 @@ ExactHit intersect_exactly(const Scene& scene, const Ray& ray, const Hit& hit, d
   return exact;
 }
 
+namespace {
+
+double error_of_t(const Scene& scene, const Ray& ray, const Hit& hit) {
+  return is_of_sphere(scene, hit) ? sphere_margins(scene, ray, hit).t_error
+                                  : intersect_exactly(scene, ray, hit).t_error;
+}
+
+}  // namespace
+
 Agreement compare_hits(const Scene& scene, const Ray& ray, const Hit& a, const Hit& b) {
   if (!a.is_hit() && !b.is_hit()) return Agreement::Same;
   if (a.is_hit() && b.is_hit()) {
     const double gap = std::abs(static_cast<double>(a.t) - static_cast<double>(b.t));
-    const double error = intersect_exactly(scene, ray, a).t_error;
+    const double error = error_of_t(scene, ray, a);
     if (is_same_primitive(a, b) && gap <= error) return Agreement::Same;
     if (is_same_primitive(a, b)) return Agreement::Differs;
-    if (gap <= error + intersect_exactly(scene, ray, b).t_error) return Agreement::SameDistance;
+    if (gap <= error + error_of_t(scene, ray, b)) return Agreement::SameDistance;
   }
   const Hit& nearer = a.t < b.t ? a : b;
   return is_marginal(scene, ray, nearer) ? Agreement::AtTheEdge : Agreement::Differs;

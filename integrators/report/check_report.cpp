@@ -99,6 +99,19 @@ struct NameOfUnknownLight {
   std::string_view operator()(const EqualAreaEnvironment&) const { return "an environment map"; }
 };
 
+void check_instance(const SceneDescription& scene, const Instance& instance,
+                    Diagnostics& diagnostics) {
+  if (instance.mesh.index >= scene.meshes.size()) return;
+  const Mesh& mesh = scene.meshes[instance.mesh.index];
+  if (!mesh.sphere || mesh.materials.size() != 1) return;
+  const MaterialHandle material =
+      instance.material_override ? instance.material_override : mesh.materials[0];
+  if (material.index < scene.materials.size() &&
+      scene.materials[material.index].emission != Vec3d(0.0))
+    diagnostics.error(instance.span,
+                      "this sphere emits; the report integrator knows lamps of triangles only");
+}
+
 }  // namespace
 
 Diagnostics check_report(const SceneDescription& scene) {
@@ -106,6 +119,7 @@ Diagnostics check_report(const SceneDescription& scene) {
   const std::vector<bool> is_used = used_materials(scene);
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
     if (is_used[i]) check_material(scene.materials[i], diagnostics);
+  for (const Instance& instance : scene.instances) check_instance(scene, instance, diagnostics);
   for (const Light& light : scene.lights) {
     const std::string_view unknown = std::visit(NameOfUnknownLight{}, light.kind);
     if (unknown.empty()) continue;

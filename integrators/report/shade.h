@@ -104,7 +104,7 @@ template <class A>
     const Vec3f wo = -ray.direction;
     const Geometry& geometry = scene.geometries[hit.geometry];
     const Material& material = scene.materials[geometry.material.index];
-    const SurfacePoint p = surface_point_at<general_features>(scene, hit, material, wo);
+    const SurfacePoint p = surface_point_at<media_features>(scene, hit, material, wo);
     const Bsdf bsdf = bsdf_at(material, scene.textures, texture_point_of(p), p.is_front);
     const ReportPoint at{p, bsdf, p.shading.to_local(wo)};
     if (bounce == 0 && context.base.options.aovs != 0)

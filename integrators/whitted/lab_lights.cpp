@@ -62,17 +62,28 @@ Light lamp_light(const Scene& scene, std::uint32_t index) {
   return light;
 }
 
+// A sphere from afar: its radiance times the disc that it shows; both sides as with meshes.
+Light sphere_lamp_light(const Light& sphere) {
+  Rgb radiance = sphere.emission;
+  if (sphere.texture) radiance *= sphere.mean_luminance / luminance(radiance);
+  const float seen_area = sphere.area * (sphere.emits_both_sides ? 0.5f : 0.25f);
+  Light light = make_point_light(sphere.position, radiance * (seen_area / pi));
+  light.geometry = sphere.geometry;
+  return light;
+}
+
 }  // namespace
 
 std::vector<Light> lab_lights(const Scene& scene) {
   std::vector<Light> lights;
   for (const Light& light : scene.lights) {
+    if (light.kind == LightKind::Sphere) lights.push_back(sphere_lamp_light(light));
     if (!light.is_delta()) continue;
     lights.push_back(light);
     lights.back().emission /= pi;
   }
   for (std::size_t i = 0; i < scene.geometries.size(); ++i)
-    if (scene.geometries[i].is_emissive())
+    if (scene.geometries[i].is_emissive() && scene.geometries[i].spheres.empty())
       lights.push_back(lamp_light(scene, static_cast<std::uint32_t>(i)));
   return lights;
 }

@@ -51,6 +51,13 @@ TexturePoint point_at(const Scene& scene, const Hit& hit, Vec2f uv,
   return {uv, met.position, met.geometric_normal};
 }
 
+// Whether a ray that meets a sphere there goes out of it.
+bool leaves_sphere(const Scene& scene, const Hit& hit, const Vec3f& direction) {
+  const Vec3f normal = from_octahedron({hit.u, hit.v});
+  return dot(hit.is_instanced() ? scene.instances[hit.instance].normal(normal) : normal,
+             direction) > 0;
+}
+
 float mapped_opacity_at(const Scene& scene, const Material& material, const TexturePoint& at) {
   const float alpha = value_at(scene.textures, material.opacity, at);
   const Coverage coverage = coverage_of_range(alpha, alpha, material.lab_opacity);
@@ -80,7 +87,10 @@ bool is_transparent_at(const Scene& scene, std::uint32_t geometry, std::uint32_t
       mapped_opacity_at(scene, material, point_at(scene, hit, uv, material.opacity));
   if (opacity <= 0) return true;
   if (opacity >= 1) return false;
-  return uniform_of(ray_origin, ray_direction, geometry, triangle, instance) >= opacity;
+  // A ray meets a sphere twice, and each time something else is decided.
+  const bool is_far_side = !surface.spheres.empty() && leaves_sphere(scene, hit, ray_direction);
+  const std::uint32_t primitive = is_far_side ? ~triangle : triangle;
+  return uniform_of(ray_origin, ray_direction, geometry, primitive, instance) >= opacity;
 }
 
 }  // namespace candela

@@ -3,6 +3,7 @@
 #include "renderer/accel/alpha_test.h"
 #include "renderer/accel/bvh_tree.h"
 #include "renderer/accel/placement.h"
+#include "renderer/accel/sphere_tree.h"
 #include "renderer/accel/triangle_block.h"
 #include "renderer/base/floating_point_traps.h"
 #include "renderer/base/parallel.h"
@@ -73,6 +74,23 @@ TriangleTree build_triangles(const Scene& scene, const Object& object) {
   return made;
 }
 
+// What is placed together.
+struct ObjectTrees {
+  TriangleTree triangles;
+  SphereTree spheres;
+
+  [[nodiscard]] Bounds3f bounds() const {
+    Bounds3f both = triangles.tree.bounds;
+    both.include(spheres.tree.bounds);
+    return both;
+  }
+  [[nodiscard]] std::size_t bytes() const { return triangles.bytes() + spheres.bytes(); }
+};
+
+ObjectTrees build_object(const Scene& scene, const Object& object) {
+  return {build_triangles(scene, object), build_spheres(scene, object)};
+}
+
 struct PlacedObject {
   std::uint32_t instance;
   WorldToObject world_to_object;
@@ -82,23 +100,23 @@ struct PlacedObject {
 
 struct BvhAccel::State {
   const Scene* scene = nullptr;
-  TriangleTree world;
-  std::vector<TriangleTree> objects;
+  ObjectTrees world;
+  std::vector<ObjectTrees> objects;
   std::vector<PlacedObject> placed;
   bvh::Tree placed_tree;  // a leaf is one item of `placed`
 
-  [[nodiscard]] const TriangleTree& object_of(std::uint32_t instance) const {
+  [[nodiscard]] const ObjectTrees& object_of(std::uint32_t instance) const {
     return objects[scene->instances[instance].object.index];
   }
 
   void build() {
-    world = build_triangles(*scene, scene->world);
+    world = build_object(*scene, scene->world);
     objects.resize(scene->objects.size());
     parallel_for(objects.size(),
-                 [&](std::size_t i) { objects[i] = build_triangles(*scene, scene->objects[i]); });
+                 [&](std::size_t i) { objects[i] = build_object(*scene, scene->objects[i]); });
     std::vector<Bounds3f> boxes;
     for (std::uint32_t i = 0; i < scene->instances.size(); ++i) {
-      const Bounds3f& object = object_of(i).tree.bounds;
+      const Bounds3f object = object_of(i).bounds();
       const std::optional<WorldToObject> inverse = world_to_object(scene->instances[i]);
       if (!inverse || object.is_empty()) continue;
       placed.push_back({i, *inverse});
@@ -109,8 +127,17 @@ struct BvhAccel::State {
 
   // `ray` in the space of the triangles. Of hits at the same distance the last one tested stays.
   template <bool any_hit>
-  void search(const Ray& ray, const TriangleTree& triangles, const Ray& world_ray,
+  void search(const Ray& ray, const ObjectTrees& object, const Ray& world_ray,
               std::uint32_t instance, Hit& best) const {
+    search_triangles<any_hit>(ray, object.triangles, world_ray, instance, best);
+    if (any_hit && best.is_hit()) return;
+    if (!object.spheres.names.empty())
+      search_spheres<any_hit>(*scene, object.spheres, ray, world_ray, instance, best);
+  }
+
+  template <bool any_hit>
+  void search_triangles(const Ray& ray, const TriangleTree& triangles, const Ray& world_ray,
+                        std::uint32_t instance, Hit& best) const {
     const bvh::ShearedRay sheared(ray);
     const auto visit = [&](std::uint32_t leaf) {
       const bvh::TriangleBlock& block = triangles.blocks[leaf];
@@ -166,7 +193,7 @@ bool BvhAccel::occluded(const Ray& ray) const {
 std::size_t BvhAccel::memory_bytes() const {
   std::size_t bytes = state_->world.bytes() + state_->placed.capacity() * sizeof(PlacedObject) +
                       state_->placed_tree.nodes.capacity() * sizeof(bvh::Node);
-  for (const TriangleTree& object : state_->objects) bytes += object.bytes();
+  for (const ObjectTrees& object : state_->objects) bytes += object.bytes();
   return bytes;
 }
 

@@ -10,7 +10,7 @@
 
 namespace candela {
 
-// Two levels: a tree over the world's triangles, one over the triangles of each object, one over
+// Two levels: trees over the world's triangles and spheres, over those of each object, and one over
 // the instances. The scene outlives it and does not move.
 class BvhAccel {
  public:

@@ -9,6 +9,7 @@
 
 #include "renderer/accel/alpha_test.h"
 #include "renderer/accel/embree_api.h"
+#include "renderer/accel/embree_spheres.h"
 #include "renderer/accel/placement.h"
 #include "renderer/base/handover.h"
 #include "renderer/base/parallel.h"
@@ -34,20 +35,11 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 static_assert(none == RTC_INVALID_GEOMETRY_ID);
 static_assert(RTC_MAX_INSTANCE_LEVEL_COUNT == 1);
 
-// What a filter function is told of the geometry that it is called for.
-struct Cutout {
-  const Scene* scene = nullptr;
-  std::uint32_t geometry = none;
-};
-
-// An instance's ID in the top level is the count of geometries plus its index.
 bool is_clear_in_lane(const RTCFilterFunctionNArguments& arguments, unsigned n, unsigned lane) {
   const auto& query = *reinterpret_cast<const embree::Query*>(arguments.context);
-  const Cutout& cutout = *static_cast<const Cutout*>(arguments.geometryUserPtr);
+  const auto& cutout = *static_cast<const EmbreeUserData*>(arguments.geometryUserPtr);
   RTCHitN* hit = arguments.hit;
-  const std::uint32_t id = RTCHitN_instID(hit, n, lane, 0);
-  const std::uint32_t instance =
-      id == none ? none : id - static_cast<std::uint32_t>(cutout.scene->geometries.size());
+  const std::uint32_t instance = instance_of_id(*cutout.scene, RTCHitN_instID(hit, n, lane, 0));
   const Ray& ray = query.world_rays[RTCRayN_id(arguments.ray, n, lane)];
   return is_transparent_at(*cutout.scene, cutout.geometry, RTCHitN_primID(hit, n, lane), instance,
                            RTCHitN_u(hit, n, lane), RTCHitN_v(hit, n, lane), ray.origin,
@@ -135,7 +127,7 @@ ValidLanes set_rays(RTCRay16& target, const RayBlock& rays, LaneMask lanes) {
 // From Embree's IDs to the scene's.
 Hit in_tables(const Scene& scene, Hit hit) {
   if (!hit.is_instanced()) return hit;
-  hit.instance -= static_cast<std::uint32_t>(scene.geometries.size());
+  hit.instance = instance_of_id(scene, hit.instance);
   const Object& object = scene.objects[scene.instances[hit.instance].object.index];
   hit.geometry = object.geometries[hit.geometry].index;
   return hit;
@@ -151,7 +143,7 @@ struct EmbreeAccel::State {
   std::mutex error_mutex;
   RTCError error = RTC_ERROR_NONE;
   std::string error_text;
-  std::vector<Cutout> cutouts;  // by geometry
+  std::vector<EmbreeUserData> user_data;  // by geometry
   // Released in reverse order, and Embree reports every release to `bytes`.
   Device device;
   std::vector<EmbreeScene> objects;
@@ -233,8 +225,7 @@ EmbreeGeometry EmbreeAccel::State::triangles_of(std::uint32_t index) {
   rtcSetGeometryMask(geometry, none);  // Embree 4's default sees the lowest bit only
   rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
   if (source.has_cutouts) {
-    cutouts[index] = {scene, index};
-    rtcSetGeometryUserData(geometry, &cutouts[index]);
+    rtcSetGeometryUserData(geometry, &user_data[index]);
     rtcSetGeometryIntersectFilterFunction(geometry, let_light_through);
     rtcSetGeometryOccludedFilterFunction(geometry, let_light_through);
   }
@@ -244,6 +235,11 @@ EmbreeGeometry EmbreeAccel::State::triangles_of(std::uint32_t index) {
 
 void EmbreeAccel::State::attach_geometry(RTCScene target, std::uint32_t index, std::uint32_t id) {
   const Geometry& source = scene->geometries[index];
+  user_data[index] = {scene, index};
+  if (!source.spheres.empty()) {
+    const EmbreeGeometry spheres(new_embree_spheres(device.get(), user_data[index]));
+    rtcAttachGeometryByID(target, spheres.get(), id);
+  }
   if (source.triangles.empty() || source.positions.empty()) return;
   rtcAttachGeometryByID(target, triangles_of(index).get(), id);
 }
@@ -276,7 +272,7 @@ void EmbreeAccel::State::attach_instance(std::size_t index) {
 
 // The world's geometries keep their index as ID, so that a hit of the world needs no table.
 void EmbreeAccel::State::build() {
-  cutouts.resize(scene->geometries.size());
+  user_data.resize(scene->geometries.size());
   objects.resize(scene->objects.size());
   parallel_for(objects.size(), [&](std::size_t i) { build_object(i); });
   throw_if_failed();

@@ -158,7 +158,14 @@ struct Material {
   MediumInterface media{};
 };
 
-// An indexed triangle mesh. `normals` and `uvs` are empty or as many as `positions`.
+// A whole sphere about the origin. Its texture coordinates are pbrt's: u around +z from +x on, v
+// from -z to +z.
+struct Sphere {
+  double radius = 1.0;
+  bool faces_inwards = false;  // its geometric normal
+};
+
+// An indexed triangle mesh, or a sphere. `normals` and `uvs` are empty or as many as `positions`.
 struct Mesh {
   std::string name;
   SourceSpan span;
@@ -167,6 +174,8 @@ struct Mesh {
   std::vector<Vec2f> uvs;      // v = 0 is the image's bottom row
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<MaterialHandle> materials;  // size 1: one for all; else one a triangle
+  // In place of vertices and triangles. Placed by similarities only (math/transform.h).
+  std::optional<Sphere> sphere = {};
 };
 
 // A mesh placed in the world. Several instances may share a mesh.

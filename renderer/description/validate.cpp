@@ -42,6 +42,11 @@ void check_instance(const SceneDescription& scene, const Instance& instance,
                       "the transform of an instance has numbers that are not finite");
   else if (is_singular(linear))
     diagnostics.error(instance.span, "the transform of an instance is singular: it flattens it");
+  else if (instance.mesh.index < scene.meshes.size() && scene.meshes[instance.mesh.index].sphere &&
+           similarity_scale(placement) == 0)
+    diagnostics.error(instance.span,
+                      "the transform of a sphere stretches or shears it, expected one that turns, "
+                      "moves, mirrors and enlarges only");
 }
 
 void check_images(const SceneDescription& scene, Diagnostics& diagnostics) {
@@ -49,10 +54,11 @@ void check_images(const SceneDescription& scene, Diagnostics& diagnostics) {
     if (image.path.empty()) diagnostics.error(image.span, "an image without a file name");
 }
 
-bool has_triangles(const SceneDescription& scene) {
+bool has_surface(const SceneDescription& scene) {
   return std::any_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
     return instance.mesh.index < scene.meshes.size() &&
-           !scene.meshes[instance.mesh.index].triangles.empty();
+           (!scene.meshes[instance.mesh.index].triangles.empty() ||
+            scene.meshes[instance.mesh.index].sphere);
   });
 }
 
@@ -88,8 +94,8 @@ SourceSpan whole_file(const SceneDescription& scene) {
 }
 
 void warn_of_nothing_to_see(const SceneDescription& scene, Diagnostics& diagnostics) {
-  if (!has_triangles(scene))
-    diagnostics.warning(whole_file(scene), "the scene has no triangle: there is nothing to see");
+  if (!has_surface(scene))
+    diagnostics.warning(whole_file(scene), "the scene has no surface: there is nothing to see");
   if (!has_light(scene))
     diagnostics.warning(whole_file(scene), "the scene has no light: the picture will be black");
 }

@@ -50,6 +50,10 @@ void check_triangles(const Mesh& mesh, Diagnostics& diagnostics) {
 }
 
 void check_materials(const SceneDescription& scene, const Mesh& mesh, Diagnostics& diagnostics) {
+  if (mesh.sphere && mesh.materials.size() != 1)
+    return diagnostics.error(mesh.span, fmt::format("mesh '{}' is a sphere with {} materials, "
+                                                    "expected 1",
+                                                    mesh.name, mesh.materials.size()));
   const std::size_t count = mesh.materials.size();
   if (count != 1 && count != mesh.triangles.size())
     diagnostics.error(mesh.span, fmt::format("mesh '{}' has {} materials for {} triangles, "
@@ -63,6 +67,17 @@ void check_materials(const SceneDescription& scene, const Mesh& mesh, Diagnostic
                       fmt::format("mesh '{}' has a material that does not exist", mesh.name));
 }
 
+void check_sphere(const Mesh& mesh, Diagnostics& diagnostics) {
+  if (!mesh.sphere) return;
+  const double radius = mesh.sphere->radius;
+  if (!(radius > 0 && std::isfinite(radius)))
+    diagnostics.error(mesh.span, fmt::format("mesh '{}' is a sphere of radius {}, expected above 0",
+                                             mesh.name, radius));
+  if (!mesh.positions.empty() || !mesh.triangles.empty())
+    diagnostics.error(
+        mesh.span, fmt::format("mesh '{}' is a sphere and has vertices or triangles", mesh.name));
+}
+
 }  // namespace
 
 void check_mesh(const SceneDescription& scene, const Mesh& mesh, Diagnostics& diagnostics) {
@@ -73,6 +88,7 @@ void check_mesh(const SceneDescription& scene, const Mesh& mesh, Diagnostics& di
   check_finite(mesh, mesh.uvs, "texture coordinates", diagnostics);
   check_triangles(mesh, diagnostics);
   check_materials(scene, mesh, diagnostics);
+  check_sphere(mesh, diagnostics);
 }
 
 }  // namespace candela::description

@@ -8,6 +8,10 @@ namespace {
 Bounds3d bounds_of(const Mesh& mesh) {
   Bounds3d bounds;
   for (const Vec3d& position : mesh.positions) bounds.include(position);
+  if (mesh.sphere) {
+    bounds.include(Vec3d(-mesh.sphere->radius));
+    bounds.include(Vec3d(mesh.sphere->radius));
+  }
   return bounds;
 }
 

@@ -1,4 +1,4 @@
-// The compiled scene's surfaces: flat arrays of triangles in normalised space.
+// The compiled scene's surfaces: flat arrays of triangles and spheres in normalised space.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/base/handle.h"
+#include "renderer/geometry/sphere.h"
 #include "renderer/math/bounds.h"
 #include "renderer/math/vec.h"
 
@@ -21,19 +22,22 @@ using ObjectHandle = Handle<Object>;
 using InstanceHandle = Handle<Instance>;
 using MaterialHandle = Handle<Material>;
 
-// Triangles that share one material and one kind of visibility. What is absent is empty.
+// Triangles, or spheres, that share one material and one kind of visibility. What is absent is
+// empty.
 struct Geometry {
   // Embree reads 16 bytes a vertex and so 4 past the last one: where the capacity exceeds the size
   // (compile() reserves one more than it needs) it shares this array, else it copies.
   std::vector<Vec3f> positions;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<Vec3f> normals;  // empty, or one a vertex; zero: "use the triangle's"
-  std::vector<Vec2f> uvs;      // empty, or one a vertex
+  std::vector<Vec3f> normals;   // empty, or one a vertex; zero: "use the triangle's"
+  std::vector<Vec2f> uvs;       // empty, or one a vertex
+  std::vector<Sphere> spheres;  // in place of all those
   MaterialHandle material;
   bool reads_tangents = true;  // dp/du and dp/dv of surface points
   // Some triangles are neither wholly opaque nor wholly clear: visibility asks alpha_test.h.
   bool has_cutouts = false;
-  // Index into the light table of triangle 0's light; triangle i has first_light + i. none: dark.
+  // Index into the light table of primitive 0's light (triangle or sphere); primitive i has
+  // first_light + i. none: dark.
   std::uint32_t first_light = std::numeric_limits<std::uint32_t>::max();
 
   [[nodiscard]] bool is_emissive() const {
@@ -41,10 +45,13 @@ struct Geometry {
   }
 };
 
-// Texture coordinates at the barycentric weights u and v of vertices 1 and 2.
+// Texture coordinates where a hit has u and v.
 [[nodiscard]] inline Vec2f uv_at(const Geometry& geometry, std::uint32_t triangle, float u,
                                  float v) {
-  if (geometry.uvs.empty()) return {0.5f, 0.5f};
+  if (geometry.uvs.empty()) {
+    if (geometry.spheres.empty()) return {0.5f, 0.5f};
+    return sphere_uv(geometry.spheres[triangle], from_octahedron({u, v}));
+  }
   const auto& [a, b, c] = geometry.triangles[triangle];
   return geometry.uvs[a] * (1 - u - v) + geometry.uvs[b] * u + geometry.uvs[c] * v;
 }
@@ -79,14 +86,15 @@ struct Instance {
   }
 };
 
-// What an accelerator returns. (u, v) are the barycentric weights of vertices 1 and 2.
+// What an accelerator returns. (u, v) are the barycentric weights of vertices 1 and 2; of a sphere
+// the direction from its centre, as sphere.h unfolds it.
 struct Hit {
   float t = std::numeric_limits<float>::infinity();
   float u = 0;
   float v = 0;
   std::uint32_t geometry =
       std::numeric_limits<std::uint32_t>::max();  // index into Scene::geometries
-  std::uint32_t triangle = 0;
+  std::uint32_t triangle = 0;                     // or sphere: index into the geometry's
   std::uint32_t instance = std::numeric_limits<std::uint32_t>::max();  // none: of the world itself
 
   [[nodiscard]] bool is_hit() const {

@@ -90,9 +90,9 @@ struct Corners {
 
 // All but the shading frame. `instance` may be null. With `with_uv` false, uv and its derivatives
 // stay at their defaults.
-[[nodiscard]] inline SurfacePoint make_surface_point(const Geometry& geometry,
-                                                     const Instance* instance, const Hit& hit,
-                                                     const Vec3f& wo, bool with_uv) {
+[[nodiscard]] inline SurfacePoint make_triangle_point(const Geometry& geometry,
+                                                      const Instance* instance, const Hit& hit,
+                                                      const Vec3f& wo, bool with_uv) {
   using namespace surface_point_detail;
   Corners c = corners_of(geometry, hit.triangle, instance);
   const auto& index = geometry.triangles[hit.triangle];
@@ -140,6 +140,19 @@ struct Corners {
     }
   }
   return point;
+}
+
+// The same of a sphere. By value: what kernels hold in registers must not have an address.
+[[nodiscard]] SurfacePoint make_sphere_point(const Sphere& sphere, const Instance* instance,
+                                             Hit hit, Vec3f wo, bool with_uv);
+
+// Of either.
+[[nodiscard]] inline SurfacePoint make_surface_point(const Geometry& geometry,
+                                                     const Instance* instance, const Hit& hit,
+                                                     const Vec3f& wo, bool with_uv) {
+  if (!geometry.spheres.empty()) [[unlikely]]
+    return make_sphere_point(geometry.spheres[hit.triangle], instance, hit, wo, with_uv);
+  return make_triangle_point(geometry, instance, hit, wo, with_uv);
 }
 
 // Fixes the shading frame from the front normal, on the side of wo and bent as far as it must be.

@@ -21,6 +21,7 @@ enum class LightKind : std::uint8_t {
   TexturedTriangle,  // as Triangle, which stands for both where nothing else is said
   Goniometric,       // a point with an image of intensities by direction
   Projection,        // a point that projects an image
+  Sphere,            // evenly or, with a texture, by place
 };
 
 // Which kinds a scene has: kernels specialised on a set leave the others out of their switches.
@@ -28,24 +29,28 @@ using LightKindSet = std::uint32_t;
 constexpr LightKindSet light_kind_bit(LightKind kind) {
   return 1u << static_cast<unsigned>(kind);
 }
-inline constexpr LightKindSet all_light_kinds = 0xff;
+inline constexpr LightKindSet all_light_kinds = 0x1ff;
 
 struct Light {
   static constexpr std::uint32_t none = 0xffffffffu;
 
   LightKind kind = LightKind::Point;
-  bool emits_both_sides = false;  // Triangle; else only the side of edge1 x edge2
+  // Triangle, Sphere; else only the side of edge1 x edge2, or of the sphere's normal
+  bool emits_both_sides = false;
+  bool faces_inwards = false;  // Sphere: its normal
   // Point, Spot, Goniometric, Projection: position; Directional: unit direction towards the light;
-  // Triangle: vertex 0
+  // Triangle: vertex 0; Sphere: its centre
   Vec3f position{0};
-  // Triangle: v1 - v0;  Spot: unit axis outwards;  Goniometric, Projection: the map's x axis
+  // Triangle: v1 - v0;  Sphere: (radius, 0, 0);  Spot: unit axis outwards;  Goniometric,
+  // Projection: the map's x axis
   Vec3f edge1{0};
   Vec3f edge2{0};  // Triangle: v2 - v0;  Goniometric, Projection: the map's y axis
-  // Point, Spot, Goniometric, Projection: radiant intensity; Directional: irradiance; Triangle:
-  // radiance
+  // Point, Spot, Goniometric, Projection: radiant intensity; Directional: irradiance; Triangle,
+  // Sphere: radiance
   Rgb emission{0};
-  // TexturedTriangle, Goniometric, Projection: a factor of the emission (Goniometric: absent where
-  // it is 1), and the mean luminance of both over the triangle or over all directions
+  // TexturedTriangle, Sphere, Goniometric, Projection: a factor of the emission (Sphere,
+  // Goniometric: absent where it is 1), and the mean luminance of both over the surface or over all
+  // directions
   TextureHandle texture{};
   float mean_luminance = 0;
   // Spot: 1 - cos of the angles, which narrow cones need: 1 - cos(0.01 degrees) is half an ulp of 1
@@ -54,10 +59,10 @@ struct Light {
   // Triangle: unit, of edge1 x edge2, and a bound of the error along it of points on the triangle;
   // Goniometric, Projection: the map's z axis
   Vec3f normal{0, 0, 1};
-  float offset = 0;
-  float area = 0;                 // Triangle; > 0
-  std::uint32_t geometry = none;  // Triangle: where it lies, for its shadow ray's end
-  std::uint32_t triangle = 0;
+  float offset = 0;               // Sphere: the same in any direction
+  float area = 0;                 // Triangle, Sphere; > 0
+  std::uint32_t geometry = none;  // Triangle, Sphere: where it lies, for its shadow ray's end
+  std::uint32_t triangle = 0;     // or sphere
 
   // Delta lights have no area: only next-event estimation sees them.
   [[nodiscard]] bool is_delta() const {

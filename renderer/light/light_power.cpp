@@ -34,6 +34,9 @@ double light_power(const Light& light, const Environment* environment, double sc
       return 4 * pi_double * disc * environment->mean_luminance;
     case LightKind::TexturedTriangle:
       return (light.emits_both_sides ? 2 : 1) * pi_double * light.area * mean;
+    case LightKind::Sphere:
+      return (light.emits_both_sides ? 2 : 1) * pi_double * light.area *
+             (light.texture ? mean : emission);
     case LightKind::Goniometric:
     case LightKind::Projection:
       return 4 * pi_double * mean;

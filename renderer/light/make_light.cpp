@@ -15,6 +15,13 @@ Vec3f unit_normal(const Vec3f& edge1, const Vec3f& edge2, double area) {
   return Vec3f(cross(Vec3d(edge1), Vec3d(edge2)) * (0.5 / area));
 }
 
+// Below the normal floats 1 / area overflows or is flushed to 0.
+float usable_area(double area) {
+  const bool is_usable =
+      area >= std::numeric_limits<float>::min() && area <= std::numeric_limits<float>::max();
+  return is_usable ? static_cast<float>(area) : 0.0f;
+}
+
 }  // namespace
 
 Light make_point_light(const Vec3f& position, const Rgb& intensity) {
@@ -73,15 +80,26 @@ Light make_triangle_light(const std::array<Vec3f, 3>& vertices, const Rgb& radia
   light.edge2 = vertices[2] - vertices[0];
   light.emission = radiance;
   const double area = 0.5 * length(cross(Vec3d(light.edge1), Vec3d(light.edge2)));
-  // Below the normal floats 1 / area overflows or is flushed to 0.
-  const bool is_usable =
-      area >= std::numeric_limits<float>::min() && area <= std::numeric_limits<float>::max();
-  light.area = is_usable ? static_cast<float>(area) : 0.0f;
-  if (is_usable) light.normal = unit_normal(light.edge1, light.edge2, area);
+  light.area = usable_area(area);
+  if (light.area > 0) light.normal = unit_normal(light.edge1, light.edge2, area);
   // The edges carry the rounding of v1 - v0, then a product and two sums round again.
   const Vec3f error =
       gamma_bound(5) * (glm::abs(light.position) + glm::abs(light.edge1) + glm::abs(light.edge2));
   light.offset = dot(glm::abs(light.normal), error);
+  return light;
+}
+
+Light make_sphere_light(const Sphere& sphere, const Rgb& radiance, bool emits_both_sides) {
+  Light light;
+  light.kind = LightKind::Sphere;
+  light.emits_both_sides = emits_both_sides;
+  light.faces_inwards = sphere.faces_inwards;
+  light.position = sphere.centre;
+  light.edge1 = Vec3f(sphere.radius, 0, 0);
+  light.emission = radiance;
+  light.area = usable_area(4 * pi_double * square(static_cast<double>(sphere.radius)));
+  // |n| . (|centre| + |n| radius), where the unit n turns to any side.
+  light.offset = gamma_bound(8) * (length(sphere.centre) + sphere.radius);
   return light;
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "renderer/geometry/sphere.h"
 #include "renderer/light/light.h"
 
 namespace candela {
@@ -30,6 +31,10 @@ namespace candela {
 // or one that floats cannot hold: such a light is to be dropped.
 [[nodiscard]] Light make_triangle_light(const std::array<Vec3f, 3>& vertices, const Rgb& radiance,
                                         bool emits_both_sides);
+
+// Emits outwards, inwards where it faces that way, or both. Its area is 0 as with triangles.
+[[nodiscard]] Light make_sphere_light(const Sphere& sphere, const Rgb& radiance,
+                                      bool emits_both_sides);
 
 [[nodiscard]] Light make_environment_light();
 

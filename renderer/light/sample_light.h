@@ -2,7 +2,7 @@
 //
 //   sample_light      a direction towards a given light (next-event estimation)
 //   light_pdf         the density with which sample_light would have found what a BSDF sample met
-//   emitted_radiance  what a ray sees that hits an emitting triangle
+//   emitted_radiance  what a ray sees that hits an emitting surface
 // The radiance of rays that leave the scene is environment_radiance (environment.h).
 #pragma once
 
@@ -11,6 +11,7 @@
 #include "renderer/light/image_light.h"
 #include "renderer/light/light.h"
 #include "renderer/light/point_light.h"
+#include "renderer/light/sphere_light.h"
 #include "renderer/light/textured_triangle_light.h"
 #include "renderer/light/triangle_light.h"
 
@@ -20,7 +21,7 @@ namespace candela {
 struct LightTables {
   const Environment* environment = nullptr;
   const TextureStore* textures = nullptr;
-  const std::vector<Geometry>* geometries = nullptr;  // of textured triangles
+  const std::vector<Geometry>* geometries = nullptr;  // of textured lamps
 };
 
 [[nodiscard]] inline LightSample sample_environment_light(const LightTables& tables,
@@ -58,14 +59,21 @@ template <LightKindSet kinds = all_light_kinds>
     case LightKind::Goniometric:
     case LightKind::Projection:
       return sample_image_light(light, *tables.textures, from);
+    case LightKind::Sphere:
+      // A copy: what a function out of line is given the address of leaves the registers.
+      if constexpr ((kinds & light_kind_bit(LightKind::Sphere)) != 0)
+        return sample_sphere_light(light, *tables.geometries, *tables.textures, SurfacePoint(from),
+                                   u);
+      break;
   }
   return {};
 }
 
 // The density in solid angle, given the light was chosen, of a ray along the unit wi that
-// met the light at `distance` (ignored for the environment). 0 for delta lights.
+// met the light at `distance` (ignored for the environment). 0 for delta lights. `from_centre`: the
+// unit direction in which spheres were met.
 [[nodiscard]] inline float light_pdf(const LightTables& tables, const Light& light, const Vec3f& wi,
-                                     float distance) {
+                                     float distance, const Vec3f& from_centre = Vec3f(0)) {
   switch (light.kind) {
     case LightKind::Point:
     case LightKind::Spot:
@@ -78,14 +86,19 @@ template <LightKindSet kinds = all_light_kinds>
       return triangle_light_pdf(light, wi, distance);
     case LightKind::Environment:
       return environment_pdf(*tables.environment, wi);
+    case LightKind::Sphere:
+      return sphere_light_pdf(light, from_centre, wi, distance);
   }
   return 0;
 }
 
-// Radiance that leaves an emitting triangle at the barycentric weights (u, v) towards the unit
+// Radiance that leaves an emitting triangle or sphere where a hit has (u, v) towards the unit
 // direction wo (away from it). The side is told by the light's own vertices, as in sampling.
 [[nodiscard]] inline Rgb emitted_radiance(const LightTables& tables, const Light& light, float u,
                                           float v, const Vec3f& wo) {
+  if (light.kind == LightKind::Sphere)
+    return sphere_light_radiance(light, *tables.geometries, *tables.textures,
+                                 from_octahedron({u, v}), wo);
   Rgb radiance = triangle_light_radiance(light, wo);
   if (light.kind == LightKind::TexturedTriangle)
     radiance *=

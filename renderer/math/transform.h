@@ -24,6 +24,18 @@ struct Transform {
   }
 };
 
+// The factor by which a map that keeps all shapes (a similarity, mirrored or not) enlarges them; 0
+// for any other map. `tolerance`: of cosines and of relative lengths, as files write their numbers.
+[[nodiscard]] inline double similarity_scale(const Transform& t, double tolerance = 1e-5) {
+  const Mat3d& m = t.linear;
+  const double mean = (length_squared(m[0]) + length_squared(m[1]) + length_squared(m[2])) / 3;
+  if (!(mean > 0) || !std::isfinite(mean)) return 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j)
+      if (!(std::abs(dot(m[i], m[j]) / mean - (i == j ? 1 : 0)) <= 2 * tolerance)) return 0;
+  return std::sqrt(mean);
+}
+
 [[nodiscard]] inline Transform operator*(const Transform& a, const Transform& b) {
   return {a.linear * b.linear, a.linear * b.translation + a.translation};
 }

@@ -12,6 +12,7 @@
 #include "renderer/scene/compile_lights.h"
 #include "renderer/scene/compile_materials.h"
 #include "renderer/scene/compile_media.h"
+#include "renderer/scene/compile_spheres.h"
 #include "renderer/scene/normalise.h"
 #include "renderer/scene/triangle_sort.h"
 
@@ -64,6 +65,7 @@ SceneFeatures features_of(const Scene& scene) {
     if (met[i]) add_features(scene.materials[i], features);
   for (const Geometry& geometry : scene.geometries) {
     features.cutouts |= geometry.has_cutouts;
+    features.spheres |= !geometry.spheres.empty();
     features.area_lights |= geometry.is_emissive();
   }
   for (const Light& light : scene.lights) {
@@ -113,8 +115,9 @@ Result<Scene> compile(const SceneDescription& description, const CompileOptions&
   compile_lights(description, options, scene, dropped, diagnostics);
   scene.features = features_of(scene);
   for (const auto& [what, count] : dropped) scene.dropped.push_back({what, count});
-  if (const auto lost = dropped.find(out_of_reach); lost != dropped.end())
-    diagnostics.warning({}, fmt::format("{} {} are left out", lost->second, lost->first));
+  for (const char* reason : {out_of_reach, spheres_out_of_reach})
+    if (const auto lost = dropped.find(reason); lost != dropped.end())
+      diagnostics.warning({}, fmt::format("{} {} are left out", lost->second, lost->first));
   return {std::move(scene), std::move(diagnostics)};
 }
 

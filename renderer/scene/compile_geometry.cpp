@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "renderer/base/parallel.h"
+#include "renderer/scene/compile_spheres.h"
 #include "renderer/scene/instance_errors.h"
 #include "renderer/scene/normalise.h"
 #include "renderer/scene/split_triangles.h"
@@ -139,6 +140,13 @@ Geometry picked(const description::Mesh& mesh, const MeshArrays& arrays,
 void compile_placement(const SceneDescription& description, const CompileOptions& options,
                        const Scene& scene, Placement& placement) {
   const description::Mesh& written = description.meshes[placement.mesh.index];
+  if (written.sphere) {
+    const std::uint32_t index = material_of(written, placement, 0);
+    auto geometry = compile_sphere(scene, *written.sphere, placement.to_normalised, index,
+                                   options.decides_cutouts, placement.dropped);
+    if (geometry) placement.geometries.push_back(std::move(*geometry));
+    return;
+  }
   const std::optional<description::Mesh> split =
       split_large_triangles(written, placement.to_normalised);
   const description::Mesh& mesh = split ? *split : written;
@@ -251,10 +259,17 @@ Plan plan_placements(const SceneDescription& description, Scene& scene) {
   return plan;
 }
 
+Bounds3f bounds_of(const Geometry& geometry) {
+  Bounds3f bounds;
+  for (const Vec3f& p : geometry.positions) bounds.include(p);
+  for (const Sphere& sphere : geometry.spheres) bounds.include(bounds_of(sphere));
+  return bounds;
+}
+
 Bounds3f bounds_of(const Scene& scene, const Object& object) {
   Bounds3f bounds;
   for (const GeometryHandle handle : object.geometries)
-    for (const Vec3f& p : scene.geometries[handle.index].positions) bounds.include(p);
+    bounds.include(bounds_of(scene.geometries[handle.index]));
   return bounds;
 }
 
@@ -264,6 +279,24 @@ std::vector<Bounds3f> bounds_of_objects(const Scene& scene) {
   return objects;
 }
 
+// The world's spheres of one material and visibility are one geometry.
+class SpheresByKind {
+ public:
+  // Whether the geometry has become part of one that the scene has; else it is the scene's next.
+  bool joins(const Geometry& geometry, Scene& scene) {
+    if (geometry.spheres.empty()) return false;
+    const auto [at, is_new] = geometries_.try_emplace(
+        {geometry.material.index, geometry.has_cutouts}, scene.geometries.size());
+    if (is_new) return false;
+    auto& spheres = scene.geometries[at->second].spheres;
+    spheres.insert(spheres.end(), geometry.spheres.begin(), geometry.spheres.end());
+    return true;
+  }
+
+ private:
+  std::map<std::pair<std::uint32_t, bool>, std::size_t> geometries_;
+};
+
 }  // namespace
 
 void compile_geometry(const SceneDescription& description, const CompileOptions& options,
@@ -272,11 +305,13 @@ void compile_geometry(const SceneDescription& description, const CompileOptions&
   parallel_for(plan.placements.size(), [&](std::size_t i) {
     compile_placement(description, options, scene, plan.placements[i]);
   });
+  SpheresByKind worlds_spheres;
   for (std::size_t i = 0; i < plan.placements.size(); ++i) {
     Placement& placement = plan.placements[i];
     for (const auto& [what, count] : placement.dropped) dropped[what] += count;
     Object& target = plan.object_of[i] ? scene.objects[plan.object_of[i].index] : scene.world;
     for (Geometry& geometry : placement.geometries) {
+      if (!plan.object_of[i] && worlds_spheres.joins(geometry, scene)) continue;
       target.geometries.emplace_back(scene.geometries.size());
       scene.geometries.push_back(std::move(geometry));
     }

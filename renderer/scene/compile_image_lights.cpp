@@ -52,14 +52,20 @@ void for_each_part(int side, const Visit& visit) {
     }
 }
 
-bool has_light(const TextureStore& textures, const Geometry& geometry, const Light& light) {
-  Vec2f uv[3] = {Vec2f(0.5f), Vec2f(0.5f), Vec2f(0.5f)};
-  if (!geometry.uvs.empty())
-    for (std::size_t k = 0; k < 3; ++k) uv[k] = geometry.uvs[geometry.triangles[light.triangle][k]];
+bool has_light(const TextureStore& textures, const Light& light,
+               const std::array<Vec2f, 3>& triangle) {
+  const Vec2f uv[3] = {triangle[0], triangle[1], triangle[2]};
   for (int c = 0; c < 3; ++c)
     if (light.emission[c] > 0 && textures.range_in_triangle(light.texture, uv, c).high > 0)
       return true;
   return false;
+}
+
+bool has_light(const TextureStore& textures, const Geometry& geometry, const Light& light) {
+  std::array<Vec2f, 3> uv{Vec2f(0.5f), Vec2f(0.5f), Vec2f(0.5f)};
+  if (!geometry.uvs.empty())
+    for (std::size_t k = 0; k < 3; ++k) uv[k] = geometry.uvs[geometry.triangles[light.triangle][k]];
+  return has_light(textures, light, uv);
 }
 
 float mean_emission(const TextureStore& textures, const Geometry& geometry, const Light& light,
@@ -73,6 +79,27 @@ float mean_emission(const TextureStore& textures, const Geometry& geometry, cons
   const double mean = sum / (static_cast<double>(side) * side);
   if (mean > 0 || !has_light(textures, geometry, light)) return static_cast<float>(mean);
   return 1e-6f * luminance(light.emission);  // dim, and not black
+}
+
+// Rows of a sphere have the area of the sine of their angle from a pole.
+float mean_sphere_emission(const TextureStore& textures, const Light& light) {
+  constexpr int columns = 128;
+  constexpr int rows = 64;
+  double sum = 0;
+  double weight = 0;
+  for (int row = 0; row < rows; ++row) {
+    const double v = (row + 0.5) / rows;
+    const double area = std::sin(v * pi_double);
+    for (int column = 0; column < columns; ++column) {
+      const Vec2f uv(static_cast<float>((column + 0.5) / columns), static_cast<float>(v));
+      sum += area * luminance(Vec3d(light.emission * image_radiance(textures, light.texture, uv)));
+      weight += area;
+    }
+  }
+  const auto mean = static_cast<float>(sum / weight);
+  const bool shines = mean > 0 || has_light(textures, light, {{{0, 0}, {1, 0}, {1, 1}}}) ||
+                      has_light(textures, light, {{{0, 0}, {1, 1}, {0, 1}}});
+  return mean > 0 || !shines ? mean : 1e-6f * luminance(light.emission);  // dim, and not black
 }
 
 }  // namespace
@@ -100,6 +127,10 @@ Light projection_light(const description::ProjectionLight& light, const Vec3f& p
 
 void set_mean_emission(const Geometry& geometry, const TextureStore& textures,
                        std::vector<Light>& lights) {
+  for (std::size_t i = 0; i < geometry.spheres.size(); ++i) {
+    Light& light = lights[geometry.first_light + i];
+    light.mean_luminance = mean_sphere_emission(textures, light);
+  }
   constexpr double most_points = 1 << 20;  // of all triangles together
   const auto count = static_cast<double>(geometry.triangles.size());
   const int side = static_cast<int>(std::clamp(std::sqrt(most_points / count), 2.0, 64.0));

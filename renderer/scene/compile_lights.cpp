@@ -133,7 +133,17 @@ Light triangle_light(const Geometry& geometry, const Material& material, std::si
   return light;
 }
 
-void add_triangle_lights(Scene& scene) {
+Light sphere_light(const Geometry& geometry, const Material& material, std::size_t index,
+                   std::size_t sphere) {
+  Light light =
+      make_sphere_light(geometry.spheres[sphere], material.emission, material.emits_both_sides);
+  light.geometry = static_cast<std::uint32_t>(index);
+  light.triangle = static_cast<std::uint32_t>(sphere);
+  light.texture = material.emission_map;
+  return light;
+}
+
+void add_surface_lights(Scene& scene) {
   for (std::size_t g = 0; g < scene.geometries.size(); ++g) {
     Geometry& geometry = scene.geometries[g];
     const Material& material = scene.materials[geometry.material.index];
@@ -141,6 +151,8 @@ void add_triangle_lights(Scene& scene) {
     geometry.first_light = static_cast<std::uint32_t>(scene.lights.size());
     for (std::size_t i = 0; i < geometry.triangles.size(); ++i)
       scene.lights.push_back(triangle_light(geometry, material, g, i));
+    for (std::size_t i = 0; i < geometry.spheres.size(); ++i)
+      scene.lights.push_back(sphere_light(geometry, material, g, i));
     if (material.emission_map) set_mean_emission(geometry, scene.textures, scene.lights);
   }
 }
@@ -189,6 +201,12 @@ void limit_far_powers(const std::vector<Light>& lights, std::vector<double>& pow
     if (is_infinitely_far(lights[i])) powers[i] *= near / far;
 }
 
+// A sample of a lamp does not know whether the lamp is there: those with holes are left to the
+// directions that surfaces scatter in, which meet them as often as they are.
+bool has_holes(const Scene& scene, const Light& light) {
+  return light.geometry != Light::none && scene.geometries[light.geometry].has_cutouts;
+}
+
 // Emissive triangles too small to have a power stay in the table, since others count on their
 // order; nothing ever picks them.
 LightSampler build_light_sampler(const Scene& scene) {
@@ -196,7 +214,8 @@ LightSampler build_light_sampler(const Scene& scene) {
   std::vector<double> powers;
   powers.reserve(scene.lights.size());
   for (const Light& light : scene.lights) {
-    powers.push_back(light_power(light, scene.environment ? &*scene.environment : nullptr, radius));
+    const Environment* environment = scene.environment ? &*scene.environment : nullptr;
+    powers.push_back(has_holes(scene, light) ? 0 : light_power(light, environment, radius));
   }
   limit_far_powers(scene.lights, powers);
   return {scene.lights, powers};
@@ -230,7 +249,7 @@ void add_triangle_light_surfaces(SceneDescription& description) {
 void compile_lights(const SceneDescription& description, const CompileOptions& options,
                     Scene& scene, DropCounts& dropped, Diagnostics& diagnostics) {
   add_delta_lights(description, scene, dropped, diagnostics);
-  add_triangle_lights(scene);
+  add_surface_lights(scene);
   add_environment(description, options, scene, diagnostics);
   scene.ambient = ambient_of(description);
   scene.light_sampler = build_light_sampler(scene);

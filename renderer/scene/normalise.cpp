@@ -12,6 +12,18 @@ using description::SceneDescription;
 
 constexpr std::size_t most_points_an_instance = 4096;
 
+// The box of a placed sphere, by its corners.
+void append_corners(const description::Sphere& sphere, const Transform& object_to_world,
+                    std::vector<Vec3d>& points) {
+  const double half = sphere.radius * similarity_scale(object_to_world);
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3d p = object_to_world.translation + Vec3d((corner & 1) != 0 ? half : -half,
+                                                        (corner & 2) != 0 ? half : -half,
+                                                        (corner & 4) != 0 ? half : -half);
+    if (is_finite(p)) points.push_back(p);
+  }
+}
+
 // A sample of the vertices in world space, evenly strided.
 std::vector<Vec3d> sampled_points(const SceneDescription& description) {
   std::vector<Vec3d> points;
@@ -19,7 +31,9 @@ std::vector<Vec3d> sampled_points(const SceneDescription& description) {
   const std::size_t most = std::max<std::size_t>(
       8, std::min(most_points_an_instance, (std::size_t{1} << 20) / instances));
   for (const description::Instance& instance : description.instances) {
-    const auto& positions = description.meshes[instance.mesh.index].positions;
+    const description::Mesh& mesh = description.meshes[instance.mesh.index];
+    if (mesh.sphere) append_corners(*mesh.sphere, instance.object_to_world, points);
+    const auto& positions = mesh.positions;
     const std::size_t stride = std::max<std::size_t>(1, positions.size() / most);
     for (std::size_t i = 0; i < positions.size(); i += stride) {
       const Vec3d p = instance.object_to_world.point(positions[i]);
@@ -92,6 +106,8 @@ Normalisation normalisation_of(const SceneDescription& description) {
 Normalisation normalisation_of(const description::Mesh& mesh) {
   Bounds3d bounds;
   std::vector<Vec3d> points;
+  if (mesh.sphere) append_corners(*mesh.sphere, {}, points);
+  for (const Vec3d& corner : points) bounds.include(corner);
   const std::size_t stride =
       std::max<std::size_t>(1, mesh.positions.size() / most_points_an_instance);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {

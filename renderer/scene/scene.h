@@ -44,6 +44,7 @@ struct SceneFeatures {
   bool environment = false;
   bool instances = false;
   bool thin_lens = false;
+  bool spheres = false;
   bool media = false;
   bool scattering_media = false;
   bool clear_boundaries = false;  // surfaces that only bound media

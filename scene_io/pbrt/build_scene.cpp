@@ -31,6 +31,7 @@ constexpr std::size_t most_instances = std::size_t{1} << 22;
 struct MeshJob {
   ShapeStatement* shape = nullptr;  // the first of them
   bool needs_uvs = false;
+  bool keeps_sphere = false;
   Diagnostics diagnostics;
   MeshHandle handle;  // invalid: in error or left out
 };
@@ -67,19 +68,38 @@ bool has_texture(const Program& program, const ShapeStatement& shape) {
              [](const Parameter& parameter) { return parameter.type == ParameterType::Texture; });
 }
 
+using UsesByObject = std::map<std::string_view, std::vector<const ObjectUse*>>;
+
+UsesByObject uses_by_object(const Program& program) {
+  UsesByObject uses;
+  for (const ObjectUse& use : program.object_uses) uses[use.name].push_back(&use);
+  return uses;
+}
+
+// Whether all that a shape of an object is placed by are similarities.
+bool keeps_shape(const ShapeStatement& shape, const UsesByObject& uses, std::string_view object) {
+  const auto found = uses.find(object);
+  if (found == uses.end()) return true;
+  return std::all_of(found->second.begin(), found->second.end(), [&](const ObjectUse* use) {
+    return similarity_scale(use->world_from_instance * shape.world_from_object) > 0;
+  });
+}
+
 // All shapes' meshes, made in parallel, in the scene in the order of the shapes.
 class Meshes {
  public:
   explicit Meshes(Context& context) : context_(context) {}
 
   // The shapes in the order in which they are added.
-  void add(ShapeStatement& shape) {
-    if (is_curved(shape)) ++curved_count_;
+  // `keeps_sphere`: nothing that it is placed by stretches it.
+  void add(ShapeStatement& shape, bool keeps_sphere) {
+    if (is_curved(shape) && !(keeps_sphere && is_whole_sphere(shape))) ++curved_count_;
     const bool needs_uvs = has_texture(context_.program, shape);
-    const std::string key = mesh_key(shape, {context_.scene.path, needs_uvs}, context_.report);
+    const std::string key = mesh_key(
+        shape, {context_.scene.path, needs_uvs, finest_segments, keeps_sphere}, context_.report);
     std::size_t job = jobs_.size();
     if (!key.empty()) job = job_of_.try_emplace(key, job).first->second;
-    if (job == jobs_.size()) jobs_.push_back({&shape, needs_uvs, {}, {}});
+    if (job == jobs_.size()) jobs_.push_back({&shape, needs_uvs, keeps_sphere, {}, {}});
     shapes_.push_back({&shape, job});
   }
 
@@ -89,7 +109,8 @@ class Meshes {
     parallel_for(jobs_.size(), [&](std::size_t i) {
       MeshJob& job = jobs_[i];
       const Report report(job.diagnostics);
-      meshes[i] = make_mesh(*job.shape, {context_.scene.path, job.needs_uvs, segments}, report);
+      const ShapeOptions options{context_.scene.path, job.needs_uvs, segments, job.keeps_sphere};
+      meshes[i] = make_mesh(*job.shape, options, report);
       for (Parameter& parameter : job.shape->statement.parameters)
         if (parameter.numbers.size() > 16) parameter.numbers = {};  // it is in the mesh
     });
@@ -177,7 +198,9 @@ class ShapeMaterials {
     const auto [at, is_new] = emissions_.try_emplace(shape.area_light);
     if (is_new)
       at->second = read_emission(context_, context_.program.area_lights[shape.area_light]);
-    const double count = static_cast<double>(std::max<std::size_t>(areas.triangle_count, 1));
+    // pbrt's power is that of each of its lights: triangles, but curved shapes as a whole.
+    const double count =
+        is_curved(shape) ? 1 : static_cast<double>(std::max<std::size_t>(areas.triangle_count, 1));
     const Vec3d radiance = at->second.radiance_on(areas.surface / count);
     if (!is_finite(radiance))
       context_.report.error(shape.statement.place, "what this shape emits is not finite");
@@ -260,9 +283,11 @@ class SceneBuilder {
     context_.scene.cameras.back().medium = media_.of(program.around_camera);
     read_lights(context_);
     materials_.read_all();
-    for (ShapeStatement& shape : program.shapes) meshes_.add(shape);
+    for (ShapeStatement& shape : program.shapes)
+      meshes_.add(shape, similarity_scale(shape.world_from_object) > 0);
+    const UsesByObject uses = uses_by_object(program);
     for (auto& [name, shapes] : program.objects)
-      for (ShapeStatement& shape : shapes) meshes_.add(shape);
+      for (ShapeStatement& shape : shapes) meshes_.add(shape, keeps_shape(shape, uses, name));
     meshes_.make();
     place_all();
   }

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <vector>
 
+#include "renderer/math/constants.h"
+
 namespace candela::pbrt {
 
 Areas areas_of(const description::Mesh& mesh, std::span<const std::uint32_t> triangles,
@@ -24,6 +26,10 @@ Areas areas_of(const description::Mesh& mesh, std::span<const std::uint32_t> tri
 }
 
 Areas areas_of(const description::Mesh& mesh, const Transform& world_from_object) {
+  if (mesh.sphere) {
+    const double radius = mesh.sphere->radius * similarity_scale(world_from_object);
+    return {4 * pi_double * radius * radius, 1, 1};
+  }
   std::vector<std::uint32_t> all(mesh.triangles.size());
   std::iota(all.begin(), all.end(), 0u);
   return areas_of(mesh, all, world_from_object);

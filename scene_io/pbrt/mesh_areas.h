@@ -14,6 +14,7 @@ struct Areas {
   std::size_t triangle_count = 0;
 };
 
+// A sphere counts as one triangle: pbrt's `power` is that of a light each.
 // Of the triangles that are listed by their places in the mesh.
 [[nodiscard]] Areas areas_of(const description::Mesh& mesh,
                              std::span<const std::uint32_t> triangles,

@@ -58,6 +58,15 @@ bool is_curved(const ShapeStatement& shape) {
   return type == "sphere" || type == "disk" || type == "cylinder";
 }
 
+bool is_whole_sphere(const ShapeStatement& shape) {
+  const ParameterList& parameters = shape.statement.parameters;
+  return shape.statement.type == "sphere" &&
+         std::none_of(parameters.begin(), parameters.end(), [](const Parameter& parameter) {
+           return parameter.name == "zmin" || parameter.name == "zmax" ||
+                  parameter.name == "phimax";
+         });
+}
+
 // A sphere has the square of its segments in triangles: half as many rows, two triangles a cell.
 std::uint32_t segments_for(std::size_t curved_shapes) {
   const double most = 8e6 / static_cast<double>(std::max<std::size_t>(curved_shapes, 1));
@@ -67,7 +76,9 @@ std::uint32_t segments_for(std::size_t curved_shapes) {
 std::string mesh_key(const ShapeStatement& shape, const ShapeOptions& options,
                      const Report& report) {
   const Statement& statement = shape.statement;
-  std::string key = fmt::format("{} {} {}", statement.type, shape.is_reversed, options.needs_uvs);
+  const bool keeps_sphere = statement.type == "sphere" && options.keeps_spheres;
+  std::string key = fmt::format("{} {} {} {}", statement.type, shape.is_reversed, options.needs_uvs,
+                                keeps_sphere);
   for (const Parameter& parameter : statement.parameters) {
     if (parameter.name == "alpha") continue;
     if (parameter.numbers.size() > 4) return "";  // a mesh written out
@@ -96,6 +107,10 @@ MaybeMesh make_mesh(ShapeStatement& shape, const ShapeOptions& options, const Re
   if (!is_finite_mesh(*mesh)) {
     report.error(shape.statement.place, "this shape has positions that are not finite");
     return std::nullopt;
+  }
+  if (mesh->sphere) {
+    mesh->sphere->faces_inwards = shape.is_reversed;
+    return mesh;
   }
   orient(*mesh, shape.is_reversed);
   if (options.needs_uvs && mesh->uvs.empty()) add_default_uvs(*mesh);

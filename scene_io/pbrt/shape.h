@@ -1,4 +1,5 @@
-// Shapes -> meshes in the shape's own space.
+// Shapes -> meshes in the shape's own space; whole spheres stay what they are, where they are not
+// stretched.
 //
 // Triangles are oriented as pbrt orients surfaces: along the vertex normals where there are some,
 // else by the winding (dp/du x dp/dv of curved shapes), and turned by ReverseOrientation. Curved
@@ -20,11 +21,14 @@ inline constexpr std::uint32_t finest_segments = 128;
 // or 144 each.
 [[nodiscard]] std::uint32_t segments_for(std::size_t curved_shapes);
 [[nodiscard]] bool is_curved(const ShapeStatement& shape);
+// Spheres of which nothing is cut off, as far as can be seen without reading their parameters.
+[[nodiscard]] bool is_whole_sphere(const ShapeStatement& shape);
 
 struct ShapeOptions {
   const std::string& scene_path;
   bool needs_uvs = false;                    // the material is textured: meshes without get pbrt's
   std::uint32_t segments = finest_segments;  // of a full circle: see segments_for()
+  bool keeps_spheres = false;  // whole ones stay spheres: they are placed by similarities only
 };
 
 // What tells one mesh from another: shapes with equal keys have equal meshes. Empty: it is alone.

@@ -53,6 +53,14 @@ double angle_at(double u, double phi_max) {
   return u == 1 && phi_max == 2 * pi_double ? 0 : u * phi_max;
 }
 
+// Whether nothing is cut off.
+bool is_whole(Arguments& arguments, double radius) {
+  const double z0 = arguments.number("zmin").value_or(-radius);
+  const double z1 = arguments.number("zmax").value_or(radius);
+  return std::min(z0, z1) <= -radius && std::max(z0, z1) >= radius &&
+         arguments.number("phimax").value_or(360) >= 360;
+}
+
 }  // namespace
 
 void append_grid(std::uint32_t grid_columns, std::uint32_t grid_rows,
@@ -86,6 +94,11 @@ MaybeMesh sphere(Arguments& arguments, const ShapeOptions& options) {
   const auto radius = radius_of(arguments);
   if (!radius) return std::nullopt;
   const double r = *radius;
+  Mesh mesh;
+  if (options.keeps_spheres && is_whole(arguments, r)) {
+    mesh.sphere = description::Sphere{r, false};
+    return mesh;
+  }
   const double z0 = std::clamp(arguments.number("zmin").value_or(-r), -r, r);
   const double z1 = std::clamp(arguments.number("zmax").value_or(r), -r, r);
   const double phi_max = clamped_angle(arguments);
@@ -99,7 +112,6 @@ MaybeMesh sphere(Arguments& arguments, const ShapeOptions& options) {
     const Vec3d normal(sine * std::cos(phi), sine * std::sin(phi), std::cos(theta));
     return SurfaceSample{normal * r, normal};
   };
-  Mesh mesh;
   append_grid(columns, options.segments / 2, surface, as_is, mesh);
   const double area = area_of(mesh) / (r * r);
   const double exact = phi_max * std::abs(z1 - z0) / r;

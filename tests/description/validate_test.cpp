@@ -6,6 +6,7 @@
 
 #include "renderer/math/constants.h"
 #include "tests/scenes/description.h"
+#include "tests/scenes/exact_sphere.h"
 
 namespace candela {
 namespace {
@@ -166,12 +167,31 @@ TEST(Errors_Validate, Cameras) {
             "a camera's lens radius is -1, expected at least 0");
 }
 
+TEST(Unit_Validate, Spheres) {
+  const auto error_of = [](const description::Mesh& mesh, const Transform& placement) {
+    description::SceneDescription scene = test::small_room();
+    test::add_mesh(scene, mesh, description::MaterialHandle(0), placement);
+    const auto errors = messages(validate(scene), Severity::Error);
+    return errors.empty() ? "" : errors[0];
+  };
+  const Transform turned{2.0 * Mat3d(0.6, 0.8, 0, 0.8, -0.6, 0, 0, 0, 1), Vec3d(1.0)};  // mirrored
+  EXPECT_EQ(error_of(test::exact_sphere(2), turned), "");
+  EXPECT_EQ(error_of(test::exact_sphere(0), {}),
+            "mesh 'sphere' is a sphere of radius 0, expected above 0");
+  EXPECT_EQ(error_of(test::exact_sphere(1), {Mat3d(1, 0, 0, 0, 1.01, 0, 0, 0, 1), Vec3d(0.0)}),
+            "the transform of a sphere stretches or shears it, expected one that turns, moves, "
+            "mirrors and enlarges only");
+  description::Mesh both = test::exact_sphere(1);
+  both.positions = {{0, 0, 0}};
+  EXPECT_EQ(error_of(both, {}), "mesh 'sphere' is a sphere and has vertices or triangles");
+}
+
 TEST(Unit_Validate, WarnsOfScenesWithNothingInThem) {
   description::SceneDescription scene = test::empty_scene();
   test::set_camera(scene, {0, 0, 5}, {0, 0, 0});
   const auto warnings = messages(validate(scene), Severity::Warning);
   ASSERT_EQ(warnings.size(), 2u);
-  EXPECT_EQ(warnings[0], "the scene has no triangle: there is nothing to see");
+  EXPECT_EQ(warnings[0], "the scene has no surface: there is nothing to see");
   EXPECT_EQ(warnings[1], "the scene has no light: the picture will be black");
 }
 

@@ -160,6 +160,7 @@ std::string to_json(const SceneInfo& info) {
   json["scene_hash"] = info.scene_hash;
   json["triangles"] = info.triangles;
   json["instanced_triangles"] = info.instanced_triangles;
+  json["spheres"] = info.spheres;
   json["geometries"] = info.geometries;
   json["instances"] = info.instances;
   json["cameras"] = info.cameras;

@@ -18,7 +18,7 @@ std::size_t mesh_bytes(const Scene& scene) {
   std::size_t bytes = bytes_of(scene.geometries) + bytes_of(scene.instances);
   for (const Geometry& geometry : scene.geometries)
     bytes += bytes_of(geometry.positions) + bytes_of(geometry.triangles) +
-             bytes_of(geometry.normals) + bytes_of(geometry.uvs);
+             bytes_of(geometry.normals) + bytes_of(geometry.uvs) + bytes_of(geometry.spheres);
   return bytes;
 }
 
@@ -30,7 +30,10 @@ std::uint64_t triangles_of(const Scene& scene, const Object& object) {
 }
 
 void count_triangles(const Scene& scene, SceneInfo& info) {
-  for (const Geometry& geometry : scene.geometries) info.triangles += geometry.triangles.size();
+  for (const Geometry& geometry : scene.geometries) {
+    info.triangles += geometry.triangles.size();
+    info.spheres += geometry.spheres.size();
+  }
   info.instanced_triangles = triangles_of(scene, scene.world);
   for (const Instance& instance : scene.instances)
     info.instanced_triangles += triangles_of(scene, scene.objects[instance.object.index]);
@@ -53,6 +56,8 @@ std::string kind_name(LightKind kind) {
       return "goniometric";
     case LightKind::Projection:
       return "projection";
+    case LightKind::Sphere:
+      return "sphere";
   }
   return "";
 }
@@ -139,6 +144,7 @@ std::string to_text(const SceneInfo& info) {
   };
   line("hash", info.scene_hash);
   line("triangles", fmt::format("{} in {} geometries", info.triangles, info.geometries));
+  if (info.spheres > 0) line("spheres", std::to_string(info.spheres));
   line("instances",
        fmt::format("{} ({} triangles seen by rays)", info.instances, info.instanced_triangles));
   line("cameras", std::to_string(info.cameras));

@@ -35,6 +35,7 @@ struct SceneInfo {
   std::string scene_hash;
   std::uint64_t triangles = 0;            // stored
   std::uint64_t instanced_triangles = 0;  // seen by rays: each instance counted
+  std::uint64_t spheres = 0;              // stored
   std::uint64_t geometries = 0;
   std::uint64_t instances = 0;
   std::uint64_t cameras = 0;

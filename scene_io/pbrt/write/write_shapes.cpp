@@ -59,6 +59,10 @@ class ShapeWriter {
 
   [[nodiscard]] std::vector<Part> parts_of(const Instance& instance) const {
     const Mesh& mesh = mesh_of(instance.mesh);
+    if (mesh.sphere)
+      return {{instance.mesh,
+               instance.material_override ? instance.material_override : mesh.materials[0],
+               {}}};
     const bool has_one = instance.material_override || mesh.materials.size() <= 1;
     std::map<std::uint32_t, Part> parts;
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -118,10 +122,22 @@ class ShapeWriter {
     const std::string media = media_.interface_of(material.media);
     if (!media.empty()) text += "  " + media;
     if (material.emission != Vec3d(0.0)) text += "  " + emission(part, object_to_world);
-    Directive out("Shape", "plymesh");
-    out.add("string filename", file(part));
+    Directive out = shape_of(part, text);
     materials_.add_alpha(material, out);
     return text + out.text("  ") + "AttributeEnd\n";
+  }
+
+  // `text`: what stands before it.
+  Directive shape_of(const Part& part, std::string& text) {
+    const std::optional<description::Sphere>& sphere = mesh_of(part.mesh).sphere;
+    Directive out("Shape", sphere ? "sphere" : "plymesh");
+    if (!sphere) {
+      out.add("string filename", file(part));
+      return out;
+    }
+    if (sphere->faces_inwards) text += "  ReverseOrientation\n";
+    out.add("float radius", sphere->radius);
+    return out;
   }
 
   // pbrt takes no colour beside an image; by power it takes the image's mean.
@@ -142,7 +158,7 @@ class ShapeWriter {
     Directive out("AreaLightSource", "diffuse");
     out.add("string filename", image);
     if (material.emission_is_maps_mean) {
-      const Areas areas = areas_of(mesh_of(part.mesh), part.triangles, object_to_world);
+      const Areas areas = areas_of_part(part, object_to_world);
       const double sides = material.emits_both_sides ? 2 : 1;
       const double triangle = areas.surface / static_cast<double>(areas.triangle_count);
       out.add("float power", mean * triangle * pi_double * sides);
@@ -154,7 +170,13 @@ class ShapeWriter {
   }
 
   [[nodiscard]] double height_scale_of(const Part& part, const Transform& object_to_world) const {
-    return height_scale(areas_of(mesh_of(part.mesh), part.triangles, object_to_world));
+    return height_scale(areas_of_part(part, object_to_world));
+  }
+
+  [[nodiscard]] Areas areas_of_part(const Part& part, const Transform& object_to_world) const {
+    const Mesh& mesh = mesh_of(part.mesh);
+    return mesh.sphere ? areas_of(mesh, object_to_world)
+                       : areas_of(mesh, part.triangles, object_to_world);
   }
 
   // Textures need coordinates: where a mesh has none, candela looks at the middle of the square.

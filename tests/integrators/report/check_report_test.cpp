@@ -4,6 +4,7 @@
 
 #include "integrators/render.h"
 #include "tests/scenes/description.h"
+#include "tests/scenes/exact_sphere.h"
 
 namespace candela {
 namespace {
@@ -56,6 +57,15 @@ TEST(Errors_ReportCheck, LightsWithoutAreaAreRefused) {
   EXPECT_NE(diagnostics.list()[0].message.find("the scene has a point light; the report"),
             std::string::npos);
   EXPECT_NE(diagnostics.list()[1].message.find("--ambient 0,0,0 takes it out"), std::string::npos);
+}
+
+TEST(Errors_ReportCheck, SpheresThatEmitAreRefused) {
+  description::SceneDescription scene = small_room();
+  add_mesh(scene, exact_sphere(0.1), add_material(scene, diffuse(Vec3d(0.5))));
+  EXPECT_EQ(sentences(scene), "");
+  add_mesh(scene, exact_sphere(0.1), add_material(scene, diffuse(Vec3d(0.0)), Vec3d(1.0)));
+  EXPECT_EQ(sentences(scene),
+            "error: this sphere emits; the report integrator knows lamps of triangles only\n");
 }
 
 TEST(Errors_ReportCheck, EmittersThatReflectAreWarnedOf) {

@@ -2,6 +2,7 @@
 #include "integrators/whitted/lab_lights.h"
 
 #include "tests/integrators/whitted/lab_scenes.h"
+#include "tests/scenes/exact_sphere.h"
 
 namespace candela {
 namespace {
@@ -51,6 +52,15 @@ TEST(Unit_LabLights, AnAreaLightIsALampToo) {
 TEST(Unit_LabLights, AClosedLampShinesThroughItself) {
   expect_near(floor_below(sphere({0, 5, 0}, 0.4, 4, false), Vec3d(2.0)), Vec3d(0.5 * 2 * 0.16 / 25),
               0.01);
+}
+
+// Each sphere is a lamp of its own, and exactly as bright as it is.
+TEST(Unit_LabLights, SpheresShineFromTheirCentres) {
+  SceneDescription scene = floor_seen_from(1, diffuse(Vec3d(0.5)));
+  const auto bulb = add_material(scene, diffuse(Vec3d(0.0)), Vec3d(2.0));
+  add_mesh(scene, exact_sphere(0.4), bulb, at_place({0, 5, 0}));
+  add_mesh(scene, exact_sphere(0.8), bulb, at_place({3, 4, 0}, 0.5));
+  expect_near(seen_by_whitted(scene), Vec3d(0.5 * 2 * 0.16 / 25 * (1 + 0.8)), 1e-5);
 }
 
 TEST(Unit_LabLights, OtherMeshesStandInALampsWay) {

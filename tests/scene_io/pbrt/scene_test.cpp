@@ -180,6 +180,19 @@ TEST(Unit_PbrtLights, AreaLightsOfAPower) {
   expect_near(emission("\"float power\" 10 \"bool twosided\" true "), Vec3d(10 / (4 * pi_double)));
 }
 
+// Of curved shapes it is the whole's, whatever they are made of here: 4 pi^2 r^2, 2 pi^2 r h.
+TEST(Unit_PbrtLights, CurvedShapesOfAPower) {
+  const auto emission = [&](const std::string& shape) {
+    const auto scene = pbrt_world("AreaLightSource \"diffuse\" \"float power\" 10 " + shape);
+    return scene.materials.at(0).emission;
+  };
+  const Vec3d whole(10 / (4 * pi_double * pi_double * 9));
+  expect_near(emission("Scale 3 3 3 Shape \"sphere\""), whole);
+  expect_near(emission("Shape \"sphere\" \"float radius\" 3 \"float zmin\" 0"), 2.0 * whole);
+  expect_near(emission("Shape \"cylinder\" \"float radius\" 3"),
+              Vec3d(10 / (2 * pi_double * pi_double * 3 * 2)));
+}
+
 TEST(Unit_PbrtLights, ShapesOfOneMaterialAndLightShareIt) {
   const auto scene = pbrt_world(R"(Material "diffuse"
     Shape "disk"

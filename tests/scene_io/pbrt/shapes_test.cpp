@@ -41,7 +41,7 @@ double agreement_of(const Mesh& mesh) {
 }
 
 TEST(Unit_PbrtShapes, SpheresHaveTheirAreaAndPointOutwards) {
-  const Mesh mesh = mesh_of("Shape \"sphere\" \"float radius\" 3");
+  const Mesh mesh = mesh_of("Scale 1 1 2 Shape \"sphere\" \"float radius\" 3");
   EXPECT_NEAR(area_of(mesh), 4 * pi_double * 9, 1e-9);
   EXPECT_GT(agreement_of(mesh), 0.999);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i)
@@ -56,7 +56,7 @@ TEST(Unit_PbrtShapes, SpheresHaveTheirAreaAndPointOutwards) {
 
 // What docs/pbrt.md states: how far the mesh is from the sphere, and what it covers from any side.
 TEST(Unit_PbrtShapes, SpheresAreMeshesNearTheSphere) {
-  const Mesh mesh = mesh_of("Shape \"sphere\"");
+  const Mesh mesh = mesh_of("Scale 1 1 2 Shape \"sphere\"");
   double farthest = 0;  // of vertices and planes: all else lies between
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const Vec3d& p = mesh.positions[mesh.triangles[i][0]];
@@ -72,6 +72,50 @@ TEST(Unit_PbrtShapes, SpheresAreMeshesNearTheSphere) {
       projected += std::abs(dot(face_of(mesh, i), side)) / 4;
     EXPECT_NEAR(projected / pi_double, 1, 0.00015);
   }
+}
+
+// Whole spheres stay spheres where nothing stretches them, however they are written.
+TEST(Unit_PbrtShapes, WholeSpheresAreExact) {
+  const auto radius_of = [](const std::string& text) {
+    const Mesh mesh = mesh_of(text);
+    EXPECT_EQ(mesh.sphere.has_value(), mesh.triangles.empty()) << text;
+    return mesh.sphere ? mesh.sphere->radius : 0;
+  };
+  const std::string sphere = "Shape \"sphere\" \"float radius\" 3 ";
+  EXPECT_EQ(radius_of(sphere), 3);
+  EXPECT_EQ(radius_of("Shape \"sphere\""), 1);
+  EXPECT_EQ(radius_of("Rotate 33 1 2 3 Scale -2 2 2 Translate 7 8 9 " + sphere), 3);
+  EXPECT_EQ(radius_of(sphere + "\"float zmin\" -9 \"float zmax\" 3 \"float phimax\" 360"), 3);
+  EXPECT_EQ(radius_of(sphere + "\"float zmin\" -2.9"), 0);
+  EXPECT_EQ(radius_of(sphere + "\"float zmax\" 2.9"), 0);
+  EXPECT_EQ(radius_of(sphere + "\"float phimax\" 359"), 0);
+  EXPECT_EQ(radius_of("Scale 1 1 1.001 " + sphere), 0);
+  // Turned, with the six digits of an exporter.
+  EXPECT_EQ(radius_of("Transform [ .866025 .5 0 0 -.5 .866025 0 0 0 0 1 0 0 0 0 1 ] " + sphere), 3);
+  EXPECT_FALSE(mesh_of(sphere).sphere->faces_inwards);
+  EXPECT_FALSE(mesh_of("Scale -1 1 1 " + sphere).sphere->faces_inwards);
+  EXPECT_TRUE(mesh_of("ReverseOrientation " + sphere).sphere->faces_inwards);
+}
+
+// An object's sphere is exact if all uses of the object leave it round.
+TEST(Unit_PbrtShapes, SpheresOfObjectsAreExactWhereAllUsesAreRound) {
+  const std::string object = R"(
+    ObjectBegin "a" Scale 2 2 2 Shape "sphere" ObjectEnd
+    ObjectInstance "a"
+    Translate 3 0 0 Rotate 20 0 1 0 )";
+  const auto round = pbrt_world(object + "ObjectInstance \"a\"");
+  ASSERT_EQ(round.meshes.size(), 1u);
+  EXPECT_TRUE(round.meshes[0].sphere);
+  EXPECT_EQ(round.instances.size(), 2u);
+  const auto stretched = pbrt_world(object + "Scale 1 2 1 ObjectInstance \"a\"");
+  ASSERT_EQ(stretched.meshes.size(), 1u);
+  EXPECT_FALSE(stretched.meshes[0].sphere);
+  // One that is squeezed flat again by its use.
+  const auto undone = pbrt_world(
+      "ObjectBegin \"b\" Scale 1 2 1 Shape \"sphere\" ObjectEnd Scale 1 .5 1 ObjectInstance "
+      "\"b\"");
+  ASSERT_EQ(undone.meshes.size(), 1u);
+  EXPECT_TRUE(undone.meshes[0].sphere);
 }
 
 TEST(Unit_PbrtShapes, PartsOfSpheres) {
@@ -156,12 +200,12 @@ TEST(Unit_PbrtShapes, ManyCurvedShapesAreCoarser) {
   EXPECT_EQ(pbrt::segments_for(2000), 63u);
   EXPECT_EQ(pbrt::segments_for(1'000'000), 12u);
   std::string text;
-  for (int i = 0; i < 2000; ++i) text += "Shape \"sphere\"\n";
+  for (int i = 0; i < 2000; ++i) text += "Shape \"sphere\" \"float zmin\" -.5\n";
   const auto scene = pbrt_world(text);
   EXPECT_EQ(scene.instances.size(), 2000u);
   ASSERT_EQ(scene.meshes.size(), 1u);
-  EXPECT_EQ(scene.meshes[0].triangles.size(), 2u * 63 * 30);  // poles are triangles, not quads
-  EXPECT_NEAR(area_of(scene.meshes[0]), 4 * pi_double, 1e-9);
+  EXPECT_EQ(scene.meshes[0].triangles.size(), 63u * (2 * 31 - 1));  // a pole is of triangles
+  EXPECT_NEAR(area_of(scene.meshes[0]), 3 * pi_double, 1e-9);
 }
 
 TEST(Unit_PbrtShapes, PatchesAreTheirSurface) {

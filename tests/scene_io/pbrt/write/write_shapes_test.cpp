@@ -6,6 +6,7 @@
 #include "scene_io/pbrt/write/write_pbrt.h"
 #include "tests/scene_io/pbrt/write/round_trip.h"
 #include "tests/scenes/description.h"
+#include "tests/scenes/exact_sphere.h"
 
 namespace candela::pbrt {
 namespace {
@@ -51,6 +52,32 @@ TEST(Unit_WriteShapes, SharedMeshesAreObjects) {
               scene.instances[i].object_to_world.linear);
     EXPECT_EQ(trip.scene.instances[i].object_to_world.translation,
               scene.instances[i].object_to_world.translation);
+  }
+}
+
+TEST(Unit_WriteShapes, SpheresAreSpheres) {
+  SceneDescription scene = scene_with_camera();
+  const auto grey = test::add_material(scene, test::diffuse(Vec3d(0.5)));
+  test::add_mesh(scene, test::exact_sphere(0.3), grey, placed(1, 2));
+  const auto lamp = test::add_material(scene, test::diffuse(Vec3d(0.0)), Vec3d(3, 2, 1));
+  test::add_mesh(scene, test::exact_sphere(0.1, true), lamp);
+  const MeshHandle shared = test::add_mesh(scene, test::exact_sphere(7), grey, placed(3, 4));
+  test::add_instance(scene, shared, placed(5, 1.0 / 3));
+  const RoundTrip trip = test::round_trip(scene);
+  EXPECT_EQ(count(trip.written.text, "Shape \"sphere\""), 3u);
+  EXPECT_EQ(count(trip.written.text, "ReverseOrientation"), 1u);
+  EXPECT_TRUE(trip.written.meshes.empty());
+  ASSERT_EQ(trip.scene.instances.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Instance& before = scene.instances[i];
+    const Instance& after = trip.scene.instances[i];
+    EXPECT_EQ(after.object_to_world.linear, before.object_to_world.linear);
+    EXPECT_EQ(after.object_to_world.translation, before.object_to_world.translation);
+    const auto& expected = scene.meshes[before.mesh.index].sphere;
+    const auto& sphere = trip.scene.meshes[after.mesh.index].sphere;
+    ASSERT_TRUE(sphere);
+    EXPECT_EQ(sphere->radius, expected->radius);
+    EXPECT_EQ(sphere->faces_inwards, expected->faces_inwards);
   }
 }
 

@@ -1,0 +1,29 @@
+// Spheres of the description -> geometries in normalised space.
+#pragma once
+
+#include <optional>
+
+#include "renderer/math/bounds.h"
+#include "renderer/scene/compile_geometry.h"
+
+namespace candela {
+
+// The reason under which spheres are counted as triangles are under out_of_reach.
+inline constexpr char spheres_out_of_reach[] = "spheres that are not finite or too far away";
+
+// None for a sphere that no ray can meet, which is counted. `to_normalised` is a similarity.
+[[nodiscard]] std::optional<Geometry> compile_sphere(const Scene& scene,
+                                                     const description::Sphere& sphere,
+                                                     const Transform& to_normalised,
+                                                     std::uint32_t material, bool decides_cutouts,
+                                                     DropCounts& dropped);
+
+// A little wider than the sphere, for rounding of what is tested against it.
+[[nodiscard]] inline Bounds3f bounds_of(const Sphere& sphere) {
+  constexpr float wider = 0x1p-20f;
+  const float reach = max_component(glm::abs(sphere.centre)) + sphere.radius;
+  const Vec3f half(sphere.radius + reach * wider);
+  return {sphere.centre - half, sphere.centre + half};
+}
+
+}  // namespace candela
