@@ -24,7 +24,7 @@ T95_THREE_DEGREES = 3.182446305  # Student's t, 97.5 %, of four replicates
 def add_arguments(parser):
     parser.add_argument("--quick", action="store_true",
                         help="4 to 64 samples a pixel only, references accordingly")
-    parser.add_argument("--scenes", metavar="NAMES", help="only these, by comma")
+    parser.add_argument("--scenes", metavar="NAMES", help="only these, by comma; pbrt/NAME where they are named")
     parser.add_argument("--spp", metavar="LIST", help="only these, by comma")
     parser.add_argument("--seeds", type=int, default=20, help="pictures a case (20)")
     parser.add_argument("--stops", type=int, default=200, metavar="N",
@@ -54,8 +54,9 @@ class Reference:
 
 
 def all_scenes(options):
-    from scenes import scenes_by_name
-    scenes = [Scene(name, path) for name, path in scenes_by_name(ROOT).items()]
+    from scenes import pbrt_scenes, scenes_by_name
+    found = scenes_by_name(ROOT) | (pbrt_scenes(ROOT) if options.scenes else {})
+    scenes = [Scene(name, path) for name, path in found.items()]
     for name, path, radiance in analytic_scenes.write(options.out / "scenes"):
         scenes.append(Scene(name, path, radiance))
     if options.scenes:

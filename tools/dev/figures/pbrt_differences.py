@@ -11,20 +11,16 @@ import matplotlib.pyplot  # noqa: E402  (the backend comes first: there is no di
 import numpy  # noqa: E402
 from PIL import Image  # noqa: E402
 
+import pbrt_means  # noqa: E402
 from exr import read_exr  # noqa: E402
+from pbrt_means import LUMINANCE, block_means  # noqa: E402
 from reference_pictures import Reference, encoded  # noqa: E402
+from renders import Render  # noqa: E402
 
-SEED = 1
-BLOCK = 8  # as in tests/integrators/pbrt_pictures_test
+SEEDS = (1, 2)  # two halves tell the noise
+TUNGSTEN_SPP = 16
 SCALE = .1  # of the mean of both: what is shown in full colour
 COLOURED = .7  # of the largest channel
-LUMINANCE = numpy.array([.2126, .7152, .0722])
-
-
-def block_means(image):
-    """Of BLOCK x BLOCK pixels, whose noise is smaller; what is left over at the ends is left out."""
-    height, width = (side - side % BLOCK for side in image.shape[:2])
-    return image[:height, :width].reshape(height // BLOCK, BLOCK, width // BLOCK, BLOCK).mean((1, 3))
 
 
 def difference(ours, theirs):
@@ -67,21 +63,47 @@ def sheet(rows):
     return Image.open(data).convert("RGB").quantize(256, dither=Image.Dither.NONE)
 
 
+def halves_of(candela, name, path, size, spp):
+    """Two pictures with half of the samples each."""
+    half = max(spp // 2, 1)
+    return [read_exr(candela.render(f"{name.replace('/', '_')}_{seed}", path, png=False, spp=half,
+                                    seed=seed, size="{}x{}".format(*size)).exr) for seed in SEEDS]
+
+
+def against_tungsten(candela, name, path):
+    """Linear Rec.709 as ours: of the Cornell box, whose files agree, at its full size."""
+    picture = path.parent / "TungstenRender.exr"
+    if path.parent.name != "cornell-box" or not picture.exists():
+        return None
+    render = candela.render(name.replace("/", "_") + "_full", path, png=False, spp=TUNGSTEN_SPP,
+                            seed=SEEDS[0])
+    found = candela.compare(render, Render("Tungsten", picture, None, {}))["mean_ratio"]
+    return {"against": "Tungsten", "ratios": [round(ratio, 4) for ratio in found]}
+
+
 def make(candela, out, root, options):
     """Renders the scenes at their references' sizes; pbrt_differences.png and .json in `out`."""
     import scenes
-    rows = []
+    rows, numbers = [], {}
+    print(pbrt_means.HEAD, flush=True)
     for name, path in scenes.pbrt_scenes(root).items():
         reference = Reference.of_pbrt(path.parent)
         if reference is None or options.scene and name not in options.scene:
             continue
-        render = candela.render(name.replace("/", "_"), path, png=False, spp=options.spp, seed=SEED,
-                                size="{}x{}".format(*reference.size))
-        rows.append((path.parent.name, read_exr(render.exr), reference.linear()))
+        ours = halves_of(candela, name, path, reference.size, options.spp)
+        theirs = reference.linear()
+        rows.append((path.parent.name, sum(ours) / 2, theirs))
+        files = [path.parent / f"pbrt-v4-half{i}.exr" for i in (1, 2)]
+        their_halves = [read_exr(file) for file in files if file.exists()]
+        found = pbrt_means.row(path.parent.name, ours, theirs, their_halves)
+        print(pbrt_means.line(path.parent.name, found), flush=True)
+        numbers[path.parent.name] = found | statistics(*rows[-1][1:])
+        if full := against_tungsten(candela, name, path):
+            print(pbrt_means.line(path.parent.name, full), flush=True)
+            numbers[path.parent.name]["tungsten"] = full["ratios"]
     if not rows:
         raise OSError("no scene with pbrt-v4's picture is here; CANDELA_SCENES names the folder "
                       "that holds them as pbrt/NAME/")
-    numbers = {name: statistics(ours, theirs) for name, ours, theirs in rows}
     (out / "pbrt_differences.json").write_text(json.dumps(numbers, indent=1) + "\n")
     sheet(rows).save(out / "pbrt_differences.png", optimize=True)
     return out / "pbrt_differences.png"
