@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/floating_point_traps.h"
 #include "renderer/math/constants.h"
 
 namespace candela::pbrt {
@@ -27,6 +28,7 @@ Transform rotation(double degrees, const Vec3d& axis) {
 }
 
 Transform looking(const Vec3d& eye, const Vec3d& look_at, const Vec3d& up) {
+  const FloatingPointTraps traps(Traps::Off);  // directions without a length are the caller's
   const Vec3d z = normalize(look_at - eye);
   const Vec3d x = normalize(cross(normalize(up), z));
   const Vec3d y = cross(z, x);

@@ -29,7 +29,7 @@ TEST_P(InterruptedRender, WritesTheImageSoFarAndEndsWith130) {
   const std::string folder = fresh_folder("interrupt" + std::to_string(GetParam()));
   Program program(long_render(folder), ErrorStream::File);
   ASSERT_TRUE(program.wait_for_error_text("256 spp"));
-  ::usleep(500'000);
+  ::usleep(1'500'000);  // for a tile of one sample at least, also where sanitizers look on
   program.send(GetParam());
   const ProgramResult result = program.finish();
   EXPECT_EQ(result.exit_code, 130) << result.error;
