@@ -48,9 +48,9 @@ class Splitter {
   [[nodiscard]] double length_to_cut(Index a, Index b) const {
     const Vec3d& p = normalised_[std::min(a, b)];
     const Vec3d& q = normalised_[std::max(a, b)];
+    if (!is_in_reach(p) || !is_in_reach(q)) return 0;
     const double edge = length(q - p);
-    const bool is_long = edge > shortest_cut && edge > distance_from_centre(p, q);
-    return is_long && is_in_reach(p) && is_in_reach(q) ? edge : 0;
+    return edge > shortest_cut && edge > distance_from_centre(p, q) ? edge : 0;
   }
 
   void split(const Corners& first) {
