@@ -189,18 +189,15 @@ template <FeatureSet F>
 
 // Russian roulette: false ends the path, else survivors stand for the ended. The eta^2 of
 // refraction is taken out, since it comes back when the path leaves the glass [Pharr23,
-// section 14.5.4]. It begins where a path can add less than half of what it could at first, and
-// survivors are worth that half again: what earlier ends would spare in time they would cost in
-// noise (docs/decisions.md). The survival probability stays below 1 so that paths end in closed
-// white scenes too, by little: light that leaves a trap (total reflection) in shares smaller than
-// what roulette takes would have no variance.
+// section 14.5.4]. The survival probability stays below 1 so that paths end in closed white scenes
+// too, by little: light that leaves a trap (total reflection) in shares smaller than what roulette
+// takes would have no variance.
 inline constexpr std::uint32_t first_bounce_with_roulette = 2;
-inline constexpr float roulette_threshold = 0.5f;
 [[nodiscard]] inline bool survives_roulette(float u, std::uint32_t bounce, PathState& path,
                                             float highest_survival = 0.998f) {
   if (bounce < first_bounce_with_roulette) return true;
-  const float survival = std::min(
-      max_component(path.throughput) * path.eta_squared / roulette_threshold, highest_survival);
+  const float survival =
+      std::min(max_component(path.throughput) * path.eta_squared, highest_survival);
   if (!(u < survival)) return false;
   path.throughput /= survival;
   return true;
