@@ -141,6 +141,8 @@ CompileOptions compile_options(const RenderOptions& options) {
           .height = options.height,
           .lab_quantised = is_lab,
           .decides_cutouts = !is_lab,
+          .light_sampling = options.integrator == IntegratorKind::Path ? options.light_sampling
+                                                                       : LightSampling::Triangles,
           .keeps_media = options.integrator == IntegratorKind::Path,
           .samples_constant_environment =
               options.samples_constant_sky || !counts_met_light(options.sampling)};

@@ -63,6 +63,7 @@ struct RenderOptions {
   // path: light samples for a constant environment, which BSDF samples find as well; strategies
   // that count no light that paths meet have them anyway.
   bool samples_constant_sky = false;
+  LightSampling light_sampling = LightSampling::Area;  // path; compile() heeds it
   SpecularModel specular = SpecularModel::Blinn;
   // whitted and raster: normals as the lab's code interpolates them, neither made unit nor turned
   // to the viewer; for comparisons with its pictures.

@@ -25,7 +25,7 @@ struct FeatureSet {
   }
 
   [[nodiscard]] constexpr LightKindSet light_kinds() const {
-    LightKindSet kinds = light_kind_bit(LightKind::Triangle);
+    LightKindSet kinds = surface_light_kinds;
     if (delta_lights)
       kinds |= light_kind_bit(LightKind::Point) | light_kind_bit(LightKind::Spot) |
                light_kind_bit(LightKind::Directional);

@@ -71,6 +71,7 @@ template <FeatureSet F, class A>
   PhaseSample next = sample_phase_function(asymmetry, wo, numbers.direction);
   path.bsdf_pdf = next.pdf;
   path.is_delta = false;
+  path.receiving_normal = Vec3f(0);
   ray = {place, next.wi, infinity};
   return survives_roulette(numbers.roulette, bounce, path, highest_survival_in_media);
 }
@@ -83,6 +84,7 @@ template <FeatureSet F, class A>
                                         MediumHandle& shadow_medium, FilmSample& first_hit,
                                         TileCounts& counts) {
   const Scene& scene = context.scene;
+  Vec3f from = ray.origin;
   MediaFlight flight = fly(context, numbers.free_flight, hit, ray, medium, path, counts);
   if (is_black(path.throughput)) return false;
   if (flight.collides) {
@@ -102,8 +104,8 @@ template <FeatureSet F, class A>
   const Material& material = material_at<F>(scene, geometry, point, numbers.material);
   set_material_frame<F>(scene, material, wo, point);
   if (geometry.is_emissive())
-    add_emission<F>(scene, context.options, geometry, flight.hit, ray.direction, flight.distance,
-                    path);
+    add_emission<F>(scene, context.options, geometry, flight.hit, from, ray.direction,
+                    flight.distance, path);
   if (bounce == 0 && context.options.aovs != 0)
     record_camera_hit<F>(scene, context.camera, ray, flight.hit, material, first_hit);
   if (bounce >= context.max_depth) return false;

@@ -19,9 +19,10 @@ namespace candela {
 struct PathState {
   Rgb throughput{1};
   Rgb radiance{0};
-  float bsdf_pdf = 0;     // solid angle, of the direction of its ray
-  float eta_squared = 1;  // what refraction multiplied the throughput by: no loss of light
-  bool is_delta = true;   // camera rays and delta lobes: only this strategy finds the light
+  float bsdf_pdf = 0;         // solid angle, of the direction of its ray
+  float eta_squared = 1;      // what refraction multiplied the throughput by: no loss of light
+  Vec3f receiving_normal{0};  // where it was scattered, see SurfacePoint
+  bool is_delta = true;       // camera rays and delta lobes: only this strategy finds the light
 };
 
 // The random numbers of a step: 32 random bits, else in [0, 1).
@@ -77,19 +78,32 @@ inline void add_sphere_emission(const Scene& scene, const RenderOptions& options
   add_met_light<F>(options, radiance, pdf, path);
 }
 
-// Light that the surface itself sends back along the ray, which was sampled at this distance.
+// The density of next-event estimation for an emitting triangle that a path met: that of the quad
+// that it is half of, if it is.
+[[nodiscard]] inline float met_triangle_pdf(const Scene& scene, std::uint32_t triangle,
+                                            const Vec3f& from, const PathState& path,
+                                            const Vec3f& wi, float distance) {
+  const std::uint32_t quad = scene.lights[triangle].quad;
+  if (quad == Light::none)
+    return triangle_light_pdf(scene.lights[triangle], wi, distance) *
+           scene.light_sampler.probability(triangle);
+  return quad_light_pdf(scene.lights[quad], from, path.receiving_normal, wi, distance) *
+         scene.light_sampler.probability(quad);
+}
+
+// Light that the surface itself sends back along the ray, which was sampled at `from`, at this
+// distance.
 template <FeatureSet F>
 inline void add_emission(const Scene& scene, const RenderOptions& options, const Geometry& geometry,
-                         const Hit& hit, const Vec3f& wi, float distance, PathState& path) {
+                         const Hit& hit, const Vec3f& from, const Vec3f& wi, float distance,
+                         PathState& path) {
   const std::uint32_t index = geometry.first_light + hit.triangle;
   const Light& light = scene.lights[index];
   if constexpr (F.spheres) {
     if (light.kind == LightKind::Sphere)
       return add_sphere_emission<F>(scene, options, index, hit, wi, distance, path);
   }
-  const float pdf = path.is_delta ? 0.0f
-                                  : triangle_light_pdf(light, wi, distance) *
-                                        scene.light_sampler.probability(index);
+  const float pdf = path.is_delta ? 0.0f : met_triangle_pdf(scene, index, from, path, wi, distance);
   Rgb radiance = triangle_light_radiance(light, -wi);
   if constexpr (F.textures) {
     if (light.texture) radiance *= emission_factor(light, geometry, scene.textures, hit.u, hit.v);
@@ -137,6 +151,8 @@ inline void set_material_frame(const Scene& scene, const Material& material, con
     if (material.is_anisotropic)
       point.shading = frame_from_normal_and_tangent(point.shading.z, point.dpdu);
   }
+  if (F.models == plain_features.models || !is_transmissive(material.model))
+    point.receiving_normal = point.shading.z;
 }
 
 template <FeatureSet F>
@@ -182,6 +198,7 @@ template <FeatureSet F>
   path.throughput *= sample.weight;
   path.bsdf_pdf = sample.pdf;
   path.is_delta = sample.is_delta;
+  path.receiving_normal = point.receiving_normal;
   path.eta_squared *= sample.eta * sample.eta;
   ray = spawn_ray(point, wi);
   return true;
@@ -265,7 +282,7 @@ template <FeatureSet F, class A>
   const Material& material = material_at<F>(scene, geometry, point, numbers.material);
   set_material_frame<F>(scene, material, wo, point);
   if (geometry.is_emissive())
-    add_emission<F>(scene, context.options, geometry, hit, ray.direction, hit.t, path);
+    add_emission<F>(scene, context.options, geometry, hit, ray.origin, ray.direction, hit.t, path);
   if (bounce == 0 && context.options.aovs != 0)
     record_camera_hit<F>(scene, context.camera, ray, hit, material, first_hit);
   if (bounce >= context.max_depth) return false;

@@ -22,6 +22,9 @@ struct SurfacePoint {
   bool is_flat = true;              // the front normal is the geometric one
   Vec3f front_normal{0, 0, 1};      // unit shading normal as the file has it, on the front side
   Frame shading;                    // z on the side of wo; set by set_shading_frame
+  // The shading normal where light is received on its side alone, by the cosine; else, as within
+  // media, zero.
+  Vec3f receiving_normal{0};
   Vec2f uv{0.5f, 0.5f};
   Vec3f dpdu{0};  // world space, not normalised; zero where uv is degenerate or nothing reads it
   Vec3f dpdv{0};

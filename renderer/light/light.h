@@ -22,6 +22,7 @@ enum class LightKind : std::uint8_t {
   Goniometric,       // a point with an image of intensities by direction
   Projection,        // a point that projects an image
   Sphere,            // evenly or, with a texture, by place
+  Quad,              // two triangles that are one parallelogram: picked in their place
 };
 
 // Which kinds a scene has: kernels specialised on a set leave the others out of their switches.
@@ -29,24 +30,27 @@ using LightKindSet = std::uint32_t;
 constexpr LightKindSet light_kind_bit(LightKind kind) {
   return 1u << static_cast<unsigned>(kind);
 }
-inline constexpr LightKindSet all_light_kinds = 0x1ff;
+inline constexpr LightKindSet all_light_kinds = 0x3ff;
+inline constexpr LightKindSet surface_light_kinds =  // without textures
+    light_kind_bit(LightKind::Triangle) | light_kind_bit(LightKind::Quad);
 
 struct Light {
   static constexpr std::uint32_t none = 0xffffffffu;
 
   LightKind kind = LightKind::Point;
-  // Triangle, Sphere; else only the side of edge1 x edge2, or of the sphere's normal
+  // Triangle, Quad, Sphere; else only the side of edge1 x edge2, or of the sphere's normal
   bool emits_both_sides = false;
   bool faces_inwards = false;  // Sphere: its normal
   // Point, Spot, Goniometric, Projection: position; Directional: unit direction towards the light;
-  // Triangle: vertex 0; Sphere: its centre
+  // Triangle: vertex 0; Quad: a corner; Sphere: its centre
   Vec3f position{0};
-  // Triangle: v1 - v0;  Sphere: (radius, 0, 0);  Spot: unit axis outwards;  Goniometric,
-  // Projection: the map's x axis
+  // Triangle: v1 - v0;  Quad: to a neighbour of the corner;  Sphere: (radius, 0, 0);  Spot: unit
+  // axis outwards;  Goniometric, Projection: the map's x axis
   Vec3f edge1{0};
-  Vec3f edge2{0};  // Triangle: v2 - v0;  Goniometric, Projection: the map's y axis
+  // Triangle: v2 - v0;  Quad: to the other neighbour;  Goniometric, Projection: the map's y axis
+  Vec3f edge2{0};
   // Point, Spot, Goniometric, Projection: radiant intensity; Directional: irradiance; Triangle,
-  // Sphere: radiance
+  // Quad, Sphere: radiance
   Rgb emission{0};
   // TexturedTriangle, Sphere, Goniometric, Projection: a factor of the emission (Sphere,
   // Goniometric: absent where it is 1), and the mean luminance of both over the surface or over all
@@ -56,13 +60,20 @@ struct Light {
   // Spot: 1 - cos of the angles, which narrow cones need: 1 - cos(0.01 degrees) is half an ulp of 1
   float versine_inner = 0;
   float versine_outer = 0;
-  // Triangle: unit, of edge1 x edge2, and a bound of the error along it of points on the triangle;
+  // Triangle, Quad: unit, of edge1 x edge2, and a bound of the error along it of points on it;
   // Goniometric, Projection: the map's z axis
   Vec3f normal{0, 0, 1};
-  float offset = 0;               // Sphere: the same in any direction
-  float area = 0;                 // Triangle, Sphere; > 0
-  std::uint32_t geometry = none;  // Triangle, Sphere: where it lies, for its shadow ray's end
-  std::uint32_t triangle = 0;     // or sphere
+  float offset = 0;   // Sphere: the same in any direction
+  float area = 0;     // Triangle, Quad, Sphere; > 0
+  float length1 = 0;  // Quad: of edge1
+  float length2 = 0;  // Quad: of edge2
+  // Quad: points whose squared distance from its middle is below this see it sampled by solid
+  // angle.
+  float near_distance2 = 0;
+  // Triangle, Quad, Sphere: where it lies, for its shadow ray's end
+  std::uint32_t geometry = none;
+  std::uint32_t triangle = 0;  // or sphere
+  std::uint32_t quad = none;   // Triangle: the light that is picked in its place
 
   // Delta lights have no area: only next-event estimation sees them.
   [[nodiscard]] bool is_delta() const {

@@ -29,6 +29,7 @@ double light_power(const Light& light, const Environment* environment, double sc
     case LightKind::Directional:
       return disc * emission;
     case LightKind::Triangle:
+    case LightKind::Quad:
       return (light.emits_both_sides ? 2 : 1) * pi_double * light.area * emission;
     case LightKind::Environment:
       return 4 * pi_double * disc * environment->mean_luminance;

@@ -22,6 +22,24 @@ float usable_area(double area) {
   return is_usable ? static_cast<float>(area) : 0.0f;
 }
 
+// To what floats can tell of edges that were rounded; a skew of 1e-5 changes densities by as much.
+bool is_rectangle(const Light& quad) {
+  const Vec3d edge1(quad.edge1);
+  const Vec3d edge2(quad.edge2);
+  return std::abs(dot(edge1, edge2)) <= 1e-5 * length(edge1) * length(edge2);
+}
+
+// Where a quad begins to be sampled by solid angle: area over squared distance from its middle.
+// Less brings less than it costs (docs/decisions.md).
+constexpr float near_solid_angle = 1.5f;
+
+// Long rectangles are as near beside their ends.
+float near_distance2_of(const Light& quad) {
+  const float from_middle = std::sqrt(quad.area / near_solid_angle);
+  const float longer = std::abs(quad.length1 - quad.length2);
+  return square(from_middle + 0.5f * longer);
+}
+
 }  // namespace
 
 Light make_point_light(const Vec3f& position, const Rgb& intensity) {
@@ -100,6 +118,23 @@ Light make_sphere_light(const Sphere& sphere, const Rgb& radiance, bool emits_bo
   light.area = usable_area(4 * pi_double * square(static_cast<double>(sphere.radius)));
   // |n| . (|centre| + |n| radius), where the unit n turns to any side.
   light.offset = gamma_bound(8) * (length(sphere.centre) + sphere.radius);
+  return light;
+}
+
+std::optional<Light> make_quad_light(const std::array<Vec3f, 4>& corners, const Rgb& radiance,
+                                     bool emits_both_sides, bool by_solid_angle) {
+  Vec3f gap = corners[1] + corners[3] - (corners[0] + corners[2]);
+  Light light =
+      make_triangle_light({corners[0], corners[1], corners[3]}, radiance, emits_both_sides);
+  light.length1 = length(light.edge1);
+  light.length2 = length(light.edge2);
+  constexpr float most_gap = 4e-6f;  // of the shorter edge: as large is the error of densities
+  if (!(light.area > 0) || !(length(gap) <= most_gap * std::min(light.length1, light.length2)))
+    return std::nullopt;
+  light.kind = LightKind::Quad;
+  light.area *= 2;
+  light.offset += std::abs(dot(light.normal, gap));
+  if (by_solid_angle && is_rectangle(light)) light.near_distance2 = near_distance2_of(light);
   return light;
 }
 

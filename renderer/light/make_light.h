@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "renderer/geometry/sphere.h"
 #include "renderer/light/light.h"
@@ -35,6 +36,13 @@ namespace candela {
 // Emits outwards, inwards where it faces that way, or both. Its area is 0 as with triangles.
 [[nodiscard]] Light make_sphere_light(const Sphere& sphere, const Rgb& radiance,
                                       bool emits_both_sides);
+
+// The parallelogram of these corners, one after the other around it; nothing where they are none
+// within the rounding of floats. It emits as the triangle of the corners 0, 1 and 3. Rectangles may
+// be sampled `by_solid_angle` from near.
+[[nodiscard]] std::optional<Light> make_quad_light(const std::array<Vec3f, 4>& corners,
+                                                   const Rgb& radiance, bool emits_both_sides,
+                                                   bool by_solid_angle);
 
 [[nodiscard]] Light make_environment_light();
 

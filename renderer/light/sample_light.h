@@ -11,6 +11,7 @@
 #include "renderer/light/image_light.h"
 #include "renderer/light/light.h"
 #include "renderer/light/point_light.h"
+#include "renderer/light/quad_light.h"
 #include "renderer/light/sphere_light.h"
 #include "renderer/light/textured_triangle_light.h"
 #include "renderer/light/triangle_light.h"
@@ -41,8 +42,9 @@ struct LightTables {
 template <LightKindSet kinds = all_light_kinds>
 [[nodiscard]] inline LightSample sample_light(const LightTables& tables, const Light& light,
                                               const SurfacePoint& from, Vec2f u) {
-  if constexpr (kinds == light_kind_bit(LightKind::Triangle))
-    return sample_triangle_light(light, from, u);
+  if constexpr (kinds == surface_light_kinds)
+    return light.kind == LightKind::Quad ? sample_quad_light(light, from, u)
+                                         : sample_triangle_light(light, from, u);
   switch (light.kind) {
     case LightKind::Point:
     case LightKind::Spot:
@@ -51,6 +53,8 @@ template <LightKindSet kinds = all_light_kinds>
       return sample_directional_light(light, from);
     case LightKind::Triangle:
       return sample_triangle_light(light, from, u);
+    case LightKind::Quad:
+      return sample_quad_light(light, from, u);
     case LightKind::Environment:
       return sample_environment_light(tables, from, u);
     case LightKind::TexturedTriangle:
@@ -69,10 +73,12 @@ template <LightKindSet kinds = all_light_kinds>
   return {};
 }
 
-// The density in solid angle, given the light was chosen, of a ray along the unit wi that
-// met the light at `distance` (ignored for the environment). 0 for delta lights. `from_centre`: the
-// unit direction in which spheres were met.
-[[nodiscard]] inline float light_pdf(const LightTables& tables, const Light& light, const Vec3f& wi,
+// The density in solid angle, given the light was chosen, of a ray from `from` along the unit wi
+// that met the light at `distance` (ignored for the environment). `normal`: the receiver's
+// SurfacePoint::receiving_normal. 0 for delta lights. `from_centre`: the unit
+// direction in which spheres were met.
+[[nodiscard]] inline float light_pdf(const LightTables& tables, const Light& light,
+                                     const Vec3f& from, const Vec3f& normal, const Vec3f& wi,
                                      float distance, const Vec3f& from_centre = Vec3f(0)) {
   switch (light.kind) {
     case LightKind::Point:
@@ -84,6 +90,8 @@ template <LightKindSet kinds = all_light_kinds>
     case LightKind::Triangle:
     case LightKind::TexturedTriangle:
       return triangle_light_pdf(light, wi, distance);
+    case LightKind::Quad:
+      return quad_light_pdf(light, from, normal, wi, distance);
     case LightKind::Environment:
       return environment_pdf(*tables.environment, wi);
     case LightKind::Sphere:

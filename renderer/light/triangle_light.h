@@ -23,9 +23,9 @@ namespace candela {
   return pdf <= std::numeric_limits<float>::max() ? pdf : 0.0f;
 }
 
-[[nodiscard]] inline LightSample sample_triangle_light(const Light& light, const SurfacePoint& from,
-                                                       Vec2f u) {
-  Vec2f weights = square_to_triangle(u);
+// From the point of a triangle or quad at these weights of its edges, uniform by area.
+[[nodiscard]] inline LightSample light_from_place(const Light& light, const SurfacePoint& from,
+                                                  Vec2f weights) {
   Vec3f point = light.position + (light.edge1 * weights.x + light.edge2 * weights.y);
   Vec3f to_light = point - from.position;
   const float distance2 = dot(to_light, to_light);
@@ -39,6 +39,11 @@ namespace candela {
           .radiance = radiance,
           .pdf = triangle_light_pdf(light, wi, distance),
           .shadow_ray = shadow_segment(from, wi, end)};
+}
+
+[[nodiscard]] inline LightSample sample_triangle_light(const Light& light, const SurfacePoint& from,
+                                                       Vec2f u) {
+  return light_from_place(light, from, square_to_triangle(u));
 }
 
 }  // namespace candela

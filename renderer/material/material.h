@@ -32,6 +32,12 @@ enum class MaterialModel : std::uint8_t {
   Mix,  // at each hit one of its parts: mixed_material.h
 };
 
+// Whether light may pass to the other side.
+[[nodiscard]] constexpr bool is_transmissive(MaterialModel model) {
+  return model == MaterialModel::Dielectric || model == MaterialModel::ThinDielectric ||
+         model == MaterialModel::DiffuseTransmission;
+}
+
 // A texture replaces its constant.
 struct ColourParameter {
   Rgb constant{1};

@@ -1,11 +1,17 @@
 // SceneDescription -> Scene: named pure steps, each in its own file of this folder.
 #pragma once
 
+#include <cstdint>
+
 #include "renderer/base/result.h"
 #include "renderer/description/scene_description.h"
 #include "renderer/scene/scene.h"
 
 namespace candela {
+
+// How points on lamps are chosen: triangle by triangle, uniform by area; two that are one
+// parallelogram as one quad; of these near rectangles by solid angle.
+enum class LightSampling : std::uint8_t { Triangles, Area, SolidAngle };
 
 struct CompileOptions {
   int width = 512;  // the cameras' aspect
@@ -15,6 +21,7 @@ struct CompileOptions {
   // Which triangles and hits count is decided by opacity, at compile time and by the accelerator.
   // false: all of them count, and the integrator looks at the opacity itself (whitted, raster).
   bool decides_cutouts = true;
+  LightSampling light_sampling = LightSampling::Area;
   bool keeps_media = true;  // false: all is as clear as air
   // Whether light samples look for a constant environment, too. Where directions are drawn from
   // BSDFs these find it as well, and a shadow ray less a hit is worth more than the second sample.

@@ -8,6 +8,7 @@
 #include "renderer/light/light_power.h"
 #include "renderer/light/make_light.h"
 #include "renderer/scene/compile_image_lights.h"
+#include "renderer/scene/compile_quad_lights.h"
 
 namespace candela {
 namespace {
@@ -215,7 +216,9 @@ LightSampler build_light_sampler(const Scene& scene) {
   powers.reserve(scene.lights.size());
   for (const Light& light : scene.lights) {
     const Environment* environment = scene.environment ? &*scene.environment : nullptr;
-    powers.push_back(has_holes(scene, light) ? 0 : light_power(light, environment, radius));
+    powers.push_back(light.quad != Light::none || has_holes(scene, light)
+                         ? 0
+                         : light_power(light, environment, radius));
   }
   limit_far_powers(scene.lights, powers);
   return {scene.lights, powers};
@@ -250,6 +253,8 @@ void compile_lights(const SceneDescription& description, const CompileOptions& o
                     Scene& scene, DropCounts& dropped, Diagnostics& diagnostics) {
   add_delta_lights(description, scene, dropped, diagnostics);
   add_surface_lights(scene);
+  if (options.light_sampling != LightSampling::Triangles)
+    add_quad_lights(scene, options.light_sampling == LightSampling::SolidAngle);
   add_environment(description, options, scene, diagnostics);
   scene.ambient = ambient_of(description);
   scene.light_sampler = build_light_sampler(scene);

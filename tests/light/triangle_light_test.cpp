@@ -53,7 +53,7 @@ double distance_to(const TriangleCase& c, const Vec3f& d) {
 double pdf_towards(const TriangleCase& c, const Light& light, const Vec3f& d) {
   const double t = distance_to(c, d);
   if (!(t > 0)) return 0;
-  return static_cast<double>(light_pdf({}, light, d, static_cast<float>(t)));
+  return static_cast<double>(light_pdf({}, light, c.p, Vec3f(0), d, static_cast<float>(t)));
 }
 
 TEST(Statistical_TriangleLight, DensityIntegratesToOne) {
@@ -89,7 +89,8 @@ TEST(Unit_TriangleLight, SampleAndPdfAgreeAndEndOnTheTriangle) {
       EXPECT_NEAR(length(s.wi), 1, 3e-7);
       const double distance = distance_to(c, s.wi);
       if (distance > 0) {  // else rounding took the direction past an edge
-        EXPECT_NEAR(light_pdf({}, light, s.wi, static_cast<float>(distance)) / s.pdf, 1, 1e-5)
+        EXPECT_NEAR(light_pdf({}, light, c.p, Vec3f(0), s.wi, static_cast<float>(distance)) / s.pdf,
+                    1, 1e-5)
             << c.name;
       }
       // The segment ends on the near side of the exact plane, within twice the stated bound.
@@ -157,7 +158,7 @@ TEST(Unit_TriangleLight, StaysFiniteWhereItGrazesOrTouches) {
       ASSERT_NEAR(length(s.wi), 1, 1e-6);
       ASSERT_TRUE(is_finite(s.radiance / s.pdf));
     }
-  EXPECT_EQ(light_pdf({}, light, {1, 0, 0}, 2), 0.0f);  // along the plane
+  EXPECT_EQ(light_pdf({}, light, Vec3f(0), Vec3f(0), {1, 0, 0}, 2), 0.0f);  // along the plane
 }
 
 // What compiling drops has no area; what it keeps has a density that is a number.

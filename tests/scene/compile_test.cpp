@@ -113,7 +113,9 @@ TEST(Unit_Compile, EmissiveInstancesAreFlattenedIntoLights) {
   description.materials[0].emission = Vec3d(2.0);
   description.instances.push_back(description.instances[0]);
   description.instances[1].object_to_world.translation = Vec3d(0, 0, -1);
-  const Scene scene = compiled(description, {});
+  RenderOptions options;
+  options.light_sampling = LightSampling::Triangles;
+  const Scene scene = compiled(description, options);
   EXPECT_EQ(scene.lights.size(), 4u);
   EXPECT_TRUE(scene.instances.empty());
   double area = 0;

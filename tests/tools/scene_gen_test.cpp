@@ -30,7 +30,8 @@ const std::vector<SceneCase>& cases() {
       {"mis_plates", "", 12 + 4 * 2 + 4 * 128, false},
       {"soup", "triangles=300", 300},
       {"terrain", "triangles=200", 200, false},
-      {"white_room", "", 3 * 12 + 512 + 2, false}};
+      {"white_room", "", 3 * 12 + 512 + 2, false},
+      {"window", "", 2 * 12 + 512 + 4, false}};
   return all;
 }
 

@@ -36,6 +36,8 @@ TECHNIQUES = (  # a row is a line
     Technique("splitting at the first hit", {"splitting": 1}),
     Technique("Sobol points (off: plain random numbers)", {"sampler": "independent"}),
     Technique("no light samples for a constant sky", {"sky_samples": "on"}),
+    Technique("two triangles as one lamp (off: apart)", {"light_sampling": "triangles"}),
+    Technique("near lamps by area (off: by solid angle)", {"light_sampling": "solid_angle"}),
     Technique("four replicates (off: one, no stated error)", {"replicates": 1}),
     Technique("light and BSDF samples (off: light alone)", {"sampling": "light"},
               timed_on=SAME_KERNEL),

@@ -63,6 +63,7 @@ struct RenderArguments {
   std::optional<Heuristic> heuristic;
   std::optional<SamplerKind> sampler;
   std::optional<bool> samples_constant_sky;
+  std::optional<LightSampling> light_sampling;
   std::optional<SpecularModel> specular;
   bool has_lab_normals = false;
   std::optional<double> report_p_rr;

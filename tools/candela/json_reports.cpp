@@ -83,6 +83,7 @@ void add_options(Json& json, const RenderReport& report) {
       json["heuristic"] = name_of(options.heuristic, heuristic_choices());
       json["sampler"] = name_of(options.sampler, sampler_choices());
       json["sky_samples"] = options.samples_constant_sky;
+      json["light_sampling"] = name_of(options.light_sampling, light_sampling_choices());
     }
   }
   if (options.integrator == IntegratorKind::Report) json["rr"] = options.report_p_rr;

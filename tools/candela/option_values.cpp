@@ -28,6 +28,9 @@ constexpr Choice<Heuristic> heuristics[] = {{"balance", Heuristic::Balance},
                                             {"power", Heuristic::Power}};
 constexpr Choice<SamplerKind> samplers[] = {{"sobol", SamplerKind::Sobol},
                                             {"independent", SamplerKind::Independent}};
+constexpr Choice<LightSampling> light_samplings[] = {{"triangles", LightSampling::Triangles},
+                                                     {"area", LightSampling::Area},
+                                                     {"solid_angle", LightSampling::SolidAngle}};
 constexpr Choice<FresnelModel> fresnels[] = {{"schlick", FresnelModel::Schlick},
                                              {"exact", FresnelModel::Exact}};
 constexpr Choice<GeometryModel> geometries[] = {{"schlick_ggx", GeometryModel::SchlickGgx},
@@ -102,6 +105,9 @@ std::span<const Choice<Heuristic>> heuristic_choices() {
 }
 std::span<const Choice<SamplerKind>> sampler_choices() {
   return samplers;
+}
+std::span<const Choice<LightSampling>> light_sampling_choices() {
+  return light_samplings;
 }
 std::span<const Choice<FresnelModel>> fresnel_choices() {
   return fresnels;

@@ -142,6 +142,10 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
              "Scrambled Sobol points or, for comparisons, plain random numbers [sobol]");
   add_value(command, "--sky-samples", "on|off", render.samples_constant_sky, parse_switch,
             "Light samples for a constant environment, which BSDF samples find as well [off]");
+  add_choice(command, "--light-sampling", "light sampling", render.light_sampling,
+             light_sampling_choices(),
+             "Where on lamps: triangles apart by area, two that are one parallelogram as a quad, "
+             "near rectangles by solid angle [area]");
   add_choice(command, "--fresnel", "Fresnel term", render.scene.load.fresnel, fresnel_choices(),
              "Of all cook_torrance materials [the scene's]");
   add_choice(command, "--geometry", "geometry term", render.scene.load.geometry, geometry_choices(),

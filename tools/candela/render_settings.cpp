@@ -123,6 +123,7 @@ void refuse_what_only_path_does(const RenderArguments& arguments, const RenderOp
   refuse(arguments.splitting.has_value(), "--splitting");
   refuse(arguments.sampler.has_value(), "--sampler");
   refuse(arguments.samples_constant_sky.has_value(), "--sky-samples");
+  refuse(arguments.light_sampling.has_value(), "--light-sampling");
 }
 
 // What draws nothing at random has no error to state, and a grid is complete or has gaps.
@@ -313,6 +314,7 @@ RenderSettings settled(const RenderArguments& arguments,
   options.sampler = arguments.sampler.value_or(options.sampler);
   options.samples_constant_sky =
       arguments.samples_constant_sky.value_or(options.samples_constant_sky);
+  options.light_sampling = arguments.light_sampling.value_or(options.light_sampling);
   refuse_what_does_not_fit(arguments, options);
   refuse_sampling(arguments, options);
   if (is_lab_shading(options.integrator)) {

@@ -49,6 +49,7 @@ std::string kind_name(LightKind kind) {
       return "directional";
     case LightKind::Triangle:
     case LightKind::TexturedTriangle:
+    case LightKind::Quad:  // of two of them
       return "triangle";
     case LightKind::Environment:
       return "environment";
@@ -124,7 +125,8 @@ SceneInfo describe_scene(const description::SceneDescription& description, const
   for (const description::Medium& medium : description.media)
     info.media.push_back({medium.name, medium.absorption, medium.scattering, medium.asymmetry});
   info.textures = texture_rows(description, scene.textures);
-  for (const Light& light : scene.lights) ++info.lights[kind_name(light.kind)];
+  for (const Light& light : scene.lights)
+    if (light.kind != LightKind::Quad) ++info.lights[kind_name(light.kind)];
   if (scene.environment && info.lights.count("environment") == 0) info.lights["environment"] = 1;
   if (!scene.bounds.is_empty()) {
     info.bounds_min = scene.normalisation.to_file(scene.bounds.lower);

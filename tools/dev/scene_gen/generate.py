@@ -14,7 +14,7 @@ import numpy
 from scene_gen.files import MeshFolder, write_yaml
 
 NAMES = ("door_ajar", "forest", "glass_and_mirrors", "lamps", "mis_plates", "soup", "terrain",
-         "white_room")
+         "white_room", "window")
 
 
 def module_of(name):

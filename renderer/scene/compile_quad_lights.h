@@ -1,0 +1,12 @@
+// Emitting triangles that are one parallelogram -> one light that is picked in their place.
+#pragma once
+
+#include "renderer/scene/scene.h"
+
+namespace candela {
+
+// Readers cut polygons with four corners into two triangles that follow each other: only such pairs
+// are looked at. Triangles with textures stay as they are. Appends to the light table.
+void add_quad_lights(Scene& scene, bool by_solid_angle);
+
+}  // namespace candela
