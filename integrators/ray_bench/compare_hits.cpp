@@ -100,6 +100,7 @@ bool is_at_cutout_edge(const Scene& scene, const Ray& ray, const Hit& hit, doubl
 // rounds in units of the origin itself: a triangle of a few ulps of the origin's coordinates may be
 // lost with its box, however near.
 bool is_marginal(const Scene& scene, const Ray& ray, const Hit& hit) {
+  const FloatingPointTraps traps(Traps::Off);  // what divides by 0 is no number
   if (is_of_sphere(scene, hit)) {
     const SphereMargins margins = sphere_margins(scene, ray, hit);
     return margins.is_at_limb || is_near_zero(hit.t, margins.t_error) ||

@@ -37,7 +37,7 @@ void collect_triangles(const Scene& scene, GeometryHandle handle, std::vector<Tr
     bool is_usable = true;
     for (const std::uint32_t vertex : geometry.triangles[i]) {
       is_usable = is_usable && is_usable_vertex(geometry.positions[vertex]);
-      box.include(geometry.positions[vertex]);
+      if (is_usable) box.include(geometry.positions[vertex]);
     }
     if (!is_usable) continue;
     names.push_back({handle.index, static_cast<std::uint32_t>(i)});

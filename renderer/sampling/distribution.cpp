@@ -46,14 +46,15 @@ std::vector<std::uint64_t> proportional_steps(std::span<const double> weights,
   std::uint64_t positive_count = 0;
   double sum = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    positive_count += weights[i] > 0 ? 1 : 0;
+    positive_count += std::isgreater(weights[i], 0.0) ? 1 : 0;
     sum += relative[i];
   }
   std::vector<std::uint64_t> steps(weights.size(), 0);
   if (positive_count == 0) return steps;
   const double shared = static_cast<double>(total - positive_count);
   for (std::size_t i = 0; i < weights.size(); ++i)
-    if (weights[i] > 0) steps[i] = 1 + static_cast<std::uint64_t>(relative[i] / sum * shared);
+    if (std::isgreater(weights[i], 0.0))
+      steps[i] = 1 + static_cast<std::uint64_t>(relative[i] / sum * shared);
   settle(steps, total);
   return steps;
 }

@@ -230,7 +230,8 @@ class BodyReader {
     const std::optional<double> count = values_.next(*property.count_type);
     if (!count) return false;
     const std::uint64_t least = Values::least_bytes(property.type);
-    if (*count < 0.0 || *count > static_cast<double>(values_.bytes_left() / least)) {
+    const auto most = static_cast<double>(values_.bytes_left() / least);
+    if (!(std::isgreaterequal(*count, 0.0) && std::islessequal(*count, most))) {
       return say(fmt::format("{} {} announces {} corners, more than the file has bytes for",
                              text::quoted(element.name), index, *count));
     }
@@ -238,8 +239,10 @@ class BodyReader {
     for (auto k = static_cast<std::uint64_t>(*count); k > 0; --k) {
       const std::optional<double> corner = values_.next(property.type);
       if (!corner) return false;
-      const bool is_restart = is_strip && *corner == -1.0;
-      const bool is_index = *corner >= 0.0 && *corner < static_cast<double>(vertex_count_) &&
+      const bool is_number = !std::isnan(*corner);
+      const bool is_restart = is_strip && is_number && *corner == -1.0;
+      const bool is_index = is_number && *corner >= 0.0 &&
+                            *corner < static_cast<double>(vertex_count_) &&
                             *corner == std::floor(*corner);
       if (!is_index && !is_restart) {
         return say(fmt::format("{} {} has corner {}, but there are {} vertices (from 0)",

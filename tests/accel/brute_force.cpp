@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/floating_point_traps.h"
+
 namespace candela::test {
 namespace {
 
@@ -34,6 +36,7 @@ void visit(const Scene& scene, const Ray& ray, const Object& object, std::uint32
 }
 
 std::optional<ClearHit> nearest_clear_hit(const Scene& scene, const Ray& ray) {
+  const FloatingPointTraps traps(Traps::Off);  // rays along a plane have no weights in it
   std::optional<ClearHit> nearest;
   visit(scene, ray, scene.world, Hit{}.instance, nearest);
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
