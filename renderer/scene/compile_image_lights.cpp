@@ -132,7 +132,7 @@ void set_mean_emission(const Geometry& geometry, const TextureStore& textures,
     light.mean_luminance = mean_sphere_emission(textures, light);
   }
   constexpr double most_points = 1 << 20;  // of all triangles together
-  const auto count = static_cast<double>(geometry.triangles.size());
+  const auto count = static_cast<double>(std::max(geometry.triangles.size(), std::size_t{1}));
   const int side = static_cast<int>(std::clamp(std::sqrt(most_points / count), 2.0, 64.0));
   for (std::size_t i = 0; i < geometry.triangles.size(); ++i) {
     Light& light = lights[geometry.first_light + i];
