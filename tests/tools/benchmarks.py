@@ -98,6 +98,13 @@ def better_setting(costs):
                                   for setting, values in costs.items()} for i in range(count)])
 
 
+def compared_with_cycles(files):
+    """Which of the scenes, {name: file}, Blender gets."""
+    found = peers.described(None, None, {name: pathlib.Path(file)
+                                         for name, file in json.loads(files).items()})
+    return list(found)
+
+
 def errors(shape, reference_noise, picture_noise):
     """relMSE and its trimmed version of a noisy picture against a noisy reference of grey 2, and what
     they are to be: the picture's variance over its denominator; one pixel is off by 100."""

@@ -166,6 +166,17 @@ TEST_F(Unit_Benchmarks, TheBetterSettingIsThatOfTheLeastMedian) {
   EXPECT_EQ(ask({"better_setting", R"({"a": [1, 3, 9], "b": [4, 4, 90]})"}), "a");
 }
 
+// A scene that cannot be compared is left out; the others go on.
+TEST_F(Unit_Benchmarks, ScenesThatCyclesCannotHaveAreLeftOut) {
+  if (Program({python, "-c", "import yaml"}, ErrorStream::File).finish().exit_code != 0)
+    GTEST_SKIP() << "Debian's python3-yaml is not installed";
+  const Json files{
+      {"metal", CANDELA_SOURCE_DIR "/assets/cornell_box/cornell_box.yaml"},
+      {"sun", CANDELA_SOURCE_DIR "/tools/benchmarks/blender/scenes/sun_lit.yaml"},
+  };
+  EXPECT_EQ(ask({"compared_with_cycles", files.dump()}), Json{"sun"});
+}
+
 // relMSE is the picture's own, without the reference's noise. Its standard error over 64 x 64 x 3
 // values of variance v: (v + r) sqrt(2 / 12288) / v with r of the reference: 1.6 % here.
 TEST_F(Unit_Benchmarks, TheReferencesNoiseIsTakenOff) {

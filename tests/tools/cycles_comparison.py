@@ -12,17 +12,55 @@ sys.path += [str(ROOT / "tools" / "benchmarks"), str(ROOT / "tools" / "dev" / "s
 
 import numpy  # noqa: E402
 
-from blender import agreement, blender_scene, closed_form, cycles_renders  # noqa: E402
-from exr import read_channels, stacked  # noqa: E402
+from blender import agreement, blender_scene, closed_form, cycles_renders, pbrt_scene  # noqa: E402
+from exr import read_channels, read_exr, stacked  # noqa: E402
 
 
 def scene(path, scale="1"):
-    return blender_scene.read(path, float(scale))
+    reader = pbrt_scene if path.endswith(".pbrt") else blender_scene
+    return reader.read(path, float(scale))
+
+
+def apart(path, other, scale):
+    """The largest difference between two scenes' numbers; None where more than numbers differ."""
+    return most_apart(scene(path, scale), scene(other, scale))
+
+
+def most_apart(a, b):
+    if isinstance(a, dict) and isinstance(b, dict) and a.keys() == b.keys():
+        parts = [(a[key], b[key]) for key in a]
+    elif isinstance(a, list) and isinstance(b, list) and len(a) == len(b):
+        parts = list(zip(a, b))
+    elif isinstance(a, (int, float)) and isinstance(b, (int, float)):
+        return abs(a - b)
+    else:
+        return 0 if a == b else None
+    found = [most_apart(*part) for part in parts]
+    return None if None in found else max(found, default=0)
+
+
+def lamps(path, exr):
+    """Of each lamp: whether Blender's front faces the camera, what it shines, from both sides or
+    not, and what candela's camera sees at its middle."""
+    picture, described = read_exr(pathlib.Path(exr)), scene(path)
+    height, width = picture.shape[:2]
+    eye = numpy.array(described["camera"]["to_world"])[:3, 3]
+    found = []
+    for mesh in described["meshes"]:
+        if not any(mesh["emission"]):
+            continue
+        a, b, c = numpy.array(mesh["corners"][0])
+        middle = numpy.mean(mesh["corners"], axis=(0, 1))
+        x, y = closed_form.project(described["camera"], middle[None], width, height)[0]
+        found.append({"faces": bool(numpy.cross(b - a, c - a) @ (eye - middle) > 0),
+                      "shines": mesh["emission"], "two_sided": mesh["two_sided"],
+                      "seen": picture[int(y), int(x)].tolist()})
+    return found
 
 
 def refused(path):
     try:
-        blender_scene.read(path)
+        scene(path)
         return None
     except blender_scene.Unsupported as reason:
         return str(reason)
@@ -36,7 +74,7 @@ def positions(path, exr):
     height, width = points.shape[:2]
     depth = channels["depth.Z"]
     seen = depth > 0
-    described = blender_scene.read(path)
+    described = scene(path)
     points = blender_scene.axes(points[seen])
     pixels = closed_form.project(described["camera"], points, width, height)
     rows, columns = numpy.nonzero(seen)

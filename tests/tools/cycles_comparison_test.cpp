@@ -132,6 +132,107 @@ Models:
   EXPECT_EQ(meshes[2]["ior"], 1.4);
 }
 
+// What candela converts is read as what it was made of: camera, lights, lamps, meshes, units.
+TEST_F(Unit_CyclesComparison, PbrtFilesAreTheScenesThatTheyWereMadeOf) {
+  const std::string folder = fresh_folder("made_of"), file = folder + "/scene.pbrt";
+  const std::string box = CANDELA_SOURCE_DIR "/assets/cornell_box_diffuse/";
+  // A wall that is not plane has normals of its own, which stretching turns.
+  write_text(folder + "/stretched.yaml", R"(
+Cameras: [{Eye: [1, 3, 6], Target: [0, 0, 0], Fovy: 50}]
+Environment: {Radiance: [1, 2, 3]}
+Materials:
+  - {Name: glass, Type: dielectric, ior: 1.4}
+Models:
+  - Mesh: )" + box + R"(green_wall.obj
+    Material: glass
+    Scale: [.004, .02, .005]
+    Rotation: [[.8, 0, .6], [0, 1, 0], [-.6, 0, .8]]
+    Translation: [.2, 0, 1]
+)");
+  for (const std::string& scene : {blocks + "point_lit.yaml", blocks + "sun_lit.yaml",
+                                   box + "cornell_box_diffuse.yaml", folder + "/stretched.yaml"}) {
+    ASSERT_EQ(run_candela({"convert", scene, file}).exit_code, 0);
+    const Json apart = ask({"apart", scene, file, "2"});
+    ASSERT_TRUE(apart.is_number()) << scene;
+    EXPECT_LT(apart, 2e-6) << scene;  // normals are floats in the file's meshes
+  }
+}
+
+// Lamps face where ReverseOrientation and mirroring transforms turn them: what Blender is told is
+// what candela's camera sees.
+TEST_F(Unit_CyclesComparison, PbrtLampsShineWhereCandelasDo) {
+  const std::string folder = fresh_folder("pbrt_lamps");
+  std::string scene = R"(LookAt .5 1.5 6  0 .6 0  .1 1 0
+Scale -1 1 1
+Camera "perspective" "float fov" 40
+Film "rgb" "integer xresolution" 48 "integer yresolution" 32 "float iso" 200
+WorldBegin
+Material "diffuse" "rgb reflectance" [ .5 .4 .3 ]
+Shape "bilinearmesh" "point3 P" [ -8 -.5 8   8 -.5 8   -8 -.5 -8   8 -.5 -8 ]
+Material "diffuse" "rgb reflectance" [ 0 0 0 ]
+)";
+  for (const char* lamp :
+       {"[ 1 2 3 ] Translate -2 0 0", "[ 2 3 4 ] ReverseOrientation Translate -1 0 0",
+        "[ 3 4 5 ] Scale 1 1 -2", "[ 4 5 6 ] Translate 1 0 0 Scale -1 1 1",
+        "[ 5 6 7 ] \"bool twosided\" true ReverseOrientation Translate 2 0 0"})
+    scene += fmt::format(R"(AttributeBegin AreaLightSource "diffuse" "rgb L" {}
+  Shape "trianglemesh" "integer indices" [ 0 1 2 0 2 3 ]
+    "point3 P" [ -.4 0 0  .4 0 0  .4 .8 0  -.4 .8 0 ]
+AttributeEnd
+)",
+                         lamp);
+  write_text(folder + "/scene.pbrt", scene);
+  const std::string file = folder + "/plain.pbrt", exr = folder + "/picture.exr";
+  ASSERT_EQ(run_candela({"convert", folder + "/scene.pbrt", file}).exit_code, 0);
+  ASSERT_EQ(run_candela({"render", file, "-o", exr, "--spp", "1", "--filter", "box", "--aov",
+                         "position,depth", "--quiet"})
+                .exit_code,
+            0);
+  const Json found = ask({"positions", file, exr});
+  EXPECT_GT(found["count"], 800);
+  EXPECT_LE(found["pixels"], 0.501);
+  EXPECT_LT(found["off_surface"], 1e-6);
+  const Json lamps = ask({"lamps", file, exr});
+  const std::vector<bool> faces{true, false, false, true, false};
+  ASSERT_EQ(lamps.size(), faces.size());
+  for (std::size_t i = 0; i < lamps.size(); ++i) {
+    EXPECT_EQ(lamps[i]["faces"], faces[i]) << i;
+    EXPECT_EQ(lamps[i]["two_sided"], i == 4) << i;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double radiance = 2.0 * static_cast<double>(1 + i + c);  // iso doubles all light
+      EXPECT_NEAR(lamps[i]["shines"][c], radiance, 1e-12) << i;
+      EXPECT_NEAR(lamps[i]["seen"][c], faces[i] || i == 4 ? radiance : 0, 1e-5) << i;
+    }
+  }
+}
+
+TEST_F(Unit_CyclesComparison, WhatIsNotComparedOfPbrtFilesIsRefused) {
+  const std::string file = fresh_folder("pbrt_refused") + "/scene.pbrt";
+  const std::string view = "Scale -1 1 1\nLookAt 0 0 5  0 0 0  0 1 0\n";
+  const std::string camera = "Camera \"perspective\" \"float fov\" 40\n";
+  const auto reason = [&](const std::string& text) {
+    write_text(file, text);
+    return ask({"refused", file});
+  };
+  EXPECT_TRUE(reason(view + camera).is_null());
+  EXPECT_EQ(reason("LookAt 0 0 5  0 0 0  0 1 0\n" + camera),
+            "a camera that mirrors the picture; Blender's do not");
+  EXPECT_EQ(reason(view + "Camera \"perspective\" \"float fov\" 40 \"float lensradius\" 0.1"),
+            "the camera: 'float lensradius' is not compared; expected only float fov, float fovy");
+  EXPECT_EQ(reason("MakeNamedMaterial \"steel\" \"string type\" \"conductor\"\n" + view + camera),
+            "material 'steel' is of the type conductor, which has no exact counterpart in Cycles; "
+            "only diffuse and dielectric are compared");
+  EXPECT_EQ(reason(view + camera + "AttributeBegin\nShape \"sphere\" \"float radius\" 1\n"),
+            "a shape of the type sphere; expected plymesh");
+  EXPECT_EQ(reason(view + camera + "ObjectBegin \"tree\"\n"), "ObjectBegin is not compared");
+  EXPECT_EQ(reason("Integrator \"path\" \"integer maxdepth\" 5 # bounces\n"
+                   "  #candela: \"rgb ambient\" [ 1 1 1 ]\n" +
+                   view + camera),
+            "Integrator: 'rgb ambient' is not compared; expected only integer maxdepth, bool "
+            "unlimited");
+  EXPECT_EQ(reason(""), "the scene has no camera");
+}
+
 TEST_F(Unit_CyclesComparison, TimesAreReadFromBlendersLog) {
   const std::string log = fresh_folder("log") + "/blender.log";
   write_text(log,

@@ -42,7 +42,7 @@ def default_scenes():
 
 def add_arguments(parser):
     parser.add_argument("scenes", nargs="*", metavar="SCENE",
-                        help="names: " + ", ".join(default_scenes()))
+                        help="names (" + ", ".join(default_scenes()) + "); pbrt/cornell-box too")
     parser.add_argument("--quick", action="store_true", help="48x48, 4 and 16 spp, 2 pairs")
     parser.add_argument("--all", action="store_true",
                         help="all that candela has against the better of Cycles' settings")
@@ -68,8 +68,9 @@ def run(options):
                   ladder(options.most or (16 if options.quick else 256)),
                   options.pairs or (2 if options.quick else 5), options.threads, options.all)
     points, ratios = [], []
-    for name, file in scene_files(candela, out, options.scenes or default_scenes()).items():
-        own_points, own_ratios = bench.measure(name, file)
+    files = scene_files(candela, out, options.scenes or default_scenes())
+    for name, scene in described(candela, out, files).items():
+        own_points, own_ratios = bench.measure(name, files[name], scene)
         points += own_points
         ratios += own_ratios
         print(f"{name}: relMSE * CPU seconds, Cycles / candela: "
@@ -105,6 +106,26 @@ def scene_files(candela, out, wanted):
     return files
 
 
+def described(candela, out, files):
+    """Name -> what Blender is told. What cannot be compared is left out with a sentence."""
+    from blender import blender_scene, pbrt_scene
+    from renders import CandelaFailed
+    scenes = {}
+    for name, file in files.items():
+        try:
+            if file.suffix == ".pbrt":
+                plain = out / "converted" / f"{chosen_scenes.safe(name)}.pbrt"
+                candela.convert(file, plain)
+                scenes[name] = pbrt_scene.read(plain, SCALES.get(name, 1))
+            else:
+                scenes[name] = blender_scene.read(file, SCALES.get(name, 1))
+        except blender_scene.Unsupported as reason:
+            print(f"{name} is left out: {reason}", flush=True)
+    if not scenes:
+        raise CandelaFailed("none of these scenes can be compared with Cycles")
+    return scenes
+
+
 @dataclasses.dataclass
 class Bench:
     candela: object
@@ -115,12 +136,10 @@ class Bench:
     threads: int
     with_all: bool
 
-    def measure(self, name, file):
+    def measure(self, name, file, scene):
         """(points, ratios): rows of the two tables."""
-        from blender import blender_scene
-        scene = blender_scene.read(file, SCALES.get(name, 1))
         spp = 16 * self.counts[-1]
-        ours = truth.reference(self.candela, name, file, self.size, spp)
+        ours = truth.reference(self.candela, name, file, self.size, spp, max_depth="none")
         theirs = self.cycles_reference(name, scene, spp)
         apart = float(ours.image.mean() / theirs.image.mean())
         pairs = [(self.our_ladder(file, ours, seed), self.their_ladders(name, scene, theirs, seed))
@@ -139,7 +158,7 @@ class Bench:
     def our_ladder(self, file, right, seed):
         # Cycles tells no error of a picture: without --all candela does not either.
         return [truth.measured(self.candela, file, right, size=f"{self.size}x{self.size}", spp=spp,
-                               seed=seed, threads=self.threads,
+                               seed=seed, threads=self.threads, max_depth="none",
                                replicates=4 if self.with_all else 1,
                                adaptive="on" if self.with_all and spp >= PILOTS else "off")
                 for spp in self.counts]

@@ -80,6 +80,11 @@ class Candela:
         words = [word for name, value in options.items() for word in ("--" + name, value)]
         return json.loads(self._output_of("info", scene, "--json", *words))
 
+    def convert(self, scene, file):
+        """Writes the scene as a pbrt file, with its meshes in a folder beside it."""
+        file.parent.mkdir(parents=True, exist_ok=True)
+        self._output_of("convert", scene, file)
+
     def bench(self, scene, **options):
         """What `candela bench --json` says."""
         words = [word for name, value in options.items() for word in ("--" + name, value)]

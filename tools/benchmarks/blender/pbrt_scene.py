@@ -1,0 +1,199 @@
+"""A pbrt-v4 file as `candela convert` writes it [docs/pbrt.md#writing], as Blender takes it: what
+blender_scene.read() gives of candela's own files.
+
+Of that form, not of pbrt's: each shape stands in a block of its own with its whole transform,
+meshes are binary PLY files of triangles, and what candela reads beside pbrt's parameters stands in
+comments that begin with #candela:. Read are diffuse surfaces and clear glass, meshes that shine,
+point and distant lights, one radiance from everywhere, and a perspective camera; the limit of
+bounces, the filter and the size are the measurement's. Anything else is refused. Metals are: what
+Blender 3.4 has for a glossy surface knows nothing of eta and k at each microfacet. So are coats,
+which it lays otherwise, and spheres: as a mesh one would be another shape and another lamp.
+"""
+
+import json
+import pathlib
+import re
+
+import numpy
+
+from . import blender_scene
+from .blender_scene import Unsupported, axes, only, unit, vector
+
+WORD = re.compile(r'"(?:[^"\\]|\\.)*"|#candela:|#[^\n]*|[^\s"]+')
+# Of what stands in a block, or before the camera.
+ATTRIBUTES = ("Transform", "NamedMaterial", "AreaLightSource", "Scale", "LookAt")
+# By directive: what may be said, since it changes nothing that is compared.
+OF_NO_EFFECT = {
+    "Film": ("integer xresolution", "integer yresolution", "string filename", "float exposure"),
+    "PixelFilter": ("float xradius", "float yradius", "float sigma", "string filter"),
+    "Sampler": ("integer pixelsamples", "integer seed"),
+    "Integrator": ("integer maxdepth", "bool unlimited"),
+}
+READ_ELSEWHERE = ("MakeNamedMaterial", "Texture", "WorldBegin")  # what has a texture is refused
+# By type: what of a material is read, and what Blender is told.
+SURFACES = {
+    "diffuse": (("rgb reflectance",), lambda m: {
+        "surface": "diffuse", "albedo": m.get("rgb reflectance", [.5] * 3)}),
+    "dielectric": (("float eta", "float roughness", "bool remaproughness"), lambda m: glass(m)),
+}
+
+
+def read(path, scale=1):
+    """Lengths are multiplied by `scale`, as blender_scene.read() does."""
+    path = pathlib.Path(path)
+    statements = statements_of(path.read_text())
+    materials = {json.loads(words[0]): parameters(words[1:])
+                 for name, words in statements if name == "MakeNamedMaterial"}
+    for name, material in materials.items():
+        known_type(name, material)  # tells more of a scene than its first texture does
+    scene = {"camera": None, "meshes": [], "lights": [], "environment": None}
+    block = {}
+    for name, words in statements:
+        if name in ("AttributeBegin", "AttributeEnd"):
+            block = {}
+        elif name in ATTRIBUTES:
+            block[name] = words
+        elif name == "Camera":
+            scene["camera"] = camera(block, words, scale)
+        elif name == "LightSource":
+            add_light(scene, block, words, scale)
+        elif name == "Shape":
+            scene["meshes"].append(mesh(block, words, materials, path.parent, scale))
+        elif name in OF_NO_EFFECT:
+            only(parameters(words[1:]), name, *OF_NO_EFFECT[name])
+        elif name not in READ_ELSEWHERE:
+            raise Unsupported(f"{name} is not compared")
+    if not scene["camera"]:
+        raise Unsupported("the scene has no camera")
+    return scene
+
+
+def statements_of(text):
+    """(directive, the words behind it); comments are left out, candela's own parameters are not."""
+    found = []
+    for word in WORD.findall(text):
+        if word[0].isupper():
+            found.append((word, []))
+        elif word[0] != "#":
+            found[-1][1].append(word)
+    return found
+
+
+def parameters(words):
+    """'type name' -> value, which is a list where it stands in brackets. Its numbers, truths and
+    quoted words are written as JSON's are."""
+    found, words = {}, iter(words)
+    for key in words:
+        value = next(words)
+        found[json.loads(key)] = ([json.loads(part) for part in iter(lambda: next(words), "]")]
+                                  if value == "[" else json.loads(value))
+    return found
+
+
+def camera(block, words, scale):
+    """pbrt's camera space is left-handed: without `Scale -1 1 1` the picture is mirrored."""
+    said = parameters(words[1:])
+    only(said, "the camera", "float fov", "float fovy")
+    if json.loads(words[0]) != "perspective":
+        raise Unsupported(f"a camera of the type {json.loads(words[0])}; expected perspective")
+    if list(map(float, block.get("Scale", ()))) != [-1, 1, 1]:
+        raise Unsupported("a camera that mirrors the picture; Blender's do not")
+    eye, target, up = vector(block["LookAt"]).reshape(3, 3)
+    # Of the shorter side, which is the height of the square pictures that are compared.
+    return blender_scene.camera({"Eye": eye, "Target": target, "Up": up,
+                                 "Fovy": said.get("float fovy", said["float fov"])}, scale)
+
+
+def add_light(scene, block, words, scale):
+    kind, said = json.loads(words[0]), parameters(words[1:])
+    if "Transform" in block:
+        raise Unsupported(f"a light of the type {kind} that is turned")
+    if kind == "point":
+        only(said, "a point light", "rgb I", "point3 from")
+        scene["lights"].append({
+            "type": "POINT", "position": axes(scale * vector(said["point3 from"])).tolist(),
+            "radiant_intensity": (scale ** 2 * vector(said["rgb I"])).tolist()})
+    elif kind == "distant":
+        only(said, "a distant light", "rgb L", "point3 from", "point3 to")
+        towards = unit(vector(said["point3 from"]) - vector(said["point3 to"]))
+        scene["lights"].append({"type": "SUN", "towards": axes(towards).tolist(),
+                                "irradiance": said["rgb L"]})
+    elif kind == "infinite" and not scene["environment"]:
+        only(said, "an infinite light", "rgb L")
+        scene["environment"] = {"map": None, "scale": said["rgb L"], "turn": 0}
+    else:
+        raise Unsupported(f"a light of the type {kind}, or a second sky, is not compared; expected "
+                          "point, distant or one infinite")
+
+
+def mesh(block, words, materials, folder, scale):
+    """Triangles of corners, as blender_scene.mesh() makes them. Their front, which shines, is where
+    the file's windings say; a transform that mirrors keeps it."""
+    said = parameters(words[1:])
+    if json.loads(words[0]) != "plymesh":
+        raise Unsupported(f"a shape of the type {json.loads(words[0])}; expected plymesh")
+    only(said, "a mesh", "string filename")
+    name = json.loads(block["NamedMaterial"][0])
+    described = surface(name, materials[name]) | emission(block.get("AreaLightSource"))
+    if any(described["emission"]) and any(described["albedo"]):
+        raise Unsupported(f"material '{name}': a lamp that also reflects is not compared")
+    corners, normals = read_ply(folder / said["string filename"])
+    to_world = placement(block.get("Transform"))
+    linear = to_world[:3, :3]
+    corners = corners @ linear.T + to_world[:3, 3]
+    if numpy.linalg.det(linear) < 0:
+        corners = corners[:, ::-1]
+        normals = None if normals is None else normals[:, ::-1]
+    if normals is not None:
+        normals = normals @ numpy.linalg.inv(linear)
+        normals /= numpy.linalg.norm(normals, axis=2, keepdims=True)
+        if blender_scene.are_flat(corners, normals):
+            normals = None
+    return {"name": pathlib.Path(said["string filename"]).stem, "instances": None,
+            "corners": axes(scale * corners).tolist(),
+            "normals": None if normals is None else axes(normals).tolist()} | described
+
+
+def placement(words):
+    """pbrt writes matrices column by column."""
+    return numpy.identity(4) if words is None else vector(words[1:-1]).reshape(4, 4).T
+
+
+def emission(words):
+    said = parameters(words[1:]) if words else {}
+    only(said, "an area light", "rgb L", "bool twosided")
+    return {"emission": said.get("rgb L", [0.0] * 3), "two_sided": said.get("bool twosided", False)}
+
+
+def known_type(name, material):
+    if material["string type"] not in SURFACES:
+        raise Unsupported(f"material '{name}' is of the type {material['string type']}, which has "
+                          "no exact counterpart in Cycles; only diffuse and dielectric are compared")
+    return SURFACES[material["string type"]]
+
+
+def surface(name, material):
+    keys, described = known_type(name, material)
+    only(material, f"material '{name}'", "string type", *keys)
+    return described(material)
+
+
+def glass(material):
+    if material.get("float roughness", 0) != 0:
+        raise Unsupported("rough glass is not compared")
+    return {"surface": "glass", "albedo": [1.0] * 3, "ior": material.get("float eta", 1.5)}
+
+
+def read_ply(path):
+    """Corners and normals as [triangle, corner, xyz]; normals are None where the file has none."""
+    types = {"float": "<f4", "double": "<f8"}
+    header, body = path.read_bytes().split(b"end_header\n", 1)
+    lines = [line.split() for line in header.decode().splitlines()]
+    vertices, triangles = (int(line[2]) for line in lines if line[0] == "element")
+    layout = numpy.dtype([(line[2], types[line[1]]) for line in lines
+                          if line[0] == "property" and line[1] in types])
+    table = numpy.frombuffer(body, layout, vertices)
+    face = numpy.dtype([("count", "u1"), ("corners", "<i4", 3)])
+    indices = numpy.frombuffer(body, face, triangles, vertices * layout.itemsize)["corners"]
+    return [numpy.stack([table[name] for name in names], axis=1).astype(float)[indices]
+            if names[0] in layout.names else None for names in ("xyz", ("nx", "ny", "nz"))]
