@@ -42,7 +42,7 @@ def default_scenes():
 
 def add_arguments(parser):
     parser.add_argument("scenes", nargs="*", metavar="SCENE",
-                        help="names (" + ", ".join(default_scenes()) + "); pbrt/cornell-box too")
+                        help="names (" + ", ".join(default_scenes()) + "); also pbrt/NAME")
     parser.add_argument("--quick", action="store_true", help="48x48, 4 and 16 spp, 2 pairs")
     parser.add_argument("--all", action="store_true",
                         help="all that candela has against the better of Cycles' settings")
