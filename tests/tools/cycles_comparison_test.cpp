@@ -136,7 +136,7 @@ Models:
 TEST_F(Unit_CyclesComparison, PbrtFilesAreTheScenesThatTheyWereMadeOf) {
   const std::string folder = fresh_folder("made_of"), file = folder + "/scene.pbrt";
   const std::string box = CANDELA_SOURCE_DIR "/assets/cornell_box_diffuse/";
-  // A wall that is not plane has normals of its own, which stretching turns.
+  // A wall that is not plane has normals of its own, which stretching turns; mirrored besides.
   write_text(folder + "/stretched.yaml", R"(
 Cameras: [{Eye: [1, 3, 6], Target: [0, 0, 0], Fovy: 50}]
 Environment: {Radiance: [1, 2, 3]}
@@ -145,7 +145,7 @@ Materials:
 Models:
   - Mesh: )" + box + R"(green_wall.obj
     Material: glass
-    Scale: [.004, .02, .005]
+    Scale: [.004, .02, -.005]
     Rotation: [[.8, 0, .6], [0, 1, 0], [-.6, 0, .8]]
     Translation: [.2, 0, 1]
 )");

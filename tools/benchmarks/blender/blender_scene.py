@@ -105,6 +105,8 @@ def mesh(model, material, folder, scale):
     corners = (corners * stretch) @ rotation.T + translation
     normals = (normals / stretch) @ rotation.T
     normals /= numpy.linalg.norm(normals, axis=2, keepdims=True)
+    if numpy.prod(stretch) * numpy.linalg.det(rotation) < 0:  # the front stays the front
+        corners, normals = corners[:, ::-1], normals[:, ::-1]
     return {"name": pathlib.Path(model["Mesh"]).stem, "corners": axes(scale * corners).tolist(),
             "normals": None if are_flat(corners, normals) else axes(normals).tolist(),
             "instances": [instance(entry, scale) for entry in model["Instances"]]
