@@ -7,6 +7,7 @@
 #include "integrators/path/context.h"
 #include "integrators/projected_bounds.h"
 #include "renderer/accel/placement.h"
+#include "renderer/geometry/geometry_bounds.h"
 
 namespace candela {
 namespace {
@@ -16,7 +17,7 @@ std::optional<Rgb> constant_background(const Scene& scene, const RenderOptions& 
   if (!scene.environment || options.transparent) return Rgb(0);
   const Environment& environment = *scene.environment;
   if (!environment.is_seen_by_camera) return Rgb(0);
-  if (environment.mapping != EnvironmentMapping::Constant) return {};
+  if (!environment.is_constant()) return {};
   return environment.scale;
 }
 
@@ -26,10 +27,12 @@ bool has_projection(const Camera& camera) {
   return is_flat && camera.lens_radius == 0;
 }
 
+// Boxes, of instances and spheres, count as what they consist of.
 std::size_t triangle_count(const Scene& scene) {
   std::size_t count = 0;
   for (const GeometryHandle handle : scene.world.geometries)
-    count += scene.geometries[handle.index].triangles.size();
+    count += scene.geometries[handle.index].triangles.size() +
+             12 * scene.geometries[handle.index].spheres.size();
   return count + 12 * scene.instances.size();
 }
 
@@ -105,9 +108,18 @@ class Cover {
   std::vector<std::int32_t> corners_;
 };
 
-// What is no mesh may be anywhere.
+std::array<Projection::Point, 8> corners_of(const Bounds3f& box, const Projection& projection) {
+  std::array<Projection::Point, 8> corners;
+  for (unsigned i = 0; i < corners.size(); ++i)
+    corners[i] = projection.point({((i & 1) != 0 ? box.upper : box.lower).x,
+                                   ((i & 2) != 0 ? box.upper : box.lower).y,
+                                   ((i & 4) != 0 ? box.upper : box.lower).z});
+  return corners;
+}
+
 void add_geometry(const Geometry& geometry, const Projection& projection, Cover& cover) {
-  if (geometry.triangles.empty()) return cover.add(Projection::everywhere());
+  for (const Sphere& sphere : geometry.spheres)
+    cover.add(projection.bounds(corners_of(bounds_of(sphere), projection)));
   std::vector<Projection::Point> points;
   points.reserve(geometry.positions.size());
   for (const Vec3f& position : geometry.positions) points.push_back(projection.point(position));
@@ -115,36 +127,26 @@ void add_geometry(const Geometry& geometry, const Projection& projection, Cover&
     cover.add(projection.bounds(std::array{points[a], points[b], points[c]}));
 }
 
-// The corners of an instance's box, widened by what rounding moves.
-std::array<Projection::Point, 8> corners_of(const Instance& instance, const Bounds3f& object,
-                                            const Projection& projection) {
+// An instance's box, widened by what rounding moves.
+Bounds3f wide_bounds_of(const Instance& instance, const Bounds3f& object) {
   const Vec3f moved{instance.offset({1, 0, 0}), instance.offset({0, 1, 0}),
                     instance.offset({0, 0, 1})};
   const Bounds3f box = bounds_of(instance, object);
-  const Vec3f lower = box.lower - moved * 2.0f;
-  const Vec3f upper = box.upper + moved * 2.0f;
-  std::array<Projection::Point, 8> corners;
-  for (unsigned i = 0; i < corners.size(); ++i)
-    corners[i] =
-        projection.point({((i & 1) != 0 ? upper : lower).x, ((i & 2) != 0 ? upper : lower).y,
-                          ((i & 4) != 0 ? upper : lower).z});
-  return corners;
+  return {box.lower - moved * 2.0f, box.upper + moved * 2.0f};
 }
 
-// False where an object has what is no mesh.
-bool add_instances(const Scene& scene, const Projection& projection, Cover& cover) {
+void add_instances(const Scene& scene, const Projection& projection, Cover& cover) {
   std::vector<Bounds3f> objects;
   for (const Object& object : scene.objects) {
     Bounds3f& bounds = objects.emplace_back();
-    for (const GeometryHandle handle : object.geometries) {
-      const Geometry& geometry = scene.geometries[handle.index];
-      if (geometry.triangles.empty()) return false;
-      for (const Vec3f& position : geometry.positions) bounds.include(position);
-    }
+    for (const GeometryHandle handle : object.geometries)
+      bounds.include(bounds_of(scene.geometries[handle.index]));
   }
-  for (const Instance& instance : scene.instances)
-    cover.add(projection.bounds(corners_of(instance, objects[instance.object.index], projection)));
-  return true;
+  for (const Instance& instance : scene.instances) {
+    const Bounds3f& object = objects[instance.object.index];
+    if (object.is_empty()) continue;
+    cover.add(projection.bounds(corners_of(wide_bounds_of(instance, object), projection)));
+  }
 }
 
 }  // namespace
@@ -163,7 +165,7 @@ BackgroundPixels::BackgroundPixels(const Scene& scene, const Filter& filter,
   Cover cover(options.width, options.height, static_cast<double>(filter.radius()));
   for (const GeometryHandle handle : scene.world.geometries)
     add_geometry(scene.geometries[handle.index], projection, cover);
-  if (!add_instances(scene, projection, cover)) return;
+  add_instances(scene, projection, cover);
   is_background_ = std::move(cover).gaps();
 }
 

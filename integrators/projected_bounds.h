@@ -23,11 +23,11 @@ class Projection {
   using Point = Vec3d;
   [[nodiscard]] Point point(const Vec3f& p) const { return inverse_ * (Vec3d(p) - eye_); }
 
-  [[nodiscard]] static FilmBounds everywhere();
   // Of the points' convex hull.
   [[nodiscard]] FilmBounds bounds(std::span<const Point> points) const;
 
  private:
+  [[nodiscard]] static FilmBounds everywhere();
   [[nodiscard]] FilmBounds perspective_bounds(std::span<const Point> points) const;
 
   bool is_perspective_;

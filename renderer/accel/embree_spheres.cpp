@@ -2,7 +2,7 @@
 
 #include "renderer/accel/alpha_test.h"
 #include "renderer/accel/sphere_hit.h"
-#include "renderer/scene/compile_spheres.h"
+#include "renderer/geometry/geometry_bounds.h"
 
 namespace candela {
 namespace {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "renderer/base/parallel.h"
+#include "renderer/geometry/geometry_bounds.h"
 #include "renderer/scene/compile_spheres.h"
 #include "renderer/scene/instance_errors.h"
 #include "renderer/scene/normalise.h"
@@ -257,13 +258,6 @@ Plan plan_placements(const SceneDescription& description, Scene& scene) {
   }
   scene.objects.resize(objects.size());
   return plan;
-}
-
-Bounds3f bounds_of(const Geometry& geometry) {
-  Bounds3f bounds;
-  for (const Vec3f& p : geometry.positions) bounds.include(p);
-  for (const Sphere& sphere : geometry.spheres) bounds.include(bounds_of(sphere));
-  return bounds;
 }
 
 Bounds3f bounds_of(const Scene& scene, const Object& object) {

@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "renderer/math/bounds.h"
 #include "renderer/scene/compile_geometry.h"
 
 namespace candela {
@@ -17,13 +16,5 @@ inline constexpr char spheres_out_of_reach[] = "spheres that are not finite or t
                                                      const Transform& to_normalised,
                                                      std::uint32_t material, bool decides_cutouts,
                                                      DropCounts& dropped);
-
-// A little wider than the sphere, for rounding of what is tested against it.
-[[nodiscard]] inline Bounds3f bounds_of(const Sphere& sphere) {
-  constexpr float wider = 0x1p-20f;
-  const float reach = max_component(glm::abs(sphere.centre)) + sphere.radius;
-  const Vec3f half(sphere.radius + reach * wider);
-  return {sphere.centre - half, sphere.centre + half};
-}
 
 }  // namespace candela

@@ -10,6 +10,7 @@
 #include "renderer/accel/bvh_accel.h"
 #include "renderer/math/constants.h"
 #include "tests/scenes/description.h"
+#include "tests/scenes/exact_sphere.h"
 #include "tests/scenes/render_scene.h"
 #include "tests/scenes/soups.h"
 
@@ -113,6 +114,23 @@ TEST(Agreement_BackgroundPixels, NorAmongTrianglesAllAround) {
   EXPECT_GT(claimed, 30 * 24 * 24 / 10);
 }
 
+// Exact spheres and instances of them.
+TEST(Agreement_BackgroundPixels, NorAtExactSpheres) {
+  for (const bool are_instances : {false, true}) {
+    SceneDescription scene = balls(are_instances);
+    for (description::Mesh& mesh : scene.meshes) {
+      const auto materials = mesh.materials;
+      mesh = exact_sphere(0.3);
+      mesh.materials = materials;
+    }
+    scene.instances[1].object_to_world = at_place({0.9, -0.4, -1}, 1.5);
+    const Claim claim = checked(scene, settings_for(FilterKind::Box));
+    EXPECT_EQ(claim.wrong, 0);
+    EXPECT_GT(claim.claimed, 48 * 48 * 2 / 3);
+    EXPECT_LT(claim.missed, 48 * 48 / 12) << "instances: " << are_instances;
+  }
+}
+
 // A ground that passes below the camera and behind it hides what is below the horizon alone.
 TEST(Unit_BackgroundPixels, AGroundLeavesTheSky) {
   SceneDescription scene;
@@ -160,7 +178,8 @@ void expect_same_picture(const SceneDescription& description, const RenderSettin
   const RenderResult general = with_kernel(scene, settings, true);
   const RenderResult special = with_kernel(scene, settings, false);
   EXPECT_EQ(special.film.to_image(true).values, general.film.to_image(true).values);
-  EXPECT_EQ(special.statistics.splitting, general.statistics.splitting);
+  EXPECT_EQ(special.statistics.plan.splitting, general.statistics.plan.splitting);
+  EXPECT_EQ(special.statistics.plan.roulette_threshold, general.statistics.plan.roulette_threshold);
   ASSERT_TRUE(special.error && general.error);
   EXPECT_EQ(special.error->relmse, general.error->relmse);
   EXPECT_EQ(general.statistics.skipped.samples, 0u);
@@ -189,6 +208,7 @@ TEST(Agreement_BackgroundPixels, AdaptiveAndSplitPicturesToo) {
   RenderSettings settings = settings_for(FilterKind::Box, 64, 128);
   settings.options.adaptive = true;
   settings.options.splitting.reset();
+  settings.options.roulette_threshold.reset();
   settings.options.aovs = layers;
   expect_same_picture(balls(false), settings, true);
 }
