@@ -8,14 +8,9 @@
 
 #include "renderer/bsdf/bsdf.h"
 #include "renderer/bsdf/fresnel.h"
+#include "renderer/bsdf/layered_metal.h"
 
 namespace candela {
-
-// The layers as light meets them: widths as they are, 0 for smooth.
-struct CoatedMetalLayers {
-  float coat_alpha = 0;
-  float metal_alpha = 0;
-};
 
 class CoatedMetalTable {
  public:

@@ -1,6 +1,8 @@
 // The coated metal against light followed bounce by bounce.
 #include "renderer/bsdf/coated_conductor.h"
 
+#include <cstdlib>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -23,10 +25,15 @@ tests::LayeredSurface layers_of(double coat_alpha, double metal_alpha) {
           .metal_alpha = metal_alpha};
 }
 
+int walks() {
+  return std::getenv("CANDELA_HEAVY") != nullptr ? 1'000'000 : 100'000;
+}
+
 statistics::Moments walked(const tests::LayeredSurface& surface, double cos_o) {
   statistics::Moments moments;
-  for (std::uint64_t i = 0; i < 100'000; ++i) {
-    const tests::WalkEnd end = tests::walk_layers(surface, cos_o, i + 29);
+  for (int i = 0; i < walks(); ++i) {
+    const tests::WalkEnd end =
+        tests::walk_layers(surface, cos_o, static_cast<std::uint64_t>(i) + 29);
     moments.add(end.coat + end.below);
   }
   return moments;
@@ -34,8 +41,8 @@ statistics::Moments walked(const tests::LayeredSurface& surface, double cos_o) {
 
 statistics::Moments sampled(const Bsdf& bsdf, const Vec3f& wo) {
   statistics::Moments moments;
-  for (std::uint64_t i = 0; i < 100'000; ++i) {
-    const std::uint64_t bits = mix_bits(i + 3);
+  for (int i = 0; i < walks(); ++i) {
+    const std::uint64_t bits = mix_bits(static_cast<std::uint64_t>(i) + 3);
     const BsdfSample sample =
         sample_bsdf(bsdf, wo, unit_float(static_cast<std::uint32_t>(mix_bits(bits))),
                     {unit_float(static_cast<std::uint32_t>(bits)),
@@ -59,6 +66,9 @@ TEST(Agreement_CoatedConductor, AlbedoIsThatOfARandomWalk) {
         EXPECT_NEAR(found.mean(), expected.mean(), 0.02 * expected.mean() + 5 * error)
             << fmt::format("coat {} metal {} cosine {}", coat, metal, cos_o);
         differences.add(std::abs(found.mean() - expected.mean()) / expected.mean());
+        RecordProperty(fmt::format("coat {} metal {} cosine {}", coat, metal, cos_o),
+                       fmt::format("{:+.4f} +- {:.4f}", found.mean() / expected.mean() - 1,
+                                   error / expected.mean()));
       }
     }
   EXPECT_LT(differences.mean(), 0.01);
