@@ -48,11 +48,29 @@ std::string first_line(const std::string& text) {
   return text.empty() ? "its reader gave no reason" : text.substr(0, text.find('\n'));
 }
 
+// A file in memory. OpenImageIO's own lets files that point before their beginning be read there.
+class FileInMemory final : public OIIO::Filesystem::IOMemReader {
+ public:
+  explicit FileInMemory(const Bytes& bytes) : IOMemReader(bytes.data(), bytes.size()) {}
+
+  std::size_t pread(void* out, std::size_t size, std::int64_t offset) override {
+    return holds(offset) ? IOMemReader::pread(out, size, offset) : 0;
+  }
+  std::size_t read(void* out, std::size_t size) override {
+    return holds(tell()) ? IOMemReader::read(out, size) : 0;
+  }
+
+ private:
+  [[nodiscard]] bool holds(std::int64_t offset) {
+    return offset >= 0 && static_cast<std::uint64_t>(offset) <= this->size();
+  }
+};
+
 // An image file that is open in OpenImageIO, and the bytes it lies in.
 struct OpenImage {
   Bytes bytes;
   ImageFormat format = ImageFormat::Png;
-  std::unique_ptr<OIIO::Filesystem::IOMemReader> memory;
+  std::unique_ptr<FileInMemory> memory;
   std::unique_ptr<OIIO::ImageInput> input;
   ImageSpec spec;
 };
@@ -95,8 +113,7 @@ Result<OpenImage> open_image(ImageFormat format, Bytes bytes, const DecodeLimits
   OpenImage image;
   image.format = format;
   image.bytes = std::move(bytes);
-  image.memory =
-      std::make_unique<OIIO::Filesystem::IOMemReader>(image.bytes.data(), image.bytes.size());
+  image.memory = std::make_unique<FileInMemory>(image.bytes);
   image.input = OIIO::ImageInput::create(std::string(reader_of(format)));
   if (!image.input || !image.input->set_ioproxy(image.memory.get()))
     return failure(fmt::format("needs a {} reader, which OpenImageIO lacks", name_of(format)));
