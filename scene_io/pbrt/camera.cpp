@@ -32,8 +32,8 @@ std::optional<ScreenWindow> screen_window(Arguments& arguments) {
   arguments.ignore("frameaspectratio", "the picture's own is used");
   if (!parameter) return std::nullopt;
   const auto& n = parameter->numbers;
-  if (n.size() == 4 && n[0] != n[1] && n[2] != n[3]) return ScreenWindow{n[0], n[1], n[2], n[3]};
-  arguments.error(*parameter, "expected 4 numbers: left, right, bottom, top");
+  if (n.size() == 4 && n[0] < n[1] && n[2] < n[3]) return ScreenWindow{n[0], n[1], n[2], n[3]};
+  arguments.error(*parameter, "expected 4 numbers, left < right and bottom < top");
   return std::nullopt;
 }
 

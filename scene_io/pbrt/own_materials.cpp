@@ -1,5 +1,7 @@
 #include "scene_io/pbrt/own_materials.h"
 
+#include <limits>
+
 #include <fmt/format.h>
 
 #include "scene_io/pbrt/own_names.h"
@@ -20,10 +22,9 @@ class OwnModelReader {
     LabMaterial lab;
     lab.diffuse = reader_.reflectance("lab.diffuse", 1);
     lab.specular = reader_.reflectance("lab.specular", 0);
-    lab.alpha = number("lab.alpha", 1);
-    lab.shininess = number("lab.shininess", 0);
-    if (const auto opacity = reader_.textures.scalar(reader_.arguments, "lab.opacity"))
-      material.opacity = *opacity;
+    lab.alpha = number("lab.alpha", 0, 1).value_or(1);
+    lab.shininess = number("lab.shininess", 0, largest).value_or(0);
+    if (const auto opacity = share("lab.opacity")) material.opacity = *opacity;
     return lab;
   }
 
@@ -33,10 +34,9 @@ class OwnModelReader {
     CookTorranceMaterial m;
     m.diffuse = reader_.reflectance("cooktorrance.diffuse", 0.5);
     m.specular = reader_.reflectance("cooktorrance.specular", 0.5);
-    if (const auto width = reader_.textures.scalar(reader_.arguments, "cooktorrance.roughness"))
-      m.roughness = *width;
-    m.f0 = colour("cooktorrance.f0").value_or(m.f0);
-    m.ior = reader_.arguments.number("cooktorrance.ior");
+    if (const auto width = share("cooktorrance.roughness")) m.roughness = *width;
+    m.f0 = glm::min(colour("cooktorrance.f0").value_or(m.f0), Vec3d(1.0));
+    m.ior = number("cooktorrance.ior", 1, largest);
     const auto eta = colour("cooktorrance.eta");
     const auto k = colour("cooktorrance.k");
     if (eta && k) m.eta_k = {*eta, *k};
@@ -45,12 +45,32 @@ class OwnModelReader {
     if (reader_.arguments.string("cooktorrance.geometry") == own::smith)
       m.geometry = description::GeometryModel::Smith;
     m.energy_compensation = reader_.arguments.flag("energycompensation", false);
+    if (m.fresnel == description::FresnelModel::Exact && !m.ior && !m.eta_k)
+      refuse("cooktorrance.fresnel", "needs cooktorrance.ior, or cooktorrance.eta and .k");
+    if (m.energy_compensation && m.geometry != description::GeometryModel::Smith)
+      refuse("energycompensation", "needs \"string cooktorrance.geometry\" \"smith\"");
     return m;
   }
 
  private:
-  double number(std::string_view name, double otherwise) {
-    return reader_.arguments.number(name).value_or(otherwise);
+  static constexpr double largest = std::numeric_limits<double>::max();
+
+  void refuse(std::string_view name, std::string_view why) {
+    reader_.arguments.error(*reader_.arguments.find(name), why);
+  }
+  std::optional<double> number(std::string_view name, double low, double high) {
+    const auto number = reader_.arguments.number(name);
+    if (!number || (*number >= low && *number <= high)) return number;
+    refuse(name, high == largest ? fmt::format("is {}, expected at least {}", *number, low)
+                                 : fmt::format("is {}, expected {} to {}", *number, low, high));
+    return std::nullopt;
+  }
+  // By a number from 0 to 1 or a texture.
+  std::optional<description::ScalarInput> share(std::string_view name) {
+    const auto scalar = reader_.textures.scalar(reader_.arguments, name);
+    if (!scalar || (scalar->factor >= 0 && scalar->factor <= 1)) return scalar;
+    refuse(name, fmt::format("is {}, expected 0 to 1", scalar->factor));
+    return std::nullopt;
   }
   std::optional<Vec3d> colour(std::string_view name) {
     const Parameter* parameter = reader_.arguments.find(name, {ParameterType::Rgb});
