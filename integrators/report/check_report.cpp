@@ -51,6 +51,10 @@ struct ReflectsNothing {
   }
 };
 
+bool has_holes(const Material& material) {
+  return material.opacity.map || material.opacity.texture || material.opacity.factor != 1.0;
+}
+
 void check_material(const Material& material, Diagnostics& diagnostics) {
   const std::string_view unknown = std::visit(NameOfUnknownModel{}, material.model);
   if (!unknown.empty())
@@ -61,6 +65,11 @@ void check_material(const Material& material, Diagnostics& diagnostics) {
     diagnostics.error(material.span, fmt::format("material '{}' emits by a texture; the report "
                                                  "integrator knows lamps that emit evenly",
                                                  material.name));
+  if (material.emission != Vec3d(0.0) && has_holes(material))
+    diagnostics.error(material.span,
+                      fmt::format("material '{}' emits and has holes (opacity); light samples of "
+                                  "the report integrator would shine through them",
+                                  material.name));
   if (material.emission != Vec3d(0.0) && !std::visit(ReflectsNothing{}, material.model))
     diagnostics.warning(material.span,
                         fmt::format("material '{}' emits and reflects; in the report integrator "

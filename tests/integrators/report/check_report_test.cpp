@@ -68,6 +68,18 @@ TEST(Errors_ReportCheck, SpheresThatEmitAreRefused) {
             "error: this sphere emits; the report integrator knows lamps of triangles only\n");
 }
 
+TEST(Errors_ReportCheck, EmittersWithHolesAreRefused) {
+  description::SceneDescription scene = small_room();
+  const auto lamp = add_material(scene, diffuse(Vec3d(0.0)), Vec3d(1.0));
+  add_mesh(scene, sphere({0, 0, 0}, 0.1, 1), lamp);
+  EXPECT_EQ(sentences(scene), "");
+  scene.materials[lamp.index].name = "grid";
+  scene.materials[lamp.index].opacity.factor = 0.5;
+  EXPECT_EQ(sentences(scene),
+            "error: material 'grid' emits and has holes (opacity); light samples of the report "
+            "integrator would shine through them\n");
+}
+
 TEST(Errors_ReportCheck, EmittersThatReflectAreWarnedOf) {
   description::SceneDescription scene = small_room();
   scene.materials[0].emission = Vec3d(1.0);
