@@ -1,6 +1,7 @@
 #include "renderer/light/quad_light.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "renderer/math/float4.h"
@@ -57,7 +58,9 @@ std::optional<BilinearDensity> cosine_warp(const Light& light, const Vec3f& from
   const Float4 y = along(1);
   const Float4 z = along(2);
   const Float4 height = x * normal.x + y * normal.y + z * normal.z;
-  const Float4 cosine = height / square_root(x * x + y * y + z * z);
+  const Float4 distance2 = x * x + y * y + z * z;  // 0 where the receiver touches a corner
+  const Float4 cosine =
+      height / square_root(max(distance2, broadcast(std::numeric_limits<float>::min())));
   const float most = std::max(std::max(cosine[0], cosine[1]), std::max(cosine[2], cosine[3]));
   if (!(most > 0)) return std::nullopt;
   const float least = std::max(least_weight, least_share * most);

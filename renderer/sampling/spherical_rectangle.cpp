@@ -75,6 +75,7 @@ Turns angles_between(const EdgePlanes& a, const EdgePlanes& b) {
 
 SphericalRectangle make_spherical_rectangle(double x0, double y0, double x1, double y1,
                                             double height) {
+  if (!(height > 0)) return {};  // seen from its own plane, or from nowhere
   const EdgePlanes y = edge_planes(Double2{-y0, y1}, height);
   const EdgePlanes x = edge_planes(Double2{x1, -x0}, height);
   const Turns beside = angles_between(y, x);  // y0 and x1, y1 and x0
@@ -84,7 +85,6 @@ SphericalRectangle make_spherical_rectangle(double x0, double y0, double x1, dou
   const Turn at_x0 = beside.lane(1) * across.lane(1);
   const Turn excess = at_x0 * at_x1;  // of the four angles over 2 pi, by Girard's theorem
   const float angle = arc_tangent(static_cast<float>(excess.sin), static_cast<float>(excess.cos));
-  const bool is_seen = height > 0;
   return {.x0 = x0,
           .y0 = y0,
           .x1 = x1,
@@ -95,9 +95,7 @@ SphericalRectangle make_spherical_rectangle(double x0, double y0, double x1, dou
           .n2 = y.n[1],
           .cos_k = at_x0.cos,
           .sin_k = -at_x0.sin,
-          .solid_angle = !is_seen    ? 0.0f
-                         : angle < 0 ? angle + two_pi
-                                     : angle};
+          .solid_angle = angle < 0 ? angle + two_pi : angle};
 }
 
 // [Urena13, section 4.2], with the sine of what is sampled from its own square: 1 - cu^2 cancels.
