@@ -79,7 +79,10 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
                     const CancelFlag* cancel) {
   const Filter filter = make_filter(options);
   RenderOptions rounds = options;
-  if (scene.features.media) rounds.splitting = 1;  // branches.h
+  if (scene.features.media) {  // branches.h
+    rounds.splitting = 1;
+    if (!rounds.roulette_threshold) rounds.roulette_threshold = 1.0f;
+  }
   RenderResult result{Film(options.width, options.height, rendered_rect(options), options.aovs,
                            replicates_of(options)),
                       {},
@@ -90,13 +93,9 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
         const RoundsDone done =
             render_rounds(rounds, kernel.render_tile, result.film, progress, cancel);
         const TileCounts& counts = done.counts;
-        result.statistics = {counts.rays,
-                             counts.skipped,
-                             counts.invalid_samples,
-                             counts.first_invalid,
-                             kernel.name,
-                             done.splitting,
-                             done.stop};
+        result.statistics = {
+            counts.rays, counts.skipped, counts.invalid_samples, counts.first_invalid, kernel.name,
+            done.plan,   done.stop};
         result.error = done.error;
       },
       accelerator);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "integrators/path_plan.h"
 #include "integrators/sampling_strategy.h"
 #include "renderer/accel/any_accel.h"
 #include "renderer/base/progress.h"
@@ -51,8 +52,10 @@ struct RenderOptions {
   // then means over the picture. Needs replicates, and enough samples (render_rounds.cpp).
   bool adaptive = false;
   // path: how many paths go on from the first hit of each camera ray, up to max_splitting; none:
-  // what a trial finds best (choose_splitting.h).
+  // what a trial finds best (choose_path_plan.h).
   std::optional<int> splitting = 1;
+  // path: the throughput from which on Russian roulette ends no path, in (0, 1]; none: as above.
+  std::optional<float> roulette_threshold = 1.0f;
   // path: bounces as pbrt counts them: 0 sees emission only, 1 direct light, ...; none: no limit.
   // whitted: surfaces that a ray may meet, as the lab counts them; none: 5.
   std::optional<int> max_depth;
@@ -107,8 +110,8 @@ struct RenderStatistics {
   SkippedCounts skipped;
   std::uint64_t invalid_samples = 0;
   std::optional<InvalidSample> first_invalid;
-  std::string kernel;           // the instance that ran
-  std::uint32_t splitting = 1;  // the options', or what the trial found
+  std::string kernel;  // the instance that ran
+  PathPlan plan;       // the options', or what the trial found
   StopReason stop = StopReason::Samples;
 };
 

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "integrators/choose_splitting.h"
+#include "integrators/choose_path_plan.h"
 #include "integrators/rounds.h"
 #include "renderer/base/parallel.h"
 #include "renderer/film/tiles.h"
@@ -86,9 +86,8 @@ class Loop {
     std::optional<StopReason> stop;
     expect({});
     if (options_.integrator == IntegratorKind::Path)
-      splitting_ = options_.splitting ? static_cast<std::uint32_t>(*options_.splitting)
-                                      : choose_splitting(options_, render_tile_, cancel_);
-    result.splitting = splitting_;
+      plan_ = choose_path_plan(options_, render_tile_, cancel_);
+    result.plan = plan_;
     while (!stop) {
       if (pilot_samples_ > 0 && !pilot_)
         stop = render_pilot();
@@ -136,7 +135,7 @@ class Loop {
   }
 
   [[nodiscard]] TilePass pass_of(const SampleRange& range) const {
-    return {{}, range, nullptr, options_.seed, splitting_};
+    return {{}, range, nullptr, options_.seed, plan_};
   }
 
   // The picture so far, where there is a pilot.
@@ -221,7 +220,7 @@ class Loop {
   std::uint32_t pilot_samples_;
   std::optional<Pilot> pilot_;
   TileCounts counts_;
-  std::uint32_t splitting_ = 1;
+  PathPlan plan_;
   std::uint32_t done_ = 0;
   std::uint32_t error_samples_ = 0;  // a pixel, when the error was estimated
 };

@@ -11,7 +11,7 @@ namespace candela {
 struct RoundsDone {
   TileCounts counts;
   StopReason stop = StopReason::Samples;
-  std::uint32_t splitting = 1;
+  PathPlan plan;
   std::optional<ErrorEstimate> error;  // of the film as it is now
 };
 

@@ -1,6 +1,7 @@
 // What a pass takes of the pixels of a tile.
 #pragma once
 
+#include "integrators/path_plan.h"
 #include "integrators/rounds.h"
 #include "renderer/film/film.h"
 #include "renderer/film/sample_density.h"
@@ -12,7 +13,7 @@ struct TilePass {
   SampleRange range;                       // of each pixel; with a density: of the mean over all
   const SampleDensity* density = nullptr;  // null: all pixels get the same
   std::uint64_t seed = 0;
-  std::uint32_t splitting = 1;  // paths that go on from each first hit (path kernel)
+  PathPlan plan;  // of the path kernel
 
   // Half-open range of the pixel's own sample indices. Those of consecutive passes join.
   [[nodiscard]] SampleRange of_pixel(int x, int y) const {

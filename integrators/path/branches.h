@@ -1,6 +1,6 @@
 // Splitting [Arvo90]: from the first hit of a camera ray several paths go on, one after the other,
 // and count as their mean. What lies before, the camera ray and the light that comes straight from
-// lights, is paid once; it pays where that brings little of the noise (choose_splitting.h). Scenes
+// lights, is paid once; it pays where that brings little of the noise (choose_path_plan.h). Scenes
 // with media are not split: what a camera ray meets there is a matter of chance.
 #pragma once
 

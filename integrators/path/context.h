@@ -25,6 +25,7 @@ struct PathContext {
   const RenderOptions& options;
   std::uint32_t max_depth;                       // the largest number where there is no limit
   const BackgroundPixels* background = nullptr;  // null: of no pixel it is known
+  float inverse_roulette_threshold = 1;          // of the pass (path_plan.h)
 };
 
 template <class A>

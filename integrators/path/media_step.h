@@ -73,7 +73,8 @@ template <FeatureSet F, class A>
   path.is_delta = false;
   path.receiving_normal = Vec3f(0);
   ray = {place, next.wi, infinity};
-  return survives_roulette(numbers.roulette, bounce, path, highest_survival_in_media);
+  return survives_roulette(numbers.roulette, bounce, context.inverse_roulette_threshold, path,
+                           highest_survival_in_media);
 }
 
 // As step(); `medium`: around the path. `shadow_medium`: where the picked light's ray starts.

@@ -208,13 +208,13 @@ template <FeatureSet F>
 // refraction is taken out, since it comes back when the path leaves the glass [Pharr23,
 // section 14.5.4]. The survival probability stays below 1 so that paths end in closed white scenes
 // too, by little: light that leaves a trap (total reflection) in shares smaller than what roulette
-// takes would have no variance.
+// takes would have no variance. `inverse_threshold`: see PathPlan.
 inline constexpr std::uint32_t first_bounce_with_roulette = 2;
-[[nodiscard]] inline bool survives_roulette(float u, std::uint32_t bounce, PathState& path,
-                                            float highest_survival = 0.998f) {
+[[nodiscard]] inline bool survives_roulette(float u, std::uint32_t bounce, float inverse_threshold,
+                                            PathState& path, float highest_survival = 0.998f) {
   if (bounce < first_bounce_with_roulette) return true;
-  const float survival =
-      std::min(max_component(path.throughput) * path.eta_squared, highest_survival);
+  const float survival = std::min(
+      max_component(path.throughput) * path.eta_squared * inverse_threshold, highest_survival);
   if (!(u < survival)) return false;
   path.throughput /= survival;
   return true;
@@ -240,7 +240,8 @@ template <FeatureSet F, class A>
     picked.contribution *= path.throughput;
   }
   BsdfSample next = sample_direction<F>(context.options, numbers, bsdf, wo_local);
-  return scatter(point, next, ray, path) && survives_roulette(numbers.roulette, bounce, path);
+  return scatter(point, next, ray, path) &&
+         survives_roulette(numbers.roulette, bounce, context.inverse_roulette_threshold, path);
 }
 
 // In the plain kernel a body for each of the two models.

@@ -79,7 +79,9 @@ inline void add_background(const BackgroundPixels& background, const SampleRange
 
 // The samples of a pass, in order.
 template <FeatureSet F, class A>
-TileCounts render_tile(const PathContext<A>& context, const TilePass& pass, Film& film) {
+TileCounts render_tile(const PathContext<A>& of_render, const TilePass& pass, Film& film) {
+  PathContext<A> context = of_render;
+  context.inverse_roulette_threshold = 1 / pass.plan.roulette_threshold;
   const PixelRect& tile = pass.tile;
   TileCounts counts;
   PathBlock block;
@@ -95,8 +97,8 @@ TileCounts render_tile(const PathContext<A>& context, const TilePass& pass, Film
       const std::uint64_t rays_before = ray_cost(counts.rays);
       for (std::uint32_t base = range.first & ~(block_size - 1); base < range.end;
            base += block_size)
-        render_block<F>(context, pixel, x, y, base, lanes_in(base, range), pass.splitting, block,
-                        film, counts);
+        render_block<F>(context, pixel, x, y, base, lanes_in(base, range), pass.plan.splitting,
+                        block, film, counts);
       film.add_cost(x, y, static_cast<std::uint32_t>(ray_cost(counts.rays) - rays_before));
     }
   }

@@ -53,7 +53,8 @@ std::optional<RayLimit> measure(const Scene& scene, const A& accelerator,
                         {0, samples},
                         nullptr,
                         options.seed,
-                        static_cast<std::uint32_t>(options.splitting.value_or(1))};
+                        PathPlan{static_cast<std::uint32_t>(options.splitting.value_or(1)),
+                                 options.roulette_threshold.value_or(1.0f)}};
     recorder.rays().clear();
     recorded.render(recording, pass, film);
     const double start = thread_cpu_seconds();

@@ -34,6 +34,7 @@ TECHNIQUES = (  # a row is a line
     Technique("robust mode", {"robust": "off"}, same_picture=True),
     Technique("adaptive sampling", {"adaptive": "off"}),
     Technique("splitting at the first hit", {"splitting": 1}),
+    Technique("roulette by a trial (off: at any throughput)", {"roulette": 1}),
     Technique("Sobol points (off: plain random numbers)", {"sampler": "independent"}),
     Technique("no light samples for a constant sky", {"sky_samples": "on"}),
     Technique("two triangles as one lamp (off: apart)", {"light_sampling": "triangles"}),

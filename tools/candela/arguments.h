@@ -34,6 +34,12 @@ struct SplittingChoice {
   friend bool operator==(const SplittingChoice&, const SplittingChoice&) = default;
 };
 
+// --roulette: `auto` is said, too.
+struct RouletteChoice {
+  std::optional<float> threshold;
+  friend bool operator==(const RouletteChoice&, const RouletteChoice&) = default;
+};
+
 // What every command that reads a scene takes.
 struct SceneArguments {
   std::string path;
@@ -53,6 +59,7 @@ struct RenderArguments {
   std::optional<int> replicates;
   std::optional<bool> adaptive;
   std::optional<SplittingChoice> splitting;
+  std::optional<RouletteChoice> roulette;
   std::optional<double> clamp;
   std::optional<Size> size;
   double scale = 1.0;  // of the size

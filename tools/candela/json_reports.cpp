@@ -70,7 +70,8 @@ void add_options(Json& json, const RenderReport& report) {
   json["stop"] = stop_json(report);
   json["replicates"] = report.replicates;
   json["adaptive"] = options.adaptive;
-  json["splitting"] = report.statistics.splitting;
+  json["splitting"] = report.statistics.plan.splitting;
+  json["roulette"] = report.statistics.plan.roulette_threshold;
   json["biased"] = biases_of(options);
   json["max_depth"] = or_null(options.max_depth);
   if (is_lab_shading(options.integrator)) {

@@ -238,6 +238,15 @@ Result<SplittingChoice> parse_splitting(std::string_view text) {
   return SplittingChoice{paths};
 }
 
+Result<RouletteChoice> parse_roulette(std::string_view text) {
+  if (text == "auto") return RouletteChoice{};
+  const Result<double> threshold = parse_probability(text);
+  if (!threshold || *threshold < min_roulette_threshold)
+    return failure(fmt::format("expected a number from {} to 1 or 'auto', found '{}'",
+                               min_roulette_threshold, text));
+  return RouletteChoice{static_cast<float>(*threshold)};
+}
+
 Result<Vec3d> parse_rgb(std::string_view text) {
   const auto parts = split(text, ',');
   Vec3d colour{0.0};

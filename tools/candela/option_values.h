@@ -75,6 +75,7 @@ template <class T>
 // "5" or "none".
 [[nodiscard]] Result<DepthLimit> parse_depth_limit(std::string_view text);
 [[nodiscard]] Result<SplittingChoice> parse_splitting(std::string_view text);
+[[nodiscard]] Result<RouletteChoice> parse_roulette(std::string_view text);
 // "R,G,B", non-negative.
 [[nodiscard]] Result<Vec3d> parse_rgb(std::string_view text);
 // "albedo,normal".
@@ -85,5 +86,6 @@ template <class T>
 inline constexpr int max_side = 65536;
 inline constexpr int max_samples_per_pixel = 1 << 30;
 inline constexpr int max_replicates = 1024;
+inline constexpr double min_roulette_threshold = 1e-6;
 
 }  // namespace candela::cli

@@ -120,6 +120,8 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
             "Deal out the samples by a pilot: --spp is then the mean over the picture [on]");
   add_value(command, "--splitting", "N|auto", render.splitting, parse_splitting,
             "Paths that go on from the first hit of a camera ray [auto: what a trial finds best]");
+  add_value(command, "--roulette", "X|auto", render.roulette, parse_roulette,
+            "Throughput from which on no path is ended at random [auto: 1 or .5, by a trial]");
   add_value(command, "--clamp", "X", render.clamp, parse_positive_number,
             "Dim samples to X in their largest channel: less noise, less light (biased)");
   add_value(command, "--size", "WxH", render.size, parse_size,

@@ -121,6 +121,7 @@ void refuse_what_only_path_does(const RenderArguments& arguments, const RenderOp
   };
   refuse(options.adaptive, "--adaptive");
   refuse(arguments.splitting.has_value(), "--splitting");
+  refuse(arguments.roulette.has_value(), "--roulette");
   refuse(arguments.sampler.has_value(), "--sampler");
   refuse(arguments.samples_constant_sky.has_value(), "--sky-samples");
   refuse(arguments.light_sampling.has_value(), "--light-sampling");
@@ -159,6 +160,8 @@ void settle_stop_rules(const RenderArguments& arguments, RenderOptions& options)
                                                  options.replicates > 1);
   options.splitting.reset();
   if (arguments.splitting) options.splitting = arguments.splitting->paths;
+  options.roulette_threshold.reset();
+  if (arguments.roulette) options.roulette_threshold = arguments.roulette->threshold;
   options.use_general_kernel = arguments.uses_general_kernel;
   if (arguments.error_goal) options.target_relmse = *arguments.error_goal * *arguments.error_goal;
   if (arguments.relmse_goal)

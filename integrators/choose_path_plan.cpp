@@ -1,4 +1,4 @@
-#include "integrators/choose_splitting.h"
+#include "integrators/choose_path_plan.h"
 
 #include <algorithm>
 #include <vector>
@@ -13,8 +13,13 @@ namespace {
 
 constexpr std::uint32_t trial_replicates = 4;
 constexpr std::uint32_t trial_samples = 16;
-constexpr std::uint32_t trial_splitting = 4;  // of the second trial
+constexpr std::uint32_t trial_splitting = 4;  // of the second and the third trial
+constexpr float low_threshold = 0.5f;         // of the third
 constexpr int tile_size = 4;
+
+double sum_of(const Vec3d& v) {
+  return v.x + v.y + v.z;
+}
 
 // A trial of one tile: sums over its pixels and channels.
 struct Trial {
@@ -22,14 +27,6 @@ struct Trial {
   double variance = 0;  // of what a replicate holds
   double cost = 0;
 };
-
-Trial operator+(const Trial& a, const Trial& b) {
-  return {a.mean + b.mean, a.variance + b.variance, a.cost + b.cost};
-}
-
-double sum_of(const Vec3d& v) {
-  return v.x + v.y + v.z;
-}
 
 // In bounces: fitted to the times of twelve scenes with and without splitting (docs/decisions.md).
 // Samples that are skipped count as if they were not: whether they are must not change the picture.
@@ -55,14 +52,15 @@ Trial run_trial(const TilePass& pass, const RenderOptions& options,
   return trial;
 }
 
-// The same tile without and with splitting.
-struct TrialPair {
+// The same tile without and with splitting, and with splitting and a low roulette threshold.
+struct Trials {
   Trial whole;
   Trial split;
+  Trial patient;
 };
 
 // What relMSE weighs the tiles' variances by.
-double weight_of(const TrialPair& tile, double picture_mean) {
+double weight_of(const Trials& tile, double picture_mean) {
   const double mean = (tile.whole.mean + tile.split.mean) / 2;
   return 1 / (mean * mean + 1e-2 * picture_mean * picture_mean);
 }
@@ -77,34 +75,81 @@ double trimmed_sum(std::vector<double> values) {
   return sum;
 }
 
-// See choose_splitting.h for the letters.
-std::uint32_t best_splitting(const std::vector<TrialPair>& tiles) {
-  TrialPair all;
-  for (const TrialPair& tile : tiles) all = {all.whole + tile.whole, all.split + tile.split};
-  const double picture_mean =
-      (all.whole.mean + all.split.mean) / (2 * static_cast<double>(tiles.size()));
-  if (!(picture_mean > 0)) return 1;
-  std::vector<double> whole_errors, split_errors;
-  for (const TrialPair& tile : tiles) {
-    whole_errors.push_back(tile.whole.variance * weight_of(tile, picture_mean));
-    split_errors.push_back(tile.split.variance * weight_of(tile, picture_mean));
-  }
-  constexpr double k = trial_splitting;
-  const double whole_error = trimmed_sum(whole_errors);
-  const double b =
-      std::clamp((whole_error - trimmed_sum(split_errors)) * k / (k - 1), 0.0, whole_error);
-  const double a = whole_error - b;
-  const double c1 = (all.split.cost - all.whole.cost) / (k - 1);
-  const double c0 = all.whole.cost - c1;
+double weighted_error(const std::vector<Trials>& tiles, Trial Trials::*trial) {
+  double picture_mean = 0;
+  for (const Trials& tile : tiles) picture_mean += (tile.whole.mean + tile.split.mean) / 2;
+  picture_mean /= static_cast<double>(tiles.size());
+  if (!(picture_mean > 0)) return 0;
+  std::vector<double> errors;
+  for (const Trials& tile : tiles)
+    errors.push_back((tile.*trial).variance * weight_of(tile, picture_mean));
+  return trimmed_sum(std::move(errors));
+}
 
+double total_cost(const std::vector<Trials>& tiles, Trial Trials::*trial) {
+  double cost = 0;
+  for (const Trials& tile : tiles) cost += (tile.*trial).cost;
+  return cost;
+}
+
+// Of the camera samples, or of one path that goes on from each: variance and cost.
+struct Share {
+  double error = 0;
+  double cost = 0;
+};
+
+// See choose_path_plan.h for the letters.
+struct Model {
+  Share first;    // A, c0
+  Share onward;   // B, c1
+  Share patient;  // the same with the low threshold
+
+  // What a given error costs.
+  [[nodiscard]] double effort(const PathPlan& plan) const {
+    const Share& path = plan.roulette_threshold == low_threshold ? patient : onward;
+    const double k = plan.splitting;
+    return (first.error + path.error / k) * (first.cost + path.cost * k);
+  }
+};
+
+Model fit(const std::vector<Trials>& tiles) {
+  constexpr double k = trial_splitting;
+  const Share whole{weighted_error(tiles, &Trials::whole), total_cost(tiles, &Trials::whole)};
+  const Share split{weighted_error(tiles, &Trials::split), total_cost(tiles, &Trials::split)};
+  const Share patient{weighted_error(tiles, &Trials::patient), total_cost(tiles, &Trials::patient)};
+  Model model;
+  model.onward.error = std::clamp((whole.error - split.error) * k / (k - 1), 0.0, whole.error);
+  model.onward.cost = (split.cost - whole.cost) / (k - 1);
+  model.first = {whole.error - model.onward.error, whole.cost - model.onward.cost};
+  model.patient.error = std::max(patient.error - model.first.error, 0.0) * k;
+  model.patient.cost = (patient.cost - model.first.cost) / k;
+  return model;
+}
+
+// What the options leave open, the cheapest sample first.
+std::vector<PathPlan> plans_of(const RenderOptions& options) {
+  std::vector<PathPlan> plans;
+  for (const std::uint32_t splitting : {1u, 2u, 4u}) {
+    for (const float threshold : {1.0f, low_threshold}) {
+      PathPlan plan{splitting, threshold};
+      if (options.splitting) plan.splitting = static_cast<std::uint32_t>(*options.splitting);
+      if (options.roulette_threshold) plan.roulette_threshold = *options.roulette_threshold;
+      plans.push_back(plan);
+    }
+  }
+  return plans;
+}
+
+PathPlan best_plan(const std::vector<Trials>& tiles, const std::vector<PathPlan>& plans) {
   constexpr double least_gain = 1.05;
-  std::uint32_t best = 1;
-  double lowest = (a + b) * (c0 + c1) / least_gain;
-  for (const std::uint32_t splitting : {2u, 4u}) {
-    const double effort = (a + b / splitting) * (c0 + c1 * splitting);
+  const Model model = fit(tiles);
+  PathPlan best = plans.front();
+  double lowest = model.effort(best) / least_gain;
+  for (const PathPlan& plan : plans) {
+    const double effort = model.effort(plan);
     if (effort >= lowest) continue;
     lowest = effort;
-    best = splitting;
+    best = plan;
   }
   return best;
 }
@@ -130,22 +175,28 @@ PixelRect trial_tile(const RenderOptions& options, std::uint64_t seed, std::uint
 
 }  // namespace
 
-std::uint32_t choose_splitting(const RenderOptions& options, const TileFunction& render_tile,
-                               const CancelFlag* cancel) {
+PathPlan choose_path_plan(const RenderOptions& options, const TileFunction& render_tile,
+                          const CancelFlag* cancel) {
+  const std::vector<PathPlan> plans = plans_of(options);
+  if (options.splitting && options.roulette_threshold) return plans.front();
   const std::uint64_t seed = mix_bits(options.seed + 2);  // none that the picture uses
-  std::vector<TrialPair> tiles(trial_tiles(options));
-  if (tiles.empty()) return 1;
+  std::vector<Trials> tiles(trial_tiles(options));
+  if (tiles.empty()) return plans.front();
   parallel_for(tiles.size(), [&](std::size_t i) {
     if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return;
     TilePass pass;
     pass.tile = trial_tile(options, seed, static_cast<std::uint32_t>(i));
     pass.range = {0, trial_samples};
     pass.seed = seed;
+    pass.plan.roulette_threshold = plans.front().roulette_threshold;
     tiles[i].whole = run_trial(pass, options, render_tile);
-    pass.splitting = trial_splitting;
+    pass.plan.splitting = trial_splitting;
     tiles[i].split = run_trial(pass, options, render_tile);
+    if (options.roulette_threshold) return;
+    pass.plan.roulette_threshold = low_threshold;
+    tiles[i].patient = run_trial(pass, options, render_tile);
   });
-  return best_splitting(tiles);
+  return best_plan(tiles, plans);
 }
 
 }  // namespace candela

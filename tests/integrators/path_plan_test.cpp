@@ -1,5 +1,5 @@
-// Splitting at the first hit: right in expectation, the same bits, less noise, and chosen where it
-// pays.
+// Splitting at the first hit and the threshold of Russian roulette: right in expectation, the same
+// bits, less noise, and chosen where they pay.
 #include <gtest/gtest.h>
 
 #include "integrators/render.h"
@@ -39,27 +39,30 @@ RenderSettings split_settings(int size, int samples, std::optional<int> splittin
   return settings;
 }
 
-statistics::Moments means_over_seeds(const Scene& scene, int splitting,
+statistics::Moments means_over_seeds(const Scene& scene, const PathPlan& plan,
                                      std::optional<int> max_depth) {
   statistics::Moments means;
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
-    RenderSettings settings = split_settings(24, 20, splitting, seed);
+    RenderSettings settings = split_settings(24, 20, static_cast<int>(plan.splitting), seed);
+    settings.options.roulette_threshold = plan.roulette_threshold;
     settings.options.max_depth = max_depth;
     means.add(mean_of(picture(scene, settings)));
   }
   return means;
 }
 
-TEST(Statistical_Splitting, KeepsTheMean) {
+TEST(Statistical_PathPlan, KeepsTheMean) {
   for (const SceneDescription& description : {small_room(), room_of_kinds()})
     for (const std::optional<int> max_depth : {std::optional<int>(), std::optional(1)}) {
       const Scene scene = compiled(description, settings_of(24, 20).options);
-      const statistics::Moments whole = means_over_seeds(scene, 1, max_depth);
-      const statistics::Moments split = means_over_seeds(scene, 3, max_depth);
-      const double error = std::hypot(whole.standard_error(), split.standard_error());
-      EXPECT_LT(error, 0.02 * whole.mean());
-      EXPECT_LT(std::abs(split.mean() - whole.mean()) / error, 3)
-          << whole.mean() << " " << split.mean();
+      const statistics::Moments plain = means_over_seeds(scene, {1, 1}, max_depth);
+      for (const PathPlan& plan : {PathPlan{3, 1}, PathPlan{1, 0.25f}, PathPlan{2, 0.5f}}) {
+        const statistics::Moments planned = means_over_seeds(scene, plan, max_depth);
+        const double error = std::hypot(plain.standard_error(), planned.standard_error());
+        EXPECT_LT(error, 0.02 * plain.mean());
+        EXPECT_LT(std::abs(planned.mean() - plain.mean()) / error, 3)
+            << plain.mean() << " " << planned.mean();
+      }
     }
 }
 
@@ -84,14 +87,41 @@ TEST(Statistical_Splitting, LowersTheErrorThatIsStated) {
   EXPECT_GT(split.statistics.rays.indirect, 3 * whole.statistics.rays.indirect);
 }
 
+// In a closed box of albedo a, where a path's throughput is a^n, the n-th hit is the last with
+// probability 1 - a^n / t, once that is below 1: the rays that a path has are known.
+TEST(Statistical_PathPlan, PathsEndWhereTheThresholdSaysSo) {
+  const double albedo = 0.7;  // lamp_in_a_box()
+  for (const double threshold : {1.0, 0.5, 0.2}) {
+    RenderSettings settings = settings_of(32, 64);
+    settings.options.roulette_threshold = static_cast<float>(threshold);
+    const Scene scene = compiled(lamp_in_a_box(), settings.options);
+    const RayCounts rays = rendered(scene, settings).statistics.rays;
+    double expected = 0;
+    double alive = 1;
+    double throughput = 1;
+    for (int bounce = 0; bounce < 200; ++bounce) {  // leaving the hit of this number
+      throughput *= albedo;
+      if (bounce >= 2) {
+        const double survival = std::min(throughput / threshold, 0.998);
+        alive *= survival;
+        throughput /= survival;
+      }
+      expected += alive;
+    }
+    const double found = static_cast<double>(rays.indirect) / static_cast<double>(rays.camera);
+    EXPECT_NEAR(found, expected, 0.01 * expected) << threshold;
+  }
+}
+
 TEST(Agreement_Splitting, SameBitsOverThreadsTilesAndCrops) {
   for (const std::optional<int> splitting : {std::optional(4), std::optional<int>()}) {
     RenderSettings settings = split_settings(96, 84, splitting);
+    if (!splitting) settings.options.roulette_threshold.reset();
     settings.options.crop = PixelRect{10, 0, 34, 44};
     settings.options.aovs = aov_bit(Aov::Albedo) | aov_bit(Aov::Variance);
     const Scene scene = compiled(lamp_in_a_box(), settings.options);
     const RenderResult result = rendered(scene, settings);
-    EXPECT_GT(result.statistics.splitting, 1u);
+    EXPECT_GT(result.statistics.plan.splitting, 1u);
     const Image whole = result.film.to_image(true);
     settings.threads = 3;
     settings.options.tile_size = 7;
@@ -130,18 +160,60 @@ TEST(Agreement_Splitting, SameBitsOverKernelsAndCutBlocks) {
   EXPECT_LT(different, cut.pixel_count() / 50);  // hits at edges
 }
 
-std::uint32_t found_splitting(const SceneDescription& scene, RenderSettings settings) {
+PathPlan found_plan(const SceneDescription& scene, RenderSettings settings) {
   settings.options.splitting.reset();
+  settings.options.roulette_threshold.reset();
   settings.options.crop = PixelRect{0, 0, 4, 4};
-  return rendered(scene, settings).statistics.splitting;
+  return rendered(scene, settings).statistics.plan;
+}
+
+// Many small lamps before a black floor's few bright spots: all noise is in the choice of a lamp.
+SceneDescription floor_under_lamps() {
+  SceneDescription scene;
+  add_mesh(scene, quad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}),
+           add_material(scene, diffuse(Vec3d(0.9))));
+  const auto lamp = add_material(scene, diffuse(Vec3d(0.0)), Vec3d(100.0));
+  for (int i = 0; i < 64; ++i)
+    add_mesh(scene,
+             quad({-2 + 0.5 * (i % 8), 0.4, 2 - 0.5 * (i / 8.0)}, {0, 0, -0.02}, {0.02, 0, 0}),
+             lamp);
+  add_mesh(scene, quad({-2, 1, -2}, {4, 0, 0}, {0, 0, 4}),
+           add_material(scene, diffuse(Vec3d(0.9))));
+  set_camera(scene, {0, 0.7, 1.9}, {0, 0.2, 0}, 60);
+  return scene;
 }
 
 TEST(Unit_Splitting, IsChosenWhereItPays) {
-  EXPECT_EQ(found_splitting(lamp_in_a_box(), settings_of(96, 64)), 4u) << "light that bounces";
-  EXPECT_EQ(found_splitting(lamp_in_a_box(), settings_of(16, 64)), 1u) << "too small for a trial";
+  EXPECT_EQ(found_plan(lamp_in_a_box(), settings_of(96, 64)).splitting, 4u) << "light that bounces";
+  EXPECT_EQ(found_plan(lamp_in_a_box(), settings_of(16, 64)).splitting, 1u)
+      << "too small for a trial";
   RenderSettings emission_only = settings_of(96, 64);
   emission_only.options.max_depth = 0;
-  EXPECT_EQ(found_splitting(lamp_in_a_box(), emission_only), 1u) << "nothing to split";
+  EXPECT_EQ(found_plan(lamp_in_a_box(), emission_only).splitting, 1u) << "nothing to split";
+}
+
+TEST(Unit_RouletteThreshold, IsLowWhereLongPathsPay) {
+  EXPECT_EQ(found_plan(lamp_in_a_box(), settings_of(96, 64)).roulette_threshold, 0.5f)
+      << "light that bounces";
+  EXPECT_EQ(found_plan(floor_under_lamps(), settings_of(96, 64)).roulette_threshold, 1.0f)
+      << "noise of the first hit";
+  EXPECT_EQ(found_plan(lamp_in_a_box(), settings_of(16, 64)).roulette_threshold, 1.0f)
+      << "too small for a trial";
+}
+
+TEST(Unit_RouletteThreshold, WhatTheOptionsSayStays) {
+  RenderSettings settings = settings_of(96, 64);
+  settings.options.crop = PixelRect{0, 0, 4, 4};
+  settings.options.splitting.reset();
+  settings.options.roulette_threshold = 0.25f;
+  const PathPlan split = rendered(lamp_in_a_box(), settings).statistics.plan;
+  EXPECT_EQ(split.roulette_threshold, 0.25f);
+  EXPECT_EQ(split.splitting, 4u);
+  settings.options.splitting = 3;
+  settings.options.roulette_threshold.reset();
+  const PathPlan patient = rendered(lamp_in_a_box(), settings).statistics.plan;
+  EXPECT_EQ(patient.splitting, 3u);
+  EXPECT_EQ(patient.roulette_threshold, 0.5f);
 }
 
 }  // namespace

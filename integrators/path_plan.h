@@ -1,0 +1,15 @@
+// How the path kernel spends its effort: where paths multiply and where they end. Right in
+// expectation with any.
+#pragma once
+
+#include <cstdint>
+
+namespace candela {
+
+struct PathPlan {
+  std::uint32_t splitting = 1;  // paths that go on from each first hit
+  // Russian roulette ends no path whose throughput is at least this, in (0, 1].
+  float roulette_threshold = 1;
+};
+
+}  // namespace candela
