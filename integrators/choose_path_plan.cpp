@@ -100,24 +100,26 @@ struct Share {
 
 // See choose_path_plan.h for the letters.
 struct Model {
-  Share first;    // A, c0
-  Share onward;   // B, c1
-  Share patient;  // the same with the low threshold
+  float threshold = 1;  // of the first two trials
+  Share first;          // A, c0
+  Share onward;         // B, c1
+  Share patient;        // the same of the third trial
 
   // What a given error costs.
   [[nodiscard]] double effort(const PathPlan& plan) const {
-    const Share& path = plan.roulette_threshold == low_threshold ? patient : onward;
+    const Share& path = plan.roulette_threshold == threshold ? onward : patient;
     const double k = plan.splitting;
     return (first.error + path.error / k) * (first.cost + path.cost * k);
   }
 };
 
-Model fit(const std::vector<Trials>& tiles) {
+Model fit(const std::vector<Trials>& tiles, float threshold) {
   constexpr double k = trial_splitting;
   const Share whole{weighted_error(tiles, &Trials::whole), total_cost(tiles, &Trials::whole)};
   const Share split{weighted_error(tiles, &Trials::split), total_cost(tiles, &Trials::split)};
   const Share patient{weighted_error(tiles, &Trials::patient), total_cost(tiles, &Trials::patient)};
   Model model;
+  model.threshold = threshold;
   model.onward.error = std::clamp((whole.error - split.error) * k / (k - 1), 0.0, whole.error);
   model.onward.cost = (split.cost - whole.cost) / (k - 1);
   model.first = {whole.error - model.onward.error, whole.cost - model.onward.cost};
@@ -142,8 +144,8 @@ std::vector<PathPlan> plans_of(const RenderOptions& options) {
 
 PathPlan best_plan(const std::vector<Trials>& tiles, const std::vector<PathPlan>& plans) {
   constexpr double least_gain = 1.05;
-  const Model model = fit(tiles);
   PathPlan best = plans.front();
+  const Model model = fit(tiles, best.roulette_threshold);
   double lowest = model.effort(best) / least_gain;
   for (const PathPlan& plan : plans) {
     const double effort = model.effort(plan);

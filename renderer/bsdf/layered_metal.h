@@ -16,7 +16,7 @@ struct CoatedMetalLayers {
 
 // Of light from each of the cosines, in (0, 1], the shares that leave the coat from below. `bsdf`:
 // a coated conductor, of which index, thickness and count of bounces matter. Rows and columns of
-// the layers' operators are cosines; azimuths do not matter to isotropic layers [vandeHulst80].
+// the layers' operators are cosines; azimuths do not matter to isotropic layers [Hulst80].
 [[nodiscard]] std::vector<Vec3d> albedos_from_below(const Bsdf& bsdf,
                                                     const CoatedMetalLayers& layers,
                                                     const std::vector<double>& cosines);

@@ -205,10 +205,12 @@ TEST(Unit_RouletteThreshold, WhatTheOptionsSayStays) {
   RenderSettings settings = settings_of(96, 64);
   settings.options.crop = PixelRect{0, 0, 4, 4};
   settings.options.splitting.reset();
-  settings.options.roulette_threshold = 0.25f;
-  const PathPlan split = rendered(lamp_in_a_box(), settings).statistics.plan;
-  EXPECT_EQ(split.roulette_threshold, 0.25f);
-  EXPECT_EQ(split.splitting, 4u);
+  for (const float threshold : {0.25f, 0.5f}) {
+    settings.options.roulette_threshold = threshold;
+    const PathPlan split = rendered(lamp_in_a_box(), settings).statistics.plan;
+    EXPECT_EQ(split.roulette_threshold, threshold);
+    EXPECT_EQ(split.splitting, 4u);
+  }
   settings.options.splitting = 3;
   settings.options.roulette_threshold.reset();
   const PathPlan patient = rendered(lamp_in_a_box(), settings).statistics.plan;
