@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t trial_replicates = 4;
 constexpr std::uint32_t trial_samples = 16;
-constexpr std::uint32_t trial_splitting = 4;  // of the second and the third trial
+constexpr std::uint32_t trial_splitting = 4;  // of the second trial
 constexpr float low_threshold = 0.5f;         // of the third
 constexpr int tile_size = 4;
 
@@ -52,7 +52,7 @@ Trial run_trial(const TilePass& pass, const RenderOptions& options,
   return trial;
 }
 
-// The same tile without and with splitting, and with splitting and a low roulette threshold.
+// The same tile as it is, with splitting, and with a low roulette threshold.
 struct Trials {
   Trial whole;
   Trial split;
@@ -123,8 +123,8 @@ Model fit(const std::vector<Trials>& tiles, float threshold) {
   model.onward.error = std::clamp((whole.error - split.error) * k / (k - 1), 0.0, whole.error);
   model.onward.cost = (split.cost - whole.cost) / (k - 1);
   model.first = {whole.error - model.onward.error, whole.cost - model.onward.cost};
-  model.patient.error = std::max(patient.error - model.first.error, 0.0) * k;
-  model.patient.cost = (patient.cost - model.first.cost) / k;
+  model.patient.error = std::max(patient.error - model.first.error, 0.0);
+  model.patient.cost = patient.cost - model.first.cost;
   return model;
 }
 
@@ -192,11 +192,13 @@ PathPlan choose_path_plan(const RenderOptions& options, const TileFunction& rend
     pass.seed = seed;
     pass.plan.roulette_threshold = plans.front().roulette_threshold;
     tiles[i].whole = run_trial(pass, options, render_tile);
-    pass.plan.splitting = trial_splitting;
-    tiles[i].split = run_trial(pass, options, render_tile);
+    TilePass split = pass;
+    split.plan.splitting = trial_splitting;
+    tiles[i].split = run_trial(split, options, render_tile);
     if (options.roulette_threshold) return;
-    pass.plan.roulette_threshold = low_threshold;
-    tiles[i].patient = run_trial(pass, options, render_tile);
+    TilePass patient = pass;
+    patient.plan.roulette_threshold = low_threshold;
+    tiles[i].patient = run_trial(patient, options, render_tile);
   });
   return best_plan(tiles, plans);
 }

@@ -9,7 +9,7 @@ namespace candela {
 
 // With k paths from each first hit a camera sample's variance is A + B / k, and what it costs
 // c0 + c1 k: what comes before and with the first hit, and what after. A trial of a few tiles,
-// spread over the whole picture, with k = 1 and k = 4 tells all four; a third, with k = 4 and a
+// spread over the whole picture, with k = 1 and k = 4 tells all four; a third, with k = 1 and a
 // lower roulette threshold, B and c1 of that. What a given error costs, the product, is least at
 // k = sqrt(B / A * c0 / c1) [Rath22]; of 1, 2 and 4, with either threshold, the best is taken.
 // What the options fix stays; 1 and 1 where 3 % of the samples are too few for a trial, and where
