@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -102,14 +103,15 @@ SphericalRectangle make_spherical_rectangle(double x0, double y0, double x1, dou
 Vec2d SphericalRectangle::point(Vec2f u) const {
   const double angle = static_cast<double>(u.x) * static_cast<double>(solid_angle);
   const Turn au = turn_by(angle) * Turn{cos_k, sin_k};
-  const double f = (au.cos * n0 - n2) / au.sin;
-  const double aside = height / std::sqrt(std::max(f * f - m0 * m0, 0.0));
+  constexpr double tiny = std::numeric_limits<double>::min();  // in place of 0 below a fraction
+  const double f = (au.cos * n0 - n2) / (au.sin != 0 ? au.sin : tiny);
+  const double aside = height / std::sqrt(std::max(f * f - m0 * m0, tiny));
   const double x = std::min(std::max(x0, std::copysign(aside, f)), x1);
   const double d2 = x * x + height * height;
   const Double2 ys{y0, y1};
   const Double2 hs = ys / square_root(d2 + ys * ys);
   const double h = hs[0] + static_cast<double>(u.y) * (hs[1] - hs[0]);
-  const double y = h * std::sqrt(d2 / std::max((1 - h) * (1 + h), 0.0));
+  const double y = h * std::sqrt(d2 / std::max((1 - h) * (1 + h), tiny));
   return {x, std::min(std::max(y0, y), y1)};
 }
 

@@ -7,6 +7,8 @@ loses no more than 3 % on any scene.
 """
 
 import dataclasses
+import math
+import statistics
 
 import chosen_scenes
 import truth
@@ -113,14 +115,28 @@ def row(candela, name, scene, right, technique, pairs, common):
 
 
 def compared(on, off, same_picture):
-    """Ratios off / on: of CPU time by pairs, of error by medians, and of both together."""
+    """Ratios off / on: of CPU time by pairs, of error by medians, and of both together: of the
+    products of pairs the geometric mean, with twice its standard error, since what a trial chooses
+    may differ between the seeds, and with it time and error against each other."""
     cpu = spread(b.cpu_seconds / a.cpu_seconds for a, b in zip(on, off))
     wall = spread(b.seconds / a.seconds for a, b in zip(on, off))
-    error = 1.0 if same_picture else (spread(r.relmse for r in off).median
-                                      / spread(r.relmse for r in on).median)
-    return {"cpu": cpu.median, "cpu_low": cpu.low, "cpu_high": cpu.high, "wall": wall.median,
-            "relmse": error, "time_to_error": cpu.median * error,
-            "low": cpu.low * error, "high": cpu.high * error}
+    row = {"cpu": cpu.median, "cpu_low": cpu.low, "cpu_high": cpu.high, "wall": wall.median}
+    if same_picture:
+        return row | {"relmse": 1.0, "time_to_error": cpu.median, "low": cpu.low, "high": cpu.high}
+    error = spread(r.relmse for r in off).median / spread(r.relmse for r in on).median
+    mean, factor = with_factor([(b.cpu_seconds * b.relmse) / (a.cpu_seconds * a.relmse)
+                                for a, b in zip(on, off)])
+    return row | {"relmse": error, "time_to_error": mean, "low": mean / factor,
+                  "high": mean * factor}
+
+
+def with_factor(ratios):
+    """Geometric mean, and the factor by which it may be off."""
+    if min(ratios) <= 0:  # an error that is lost in the reference's
+        return statistics.median(ratios), math.inf
+    logs = [math.log(ratio) for ratio in ratios]
+    error = statistics.stdev(logs) / math.sqrt(len(logs)) if len(logs) > 1 else 0
+    return math.exp(statistics.fmean(logs)), math.exp(2 * error)
 
 
 def verdicts(rows):
