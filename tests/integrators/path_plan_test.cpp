@@ -87,8 +87,8 @@ TEST(Statistical_Splitting, LowersTheErrorThatIsStated) {
   EXPECT_GT(split.statistics.rays.indirect, 3 * whole.statistics.rays.indirect);
 }
 
-// In a closed box of albedo a, where a path's throughput is a^n, the n-th hit is the last with
-// probability 1 - a^n / t, once that is below 1: the rays that a path has are known.
+// In a closed box each hit multiplies the throughput by the albedo, and nothing but roulette ends a
+// path: the mean number of its rays is known.
 TEST(Statistical_PathPlan, PathsEndWhereTheThresholdSaysSo) {
   const double albedo = 0.7;  // lamp_in_a_box()
   for (const double threshold : {1.0, 0.5, 0.2}) {
@@ -167,16 +167,16 @@ PathPlan found_plan(const SceneDescription& scene, RenderSettings settings) {
   return rendered(scene, settings).statistics.plan;
 }
 
-// Many small lamps before a black floor's few bright spots: all noise is in the choice of a lamp.
+// Small lamps close above a floor: nearly all noise is in the choice of a lamp at the first hit.
 SceneDescription floor_under_lamps() {
   SceneDescription scene;
   add_mesh(scene, quad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}),
            add_material(scene, diffuse(Vec3d(0.9))));
   const auto lamp = add_material(scene, diffuse(Vec3d(0.0)), Vec3d(100.0));
-  for (int i = 0; i < 64; ++i)
-    add_mesh(scene,
-             quad({-2 + 0.5 * (i % 8), 0.4, 2 - 0.5 * (i / 8.0)}, {0, 0, -0.02}, {0.02, 0, 0}),
-             lamp);
+  for (int row = 0; row < 8; ++row)
+    for (int column = 0; column < 8; ++column)
+      add_mesh(scene, quad({-2 + 0.5 * column, 0.4, 2 - 0.5 * row}, {0, 0, -0.02}, {0.02, 0, 0}),
+               lamp);
   add_mesh(scene, quad({-2, 1, -2}, {4, 0, 0}, {0, 0, 4}),
            add_material(scene, diffuse(Vec3d(0.9))));
   set_camera(scene, {0, 0.7, 1.9}, {0, 0.2, 0}, 60);

@@ -52,6 +52,15 @@ TEST(Unit_PbrtOwnParameters, HeightsHaveTheScaleThatIsGiven) {
 TEST(Errors_PbrtOwnParameters, NameWhatTheyExpect) {
   EXPECT_EQ(pbrt_world_error("Material \"diffuse\" #candela: \"string model\" \"blob\"\n"),
             "2:30: 'model' expected lab, mirror or cooktorrance");
+  const std::string rough = "Material \"diffuse\" #candela: \"string model\" \"cooktorrance\" ";
+  EXPECT_EQ(pbrt_world_error(rough + "\"float cooktorrance.ior\" 0.5\n"),
+            "2:60: 'cooktorrance.ior' is 0.5, expected at least 1");
+  EXPECT_EQ(pbrt_world_error(rough + "\"float cooktorrance.roughness\" 2\n"),
+            "2:60: 'cooktorrance.roughness' is 2, expected 0 to 1");
+  EXPECT_EQ(pbrt_world_error(rough + "\"string cooktorrance.fresnel\" \"exact\"\n"),
+            "2:60: 'cooktorrance.fresnel' needs cooktorrance.ior, or cooktorrance.eta and .k");
+  EXPECT_EQ(pbrt_world_error(rough + "\"bool energycompensation\" true\n"),
+            "2:60: 'energycompensation' needs \"string cooktorrance.geometry\" \"smith\"");
   EXPECT_EQ(pbrt_world_error("LightSource \"infinite\" #candela: \"string cube\" \"a.png\"\n"),
             "2:34: 'cube' expected 6 image files");
 }

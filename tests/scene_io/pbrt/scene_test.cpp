@@ -131,6 +131,8 @@ TEST(Errors_PbrtFilm, WhatCannotBeHonouredIsNamed) {
             "1:13: the mitchell filter's B is 0.333 here");
   EXPECT_EQ(pbrt_error("Film \"rgb\" \"integer xresolution\" 0\nWorldBegin"),
             "1:12: 'xresolution' is 0, expected 1 to 65536");
+  EXPECT_EQ(pbrt_error("Camera \"perspective\" \"float screenwindow\" [ 1 -1 -1 1 ]\nWorldBegin"),
+            "1:22: 'screenwindow' expected 4 numbers, left < right and bottom < top");
   EXPECT_EQ(pbrt_error("Scale 1 1 0\nCamera \"perspective\"\nWorldBegin"),
             "2:8: the camera's transform is singular");
 }
