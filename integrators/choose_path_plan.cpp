@@ -17,10 +17,6 @@ constexpr std::uint32_t trial_splitting = 4;  // of the second trial
 constexpr float low_threshold = 0.5f;         // of the third
 constexpr int tile_size = 4;
 
-double sum_of(const Vec3d& v) {
-  return v.x + v.y + v.z;
-}
-
 // A trial of one tile: sums over its pixels and channels.
 struct Trial {
   double mean = 0;
@@ -42,11 +38,11 @@ Trial run_trial(const TilePass& pass, const RenderOptions& options,
   trial.cost = cost_of(render_tile(pass, film));
   for (std::size_t i = 0; i < film.pixel_count(); ++i) {
     const Vec3d mean = film.mean(i);
-    trial.mean += sum_of(mean);
+    trial.mean += sum_of_components(mean);
     for (std::uint32_t r = 0; r < trial_replicates; ++r) {
       const Vec3d off =
           film.replicate_sum(i, r) / static_cast<double>(film.samples_of_replicate(i, r)) - mean;
-      trial.variance += sum_of(off * off) / (trial_replicates - 1);
+      trial.variance += sum_of_components(off * off) / (trial_replicates - 1);
     }
   }
   return trial;

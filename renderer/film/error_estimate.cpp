@@ -23,10 +23,6 @@ double inverse_square(double estimate, double variance, double epsilon) {
   return (1 - std::clamp(0.5 * curvature * variance, -most, most)) / sum;
 }
 
-double sum_of(const Vec3d& v) {
-  return v.x + v.y + v.z;
-}
-
 // What stands for the reference in a pixel, and its variance.
 struct Level {
   Vec3d mean{0.0};
@@ -49,7 +45,7 @@ Level level_of(const NeighbourLevel& near, const Vec3d& own, double own_share, d
     level.variance[c] = (1 - trust) * (1 - trust) * near.noise[c];
   }
   constexpr double much = 0.3;  // variance over level: at twice that nothing else counts
-  const double noise = sum_of(level.variance / (level.mean * level.mean + epsilon)) / 3;
+  const double noise = sum_of_components(level.variance / (level.mean * level.mean + epsilon)) / 3;
   const double blend = std::clamp(noise / much - 1, 0.0, 1.0);
   return {mix(level.mean, near.wide_mean, blend), level.variance * (1 - blend) * (1 - blend)};
 }
@@ -93,7 +89,7 @@ double relative_error(const Film& film, std::size_t i, const NeighbourLevel& nea
 
 double mean_radiance(const Film& film) {
   double sum = 0;
-  for (std::size_t i = 0; i < film.pixel_count(); ++i) sum += sum_of(film.mean(i));
+  for (std::size_t i = 0; i < film.pixel_count(); ++i) sum += sum_of_components(film.mean(i));
   return sum / (3.0 * static_cast<double>(film.pixel_count()));
 }
 

@@ -8,16 +8,12 @@
 namespace candela {
 namespace {
 
-double sum_of(const Vec3d& v) {
-  return v.x + v.y + v.z;
-}
-
 // The light of a pixel or a region, by replicate.
 using Shares = std::vector<double>;
 
 void add_pixel(const Film& film, std::size_t i, Shares& shares) {
   for (std::uint32_t r = 0; r < film.replicates(); ++r)
-    shares[r] += sum_of(film.replicate_sum(i, r));
+    shares[r] += sum_of_components(film.replicate_sum(i, r));
 }
 
 // Whether one replicate holds far more than its share of the samples: of four, half of all.

@@ -13,7 +13,7 @@ constexpr int wide_radius = 4;    // those near by
 constexpr int margin = std::max(search_radius + 2 * patch_radius, wide_radius);
 
 double grey(const Vec3d& v) {
-  return (v.x + v.y + v.z) / 3;
+  return sum_of_components(v) / 3;
 }
 
 // The block and a margin around it; beyond the picture's edge its last pixels are repeated, and do

@@ -48,6 +48,10 @@ using glm::normalize;
   return std::min({v.x, v.y, v.z});
 }
 
+[[nodiscard]] inline double sum_of_components(const Vec3d& v) {
+  return v.x + v.y + v.z;
+}
+
 [[nodiscard]] inline bool is_finite(const Vec3f& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
