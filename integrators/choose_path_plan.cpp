@@ -33,7 +33,7 @@ double cost_of(const TileCounts& counts) {
 
 Trial run_trial(const TilePass& pass, const RenderOptions& options,
                 const TileFunction& render_tile) {
-  Film film(options.width, options.height, pass.tile, 0, trial_replicates);
+  Film film(options.width, options.height, pass.tile, 0, trial_replicates, film_balance(options));
   Trial trial;
   trial.cost = cost_of(render_tile(pass, film));
   for (std::size_t i = 0; i < film.pixel_count(); ++i) {

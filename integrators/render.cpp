@@ -13,6 +13,7 @@
 #include "integrators/report/check_report.h"
 #include "integrators/report/report_context.h"
 #include "integrators/whitted/kernels.h"
+#include "renderer/math/white_balance.h"
 
 namespace candela {
 namespace {
@@ -84,7 +85,7 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
     if (!rounds.roulette_threshold) rounds.roulette_threshold = 1.0f;
   }
   RenderResult result{Film(options.width, options.height, rendered_rect(options), options.aovs,
-                           replicates_of(options)),
+                           replicates_of(options), film_balance(options)),
                       {},
                       {}};
   std::visit(
@@ -132,6 +133,11 @@ std::string kernel_name(const Scene& scene, const RenderOptions& options) {
       return "report";
   }
   return "";
+}
+
+std::optional<Mat3d> film_balance(const RenderOptions& options) {
+  if (!options.white_balance_kelvins) return std::nullopt;
+  return white_balance(*options.white_balance_kelvins);
 }
 
 CompileOptions compile_options(const RenderOptions& options) {

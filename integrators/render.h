@@ -81,6 +81,8 @@ struct RenderOptions {
   bool use_general_kernel = false;  // whatever the scene's features are
   int tile_size = 16;
   float report_p_rr = 0.8f;  // Report: the probability P_RR to go on, in (0, 1]
+  // The film shows daylight of so many kelvins as white (math/white_balance.h); none: no balance.
+  std::optional<double> white_balance_kelvins;
   // Samples are dimmed to this in their largest channel. Biased: takes light away.
   float clamp = std::numeric_limits<float>::infinity();
 };
@@ -126,6 +128,9 @@ struct RenderResult {
 [[nodiscard]] RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
                                   const RenderOptions& options, ProgressSink* progress,
                                   const CancelFlag* cancel);
+
+// What the radiance of samples is multiplied by where it enters a film.
+[[nodiscard]] std::optional<Mat3d> film_balance(const RenderOptions& options);
 
 // What compile() must do for a render with these options.
 [[nodiscard]] CompileOptions compile_options(const RenderOptions& options);

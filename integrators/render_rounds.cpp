@@ -111,7 +111,8 @@ class Loop {
   // The first samples of all pixels, from random numbers of their own.
   std::optional<StopReason> render_pilot() {
     const PixelRect whole{0, 0, options_.width, options_.height};
-    Film film(options_.width, options_.height, whole, film_.aovs(), film_.replicates());
+    Film film(options_.width, options_.height, whole, film_.aovs(), film_.replicates(),
+              film_balance(options_));
     const auto stop = render_passes(pilot_samples_, {}, [&](const SampleRange& range) {
       render_pass(tiles_of(whole, options_.tile_size), pass_of(range), film);
     });

@@ -302,6 +302,8 @@ struct RenderDefaults {
   std::optional<CropWindow> crop;
   std::optional<std::uint64_t> seed;
   std::optional<double> exposure;
+  // Kelvins of the daylight that the film shows as white; none: colours stay as they are.
+  std::optional<double> white_balance_kelvins;
 };
 
 struct SceneDescription {

@@ -9,13 +9,6 @@
 namespace candela::description {
 namespace {
 
-bool is_environment(const Light& light) {
-  return std::holds_alternative<ConstantEnvironment>(light.kind) ||
-         std::holds_alternative<CubeEnvironment>(light.kind) ||
-         std::holds_alternative<LatLongEnvironment>(light.kind) ||
-         std::holds_alternative<EqualAreaEnvironment>(light.kind);
-}
-
 bool has_area(const std::array<Vec3d, 3>& vertices) {
   const Vec3d a = vertices[1] - vertices[0];
   const Vec3d b = vertices[2] - vertices[0];
@@ -133,20 +126,48 @@ struct Brightness {
   Vec3d operator()(const EqualAreaEnvironment& light) const { return light.scale; }
 };
 
+// Of environments.
+struct Visibility {
+  bool operator()(const ConstantEnvironment& light) const { return light.is_seen_by_camera; }
+  bool operator()(const LatLongEnvironment& light) const { return light.is_seen_by_camera; }
+  bool operator()(const EqualAreaEnvironment& light) const { return light.is_seen_by_camera; }
+  template <class Other>
+  bool operator()(const Other&) const {
+    return true;
+  }
+};
+
+// Several are added up to one, which cameras see or not.
+void check_environments(const SceneDescription& scene, Diagnostics& diagnostics) {
+  const Light* first = nullptr;
+  for (const Light& light : scene.lights) {
+    if (!is_environment(light) || is_black(light)) continue;
+    if (!first) first = &light;
+    const bool is_seen = std::visit(Visibility{}, light.kind);
+    if (is_seen != std::visit(Visibility{}, first->kind))
+      diagnostics.error(light.span,
+                        fmt::format("this environment is {}seen by cameras, unlike the first: "
+                                    "several are added up, expected all to be seen or none",
+                                    is_seen ? "" : "not "));
+  }
+}
+
 }  // namespace
+
+bool is_environment(const Light& light) {
+  return std::holds_alternative<ConstantEnvironment>(light.kind) ||
+         std::holds_alternative<CubeEnvironment>(light.kind) ||
+         std::holds_alternative<LatLongEnvironment>(light.kind) ||
+         std::holds_alternative<EqualAreaEnvironment>(light.kind);
+}
 
 bool is_black(const Light& light) {
   return std::visit(Brightness{}, light.kind) == Vec3d(0.0);
 }
 
 void check_lights(const SceneDescription& scene, Diagnostics& diagnostics) {
-  const Light* environment = nullptr;
-  for (const Light& light : scene.lights) {
-    std::visit(Check(scene, light, diagnostics), light.kind);
-    if (!is_environment(light)) continue;
-    if (environment) diagnostics.error(light.span, "a second environment, expected at most one");
-    environment = &light;
-  }
+  for (const Light& light : scene.lights) std::visit(Check(scene, light, diagnostics), light.kind);
+  check_environments(scene, diagnostics);
 }
 
 }  // namespace candela::description

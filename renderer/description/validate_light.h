@@ -6,8 +6,12 @@
 
 namespace candela::description {
 
-// Numbers finite, none negative, directions unit, triangles with an area, at most one environment.
+// Numbers finite, none negative, directions unit, triangles with an area, environments seen by
+// cameras either all or none.
 void check_lights(const SceneDescription& scene, Diagnostics& diagnostics);
+
+// Light from infinitely far away, from everywhere.
+[[nodiscard]] bool is_environment(const Light& light);
 
 // Sends out nothing, whatever is around it.
 [[nodiscard]] bool is_black(const Light& light);

@@ -122,7 +122,7 @@ class Check {
     widths(conductor.roughness, conductor.roughness_across, "the roughness");
   }
   void operator()(const DielectricMaterial& glass) const {
-    at_least(glass.ior, 1, "the refractive index");
+    at_least(glass.ior, glass.is_thin ? 1 : least_ior, "the refractive index");
     widths(glass.roughness, glass.roughness_across, "the roughness");
     colour(glass.transmittance, "the transmittance");
   }

@@ -11,12 +11,14 @@ constexpr AovSet first_hit_aovs = aov_bit(Aov::Albedo) | aov_bit(Aov::Normal) |
 
 }  // namespace
 
-Film::Film(int full_width, int full_height, PixelRect crop, AovSet aovs, std::uint32_t replicates)
+Film::Film(int full_width, int full_height, PixelRect crop, AovSet aovs, std::uint32_t replicates,
+           const std::optional<Mat3d>& balance)
     : full_width_(full_width),
       full_height_(full_height),
       crop_(crop),
       aovs_(aovs),
-      replicates_(replicates) {
+      replicates_(replicates),
+      balance_(balance) {
   const auto count =
       static_cast<std::size_t>(crop.width()) * static_cast<std::size_t>(crop.height());
   pixels_.resize(count);
@@ -32,8 +34,9 @@ std::size_t Film::index(int x, int y) const {
 void Film::add(int x, int y, const FilmSample& sample) {
   const std::size_t i = index(x, y);
   Pixel& pixel = pixels_[i];
+  const Vec3d radiance(sample.radiance);
   sums_[i * replicates_ + pixel.samples % replicates_] +=
-      Vec3d(sample.radiance) * double{sample.weight};
+      (balance_ ? *balance_ * radiance : radiance) * double{sample.weight};
   pixel.alpha += static_cast<double>(sample.alpha);
   ++pixel.samples;
   if (aov_pixels_.empty() || !sample.has_hit) return;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "renderer/image/image.h"
@@ -55,8 +56,11 @@ class Film {
  public:
   Film() = default;
   // `replicates`: at least 1. Sample s of a pixel belongs to replicate s mod `replicates`, whose
-  // samples are independent of those of the others (sampler.h: PixelSampler).
-  Film(int full_width, int full_height, PixelRect crop, AovSet aovs, std::uint32_t replicates = 1);
+  // samples are independent of those of the others (sampler.h: PixelSampler). `balance` is what the
+  // radiance of each sample is multiplied by (math/white_balance.h), so that all that is known of
+  // the error is of the colours that the picture has; saturated ones may get negative parts.
+  Film(int full_width, int full_height, PixelRect crop, AovSet aovs, std::uint32_t replicates = 1,
+       const std::optional<Mat3d>& balance = {});
 
   // Adds the next sample of a pixel; calls for one pixel come in order of the sample index and from
   // one thread at a time. Coordinates of the full picture. Non-finite or negative radiance must not
@@ -127,6 +131,7 @@ class Film {
   std::vector<Pixel> pixels_;
   std::vector<Vec3d> sums_;  // of radiance: `replicates_` a pixel
   std::vector<AovPixel> aov_pixels_;
+  std::optional<Mat3d> balance_;
 };
 
 }  // namespace candela

@@ -28,13 +28,18 @@ struct Face {
   }
 };
 
+Face face_of(TextureHandle texture, const TextureStore& textures) {
+  const TextureInfo& info = textures.info(texture);
+  return {texture, static_cast<std::uint32_t>(info.width), static_cast<std::uint32_t>(info.height),
+          false};
+}
+
 Face add_face(description::Image image, description::Wrap wrap, TextureStore& textures,
               Diagnostics& diagnostics) {
   image.wrap = wrap;
-  const TextureHandle texture = textures.add(image, diagnostics);
-  const TextureInfo& info = textures.info(texture);
-  return {texture, static_cast<std::uint32_t>(info.width), static_cast<std::uint32_t>(info.height),
-          wrap == description::Wrap::Repeat};
+  Face face = face_of(textures.add(image, diagnostics), textures);
+  face.columns_wrap = wrap == description::Wrap::Repeat;
+  return face;
 }
 
 // As many cells as texels, or fewer of the same shape: the table takes no more memory than the map.
@@ -114,11 +119,34 @@ std::array<Vec3f, 3> orthonormal_rows(const Mat3d& world_from_map) {
   return {Vec3f(x), Vec3f(y), Vec3f(z)};
 }
 
-// Of one image, whose cells have `solid_angle(row, size)`.
-template <class Map, class SolidAngle>
+double cell_solid_angle(EnvironmentMapping mapping, std::uint32_t row, GridSize size) {
+  if (mapping == EnvironmentMapping::EqualArea)
+    return 4 * pi_double / (static_cast<double>(size.columns) * size.rows);
+  return 4 * pi_double / size.columns * std::sin(pi_double * (row + 0.5) / size.rows) *
+         std::sin(0.5 * pi_double / size.rows);
+}
+
+// Sets what follows from the one image of an environment that has its mapping and scale. Returns
+// the number of invalid texels.
+std::uint64_t set_map(Environment& environment, const Face& face, const TextureStore& textures,
+                      std::size_t max_cells) {
+  environment.faces[0] = face.texture;
+  environment.half_texel[0] = face.half_texel();
+  const GridSize size = grid_size(face, textures, max_cells);
+  const auto solid_angle = [&](std::uint32_t /*column*/, std::uint32_t row) {
+    return cell_solid_angle(environment.mapping, row, size);
+  };
+  GridDistributionBuilder grid(size.columns, size.rows);
+  const std::uint64_t invalid = set_rows(textures, face, size, 0, solid_angle, grid);
+  set_distribution(environment, std::move(grid));
+  return invalid;
+}
+
+// Of one image.
+template <class Map>
 Environment build_map(const Map& map, EnvironmentMapping mapping, description::Wrap wrap,
-                      const SolidAngle& solid_angle, std::span<const description::Image> images,
-                      TextureStore& textures, Diagnostics& diagnostics, std::size_t max_cells) {
+                      std::span<const description::Image> images, TextureStore& textures,
+                      Diagnostics& diagnostics, std::size_t max_cells) {
   Environment environment;
   environment.mapping = mapping;
   environment.is_seen_by_camera = map.is_seen_by_camera;
@@ -126,16 +154,13 @@ Environment build_map(const Map& map, EnvironmentMapping mapping, description::W
   environment.map_from_world = orthonormal_rows(map.world_from_map);
   const description::Image& image = images[map.image.index];
   const Face face = add_face(image, wrap, textures, diagnostics);
-  environment.faces[0] = face.texture;
-  environment.half_texel[0] = face.half_texel();
-  const GridSize size = grid_size(face, textures, max_cells);
-  const auto cell_solid_angle = [&](std::uint32_t /*column*/, std::uint32_t row) {
-    return solid_angle(row, size);
-  };
-  GridDistributionBuilder grid(size.columns, size.rows);
-  const std::uint64_t invalid = set_rows(textures, face, size, 0, cell_solid_angle, grid);
+  if (mapping == EnvironmentMapping::EqualArea && face.width != face.height)
+    diagnostics.warning(image.span,
+                        fmt::format("'{}' is {} x {}: maps of equal areas are square, those twice "
+                                    "as wide as high hold latitudes and longitudes",
+                                    textures.path(face.texture), face.width, face.height));
+  const std::uint64_t invalid = set_map(environment, face, textures, max_cells);
   warn_of_invalid(textures, face, image.span, invalid, diagnostics);
-  set_distribution(environment, std::move(grid));
   return environment;
 }
 
@@ -181,22 +206,28 @@ Environment build_environment(const description::CubeEnvironment& cube,
 Environment build_environment(const description::LatLongEnvironment& map,
                               std::span<const description::Image> images, TextureStore& textures,
                               Diagnostics& diagnostics, std::size_t max_cells) {
-  const auto solid_angle = [](std::uint32_t row, GridSize size) {
-    return 4 * pi_double / size.columns * std::sin(pi_double * (row + 0.5) / size.rows) *
-           std::sin(0.5 * pi_double / size.rows);
-  };
-  return build_map(map, EnvironmentMapping::LatLong, description::Wrap::Repeat, solid_angle, images,
-                   textures, diagnostics, max_cells);
+  return build_map(map, EnvironmentMapping::LatLong, description::Wrap::Repeat, images, textures,
+                   diagnostics, max_cells);
 }
 
 Environment build_environment(const description::EqualAreaEnvironment& map,
                               std::span<const description::Image> images, TextureStore& textures,
                               Diagnostics& diagnostics, std::size_t max_cells) {
-  const auto solid_angle = [](std::uint32_t /*row*/, GridSize size) {
-    return 4 * pi_double / (static_cast<double>(size.columns) * size.rows);
-  };
-  return build_map(map, EnvironmentMapping::EqualArea, description::Wrap::Clamp, solid_angle,
-                   images, textures, diagnostics, max_cells);
+  return build_map(map, EnvironmentMapping::EqualArea, description::Wrap::Clamp, images, textures,
+                   diagnostics, max_cells);
+}
+
+Environment build_environment(EnvironmentMapping mapping, TextureHandle map,
+                              const std::array<Vec3f, 3>& map_from_world,
+                              const TextureStore& textures, std::size_t max_cells) {
+  Environment environment;
+  environment.mapping = mapping;
+  environment.scale = Rgb(1);
+  environment.map_from_world = map_from_world;
+  Face face = face_of(map, textures);
+  face.columns_wrap = mapping == EnvironmentMapping::LatLong;
+  set_map(environment, face, textures, max_cells);
+  return environment;
 }
 
 }  // namespace candela

@@ -33,4 +33,11 @@ inline constexpr std::size_t default_environment_cells = std::size_t{2048} * 102
                                             TextureStore& textures, Diagnostics& diagnostics,
                                             std::size_t max_cells = default_environment_cells);
 
+// Of a map that is in the store, with a scale of 1: a latitude-longitude one that repeats, or an
+// equal-area one that is clamped.
+[[nodiscard]] Environment build_environment(EnvironmentMapping mapping, TextureHandle map,
+                                            const std::array<Vec3f, 3>& map_from_world,
+                                            const TextureStore& textures,
+                                            std::size_t max_cells = default_environment_cells);
+
 }  // namespace candela

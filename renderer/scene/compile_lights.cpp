@@ -4,9 +4,9 @@
 #include <optional>
 #include <tuple>
 
-#include "renderer/light/build_environment.h"
 #include "renderer/light/light_power.h"
 #include "renderer/light/make_light.h"
+#include "renderer/scene/compile_environment.h"
 #include "renderer/scene/compile_image_lights.h"
 #include "renderer/scene/compile_quad_lights.h"
 
@@ -83,30 +83,6 @@ struct DeltaLightCompiler {
   }
 };
 
-// The environment of a kind; nothing for other lights.
-struct EnvironmentCompiler {
-  const SceneDescription& description;
-  TextureStore& textures;
-  Diagnostics& diagnostics;
-
-  std::optional<Environment> operator()(const description::ConstantEnvironment& light) const {
-    return build_environment(light);
-  }
-  std::optional<Environment> operator()(const description::CubeEnvironment& light) const {
-    return build_environment(light, description.images, textures, diagnostics);
-  }
-  std::optional<Environment> operator()(const description::LatLongEnvironment& light) const {
-    return build_environment(light, description.images, textures, diagnostics);
-  }
-  std::optional<Environment> operator()(const description::EqualAreaEnvironment& light) const {
-    return build_environment(light, description.images, textures, diagnostics);
-  }
-  template <class Other>
-  std::optional<Environment> operator()(const Other&) const {
-    return std::nullopt;
-  }
-};
-
 void add_delta_lights(const SceneDescription& description, Scene& scene, DropCounts& dropped,
                       Diagnostics& diagnostics) {
   const DeltaLightCompiler compile{description, scene.normalisation, scene.textures, diagnostics};
@@ -160,29 +136,17 @@ void add_surface_lights(Scene& scene) {
 
 void add_environment(const SceneDescription& description, const CompileOptions& options,
                      Scene& scene, Diagnostics& diagnostics) {
-  for (const description::Light& light : description.lights) {
-    std::optional<Environment> environment =
-        std::visit(EnvironmentCompiler{description, scene.textures, diagnostics}, light.kind);
-    if (!environment) continue;
-    if (scene.environment) {
-      diagnostics.warning(light.span, "a second environment light is ignored: one is the most");
-      continue;
-    }
-    scene.environment = std::move(environment);
-    if (scene.environment->is_black()) continue;
-    if (scene.environment->is_constant() && !options.samples_constant_environment) continue;
-    scene.environment_light = static_cast<std::uint32_t>(scene.lights.size());
-    scene.lights.push_back(make_environment_light());
-  }
+  scene.environment = compile_environments(description, scene.textures, diagnostics);
+  if (!scene.environment || scene.environment->is_black()) return;
+  if (scene.environment->is_constant() && !options.samples_constant_environment) return;
+  scene.environment_light = static_cast<std::uint32_t>(scene.lights.size());
+  scene.lights.push_back(make_environment_light());
 }
 
-// lab3's ambient term, else what a constant environment sheds where nothing is in its way.
+// lab3's ambient term, else what constant environments shed where nothing is in their way.
 Rgb ambient_of(const SceneDescription& description) {
   if (description.lab_ambient != Vec3d(0.0)) return Rgb(description.lab_ambient);
-  for (const description::Light& light : description.lights)
-    if (const auto* constant = std::get_if<description::ConstantEnvironment>(&light.kind))
-      return Rgb(constant->radiance);
-  return Rgb(0);
+  return Rgb(sum_of_constants(description));
 }
 
 bool is_infinitely_far(const Light& light) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "renderer/math/bounds.h"
 
@@ -46,13 +47,39 @@ std::vector<Vec3d> sampled_points(const SceneDescription& description) {
   return points;
 }
 
-// The box of all vertices, exactly: a stride must not miss a corner.
+Bounds3d bounds_of(const std::vector<Vec3d>& positions) {
+  Bounds3d bounds;
+  for (const Vec3d& position : positions)
+    if (is_finite(position)) bounds.include(position);
+  return bounds;
+}
+
+// Whether no point of the placed box can be outside of `bounds`, whatever rounding does to it.
+bool is_well_within(const Bounds3d& bounds, const Bounds3d& box, const Transform& object_to_world) {
+  const Vec3d margin = 1e-12 * bounds.extent();
+  const Vec3d lower = bounds.lower + margin, upper = bounds.upper - margin;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3d p = object_to_world.point({(corner & 1) != 0 ? box.upper.x : box.lower.x,
+                                           (corner & 2) != 0 ? box.upper.y : box.lower.y,
+                                           (corner & 4) != 0 ? box.upper.z : box.lower.z});
+    for (int axis = 0; axis < 3; ++axis)
+      if (!(p[axis] >= lower[axis] && p[axis] <= upper[axis])) return false;
+  }
+  return true;
+}
+
+// The box of all vertices, exactly: a stride must not miss a corner. Of many instances of a large
+// mesh most are inside of what the others span, and their vertices need no look.
 Bounds3d full_bounds(const SceneDescription& description, const std::vector<Vec3d>& points) {
   Bounds3d bounds;
   for (const Vec3d& p : points) bounds.include(p);
+  std::vector<std::optional<Bounds3d>> boxes(description.meshes.size());
   for (const description::Instance& instance : description.instances) {
     const auto& positions = description.meshes[instance.mesh.index].positions;
     if (positions.size() <= most_points_an_instance) continue;
+    std::optional<Bounds3d>& box = boxes[instance.mesh.index];
+    if (!box) box = bounds_of(positions);
+    if (!box->is_empty() && is_well_within(bounds, *box, instance.object_to_world)) continue;
     for (const Vec3d& position : positions) {
       const Vec3d p = instance.object_to_world.point(position);
       if (is_finite(p)) bounds.include(p);

@@ -88,6 +88,16 @@ TextureFile::TextureFile(std::string path, SourceSpan span, const Result<ImageHe
   type_ = found->sample_type;
 }
 
+TextureFile::TextureFile(std::string name, TexelArray texels)
+    : path_(std::move(name)),
+      width_(texels.width),
+      height_(texels.height),
+      channels_(texels.channels),
+      type_(texels.type) {
+  std::call_once(decode_once_, [&] { texels_ = std::move(texels); });
+  is_decoded_.store(true, std::memory_order_release);
+}
+
 std::size_t TextureFile::bytes() const {
   return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) *
          static_cast<std::size_t>(channels_) * size_of(type_);

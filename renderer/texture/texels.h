@@ -37,6 +37,8 @@ class TextureFile {
  public:
   // A file that `found` has errors about is magenta from the start.
   TextureFile(std::string path, SourceSpan span, const Result<ImageHeader>& found);
+  // No file: pixels that were calculated, finite.
+  TextureFile(std::string name, TexelArray texels);
 
   [[nodiscard]] const std::string& path() const { return path_; }
   // What the header says; decodes nothing.

@@ -20,6 +20,7 @@ namespace candela {
 
 struct TextureStore::Files {
   std::map<std::string, std::unique_ptr<TextureFile>> by_path;
+  std::vector<std::unique_ptr<TextureFile>> calculated;
 };
 
 // One way to look into one file, or a procedural texture.
@@ -41,6 +42,7 @@ class Texture {
   [[nodiscard]] bool is_image() const { return file_ != nullptr; }
   [[nodiscard]] TextureFile& file() const { return *file_; }
   [[nodiscard]] Wrap wrap() const { return wrap_; }
+  [[nodiscard]] Encoding encoding() const { return encoding_; }
   [[nodiscard]] const TextureInfo& info() const { return info_; }
 
   // Whether every lookup gives the first texel.
@@ -137,6 +139,13 @@ TextureHandle TextureStore::add(const description::Image& image, Diagnostics& di
   for (std::size_t i = 0; i < textures_.size(); ++i)
     if (textures_[i]->is(*file, image.encoding, image.wrap)) return TextureHandle(i);
   textures_.push_back(std::make_unique<Texture>(*file, image.encoding, image.wrap));
+  return TextureHandle(textures_.size() - 1);
+}
+
+TextureHandle TextureStore::add(const std::string& name, TexelArray texels, Wrap wrap) {
+  files_->calculated.push_back(std::make_unique<TextureFile>(name, std::move(texels)));
+  textures_.push_back(
+      std::make_unique<Texture>(*files_->calculated.back(), Encoding::Linear, wrap));
   return TextureHandle(textures_.size() - 1);
 }
 
@@ -251,6 +260,10 @@ const std::string& TextureStore::path(TextureHandle texture) const {
   return textures_[texture.index]->file().path();
 }
 
+Encoding TextureStore::encoding(TextureHandle texture) const {
+  return textures_[texture.index]->encoding();
+}
+
 std::size_t TextureStore::size() const {
   return textures_.size();
 }
@@ -264,6 +277,7 @@ std::size_t TextureStore::decoded_bytes() const {
   std::size_t bytes = 0;
   for (const auto& [path, file] : files_->by_path)
     if (file->is_decoded()) bytes += file->texels().bytes();
+  for (const auto& file : files_->calculated) bytes += file->texels().bytes();
   return bytes;
 }
 

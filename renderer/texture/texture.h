@@ -35,6 +35,8 @@ struct TextureInfo {
   std::size_t bytes = 0;  // in memory once decoded
 };
 
+struct TexelArray;
+
 // The scene's textures. Immutable but for this: a texture decodes itself once, on first touch, from
 // whichever thread comes first. A texture whose file is missing or broken is magenta (1, 0, 1) with
 // alpha 1.
@@ -49,6 +51,9 @@ class TextureStore {
   // texture, never an error. Equal (path, encoding, wrap) give equal handles, and equal paths share
   // their pixels.
   TextureHandle add(const description::Image& image, Diagnostics& diagnostics);
+
+  // An image that was calculated: linear, already decoded, under a name for messages, no path.
+  TextureHandle add(const std::string& name, TexelArray texels, Wrap wrap);
 
   // Its inputs are textures of this store.
   TextureHandle add(const Procedural& procedural);
@@ -97,6 +102,8 @@ class TextureStore {
   // Whether it is an image file and no procedural texture; only images have paths.
   [[nodiscard]] bool is_image(TextureHandle texture) const;
   [[nodiscard]] const std::string& path(TextureHandle texture) const;
+  // Of images: how lookups decode.
+  [[nodiscard]] Encoding encoding(TextureHandle texture) const;
   [[nodiscard]] std::size_t size() const;
   // Which have been decoded so far, and the bytes they hold.
   [[nodiscard]] bool is_decoded(TextureHandle texture) const;
@@ -105,7 +112,7 @@ class TextureStore {
   [[nodiscard]] Diagnostics decoding_diagnostics() const;
 
  private:
-  struct Files;  // pixels by path
+  struct Files;  // pixels by path, and those that were calculated
   std::vector<std::unique_ptr<Texture>> textures_;
   std::unique_ptr<Files> files_;
 };

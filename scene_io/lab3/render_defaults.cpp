@@ -9,12 +9,13 @@
 namespace candela::lab3 {
 namespace {
 
-constexpr std::string_view keys[] = {"Width",      "Height",   "SamplesPerPixel",
-                                     "spp",        "MaxDepth", "Seed",
-                                     "Integrator", "Filter",   "Exposure"};
+constexpr std::string_view keys[] = {"Width",    "Height",      "SamplesPerPixel", "spp",
+                                     "MaxDepth", "Seed",        "Integrator",      "Filter",
+                                     "Exposure", "WhiteBalance"};
 constexpr std::string_view integrators[] = {"path", "report", "whitted", "raster"};
 constexpr std::string_view filters[] = {"box",      "gaussian", "blackman_harris",
                                         "triangle", "mitchell", "sinc"};
+constexpr Range kelvins{100, 1e9, false, false, "a white balance in kelvins from 100 to 1e9"};
 constexpr Range stops{-100, 100, false, false, "an exposure in stops from -100 to 100"};
 
 constexpr std::int64_t largest_side = 65536;
@@ -59,6 +60,7 @@ void read_render_defaults(Reader& reader, const Fields& root) {
   defaults.integrator = word_of(fields, "Integrator", integrators);
   defaults.filter = word_of(fields, "Filter", filters);
   defaults.exposure = fields.number("Exposure", stops);
+  defaults.white_balance_kelvins = fields.number("WhiteBalance", kelvins);
   const auto seed = fields.integer("Seed", 0, std::numeric_limits<std::int64_t>::max());
   if (seed) defaults.seed = static_cast<std::uint64_t>(*seed);
 }

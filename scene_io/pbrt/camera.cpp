@@ -29,7 +29,12 @@ void set_frame(const Transform& world_from_camera, const Vec3d& look, const Vec3
 
 std::optional<ScreenWindow> screen_window(Arguments& arguments) {
   const Parameter* parameter = arguments.find("screenwindow", {ParameterType::Float});
-  arguments.ignore("frameaspectratio", "the picture's own is used");
+  const auto aspect = arguments.number("frameaspectratio");
+  if (!parameter && aspect && *aspect > 0 && std::isfinite(*aspect)) {
+    const double x = std::max(*aspect, 1.0);
+    const double y = std::max(1 / *aspect, 1.0);
+    return ScreenWindow{-x, x, -y, y};
+  }
   if (!parameter) return std::nullopt;
   const auto& n = parameter->numbers;
   if (n.size() == 4 && n[0] < n[1] && n[2] < n[3]) return ScreenWindow{n[0], n[1], n[2], n[3]};

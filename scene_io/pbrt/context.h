@@ -20,6 +20,10 @@ struct Context {
   void warn_once(const std::string& key, const Place& place, std::string message) {
     if (warned.insert(key).second) report.warning(place, std::move(message));
   }
+  // What is done in another way and looks alike; no warning, so `--strict` renders it.
+  void note_once(const std::string& key, const Place& place, std::string message) {
+    if (warned.insert(key).second) report.note(place, std::move(message));
+  }
 };
 
 }  // namespace candela::pbrt

@@ -39,25 +39,35 @@ double exposure_time(Context& context) {
   return time > 0 ? time : 1;
 }
 
-double read_exposure(Context& context, Arguments& film) {
-  double ratio = film.number("iso").value_or(100) / 100;
-  ratio *= film.number("exposuretime").value_or(exposure_time(context));
-  film.ignore("maxcomponentvalue", "radiance is not clamped");
+// Kelvins of what is white on the film. pbrt's sensors are balanced for 6500 where nothing is said,
+// the CIE's observer for nothing.
+void read_white_balance(Context& context, Arguments& film) {
   const Parameter* sensor = film.find("sensor", {ParameterType::String});
   const bool is_plain = !sensor || sensor->strings.size() != 1 || sensor->strings[0] == "cie1931";
   if (!is_plain)
     film.warning(*sensor, "is not supported: the film is that of the CIE 1931 observer");
-  const Parameter* balance = film.find("whitebalance", {ParameterType::Float});
-  if (balance && is_plain && balance->numbers.size() == 1 && balance->numbers[0] != 0)
-    film.warning(*balance, "is ignored: colours are not balanced");
+  double kelvins = film.number("whitebalance").value_or(0);
+  if (kelvins == 0 && !is_plain) kelvins = 6500;
+  if (kelvins == 0) return;
+  if (kelvins > 0 && std::isfinite(kelvins))
+    context.scene.defaults.white_balance_kelvins = kelvins;
+  else
+    film.error(*film.find("whitebalance"),
+               fmt::format("is {}, expected kelvins, or 0 for no balance", kelvins));
+}
+
+double read_exposure(Context& context, Arguments& film) {
+  double ratio = film.number("iso").value_or(100) / 100;
+  ratio *= film.number("exposuretime").value_or(exposure_time(context));
+  film.ignore("maxcomponentvalue", "radiance is not clamped");
   if (ratio > 0 && ratio < 1e30) return ratio;
   context.report.error(film.statement().place,
                        fmt::format("the film multiplies light by {}, expected above 0", ratio));
   return 1;
 }
 
-// In shares of the picture, as "cropwindow" has it; "pixelbounds" counts pixels. Both list x0 x1 y0
-// y1, from the top left; what lies outside of the picture is cut.
+// In shares of the picture, as "cropwindow" has it, in any order; "pixelbounds" counts pixels. Both
+// list x0 x1 y0 y1, from the top left; what lies outside of the picture is cut.
 void read_crop(Context& context, Arguments& film) {
   const auto& defaults = context.scene.defaults;
   const Parameter* window = film.find("cropwindow", {ParameterType::Float});
@@ -70,6 +80,10 @@ void read_crop(Context& context, Arguments& film) {
   for (std::size_t i = 0; i < 4; ++i) {
     const double side = bounds ? (i < 2 ? *defaults.width : *defaults.height) : 1;
     shares[i] = std::clamp(given->numbers[i] / side, 0.0, 1.0);
+  }
+  if (!bounds) {
+    if (shares[1] < shares[0]) std::swap(shares[0], shares[1]);
+    if (shares[3] < shares[2]) std::swap(shares[2], shares[3]);
   }
   if (!(shares[0] < shares[1] && shares[2] < shares[3]))
     return film.error(*given, "holds no pixel, expected x0 < x1 and y0 < y1");
@@ -94,6 +108,7 @@ double read_picture(Context& context) {
   read_crop(context, film);
   context.scene.defaults.exposure = film.number("exposure");  // candela's own
   const double ratio = read_exposure(context, film);
+  read_white_balance(context, film);
   film.warn_of_unknown();
   return ratio;
 }
@@ -153,11 +168,31 @@ void read_filter(Context& context) {
     context.warn_once("yradius", statement.place, "filters are square: the xradius is used");
 }
 
+// An error where no version of pbrt has a type of that name.
+template <class Names>
+void check_type(const Statement& statement, std::string_view what, const Names& names,
+                const Report& report) {
+  if (std::find(std::begin(names), std::end(names), statement.type) != std::end(names)) return;
+  const std::string_view word = std::string_view(statement.type).substr(0, 100);
+  report.error(statement.place,
+               fmt::format("{} is no {}{}", text::quoted(statement.type), what,
+                           did_you_mean(word, {std::begin(names), std::end(names)})));
+}
+
+// pbrt-v4's and those of pbrt-v3.
+constexpr std::string_view samplers[] = {
+    "halton", "independent", "paddedsobol",    "pmj02bn",    "sobol", "stratified",
+    "zsobol", "02sequence",  "lowdiscrepancy", "maxmindist", "random"};
+constexpr std::string_view integrators[] = {
+    "path", "volpath", "simplepath",       "simplevolpath", "lightpath", "randomwalk",     "bdpt",
+    "mlt",  "sppm",    "ambientocclusion", "function",      "whitted",   "directlighting", "ao"};
+
 void read_sampler(Context& context) {
   auto& defaults = context.scene.defaults;
   defaults.samples_per_pixel = 16;
   if (!context.program.sampler) return;
   Arguments sampler(*context.program.sampler, context.report);
+  check_type(sampler.statement(), "sampler", samplers, context.report);
   const auto count = integer(sampler, "pixelsamples", 1, most_samples);
   const int x = integer(sampler, "xsamples", 1, 32768).value_or(4);
   const int y = integer(sampler, "ysamples", 1, 32768).value_or(4);
@@ -189,6 +224,7 @@ void read_integrator(Context& context) {
   Arguments integrator(statement, context.report);
   defaults.max_depth = integer(integrator, "maxdepth", 0, deepest).value_or(5);
   read_own_wishes(integrator, context);
+  check_type(statement, "integrator", integrators, context.report);
   if (!is_one_of(statement.type, {"path", "volpath"}))
     context.warn_once(
         "integrator", statement.place,

@@ -247,43 +247,10 @@ class LightReader {
   bool is_seen_by_camera_ = true;  // of skies
 };
 
-// pbrt adds the lights of all skies; candela has one.
-void merge_environments(Context& context) {
-  auto& lights = context.scene.lights;
-  const auto is_constant = [](const description::Light& light) {
-    return std::holds_alternative<ConstantEnvironment>(light.kind);
-  };
-  const auto is_map = [](const description::Light& light) {
-    return std::holds_alternative<description::EqualAreaEnvironment>(light.kind) ||
-           std::holds_alternative<description::LatLongEnvironment>(light.kind) ||
-           std::holds_alternative<description::CubeEnvironment>(light.kind);
-  };
-  const bool has_map = std::any_of(lights.begin(), lights.end(), is_map);
-  description::Light* first = nullptr;
-  std::vector<description::Light> kept;
-  kept.reserve(lights.size());
-  for (description::Light& light : lights) {
-    if (!is_constant(light) && !is_map(light)) {
-      kept.push_back(std::move(light));
-    } else if (has_map ? is_map(light) && !first : !first) {
-      kept.push_back(std::move(light));
-      first = &kept.back();
-    } else if (!has_map) {
-      std::get<ConstantEnvironment>(first->kind).radiance +=
-          std::get<ConstantEnvironment>(light.kind).radiance;
-    } else {
-      context.report.diagnostics().warning(light.span,
-                                           "more than one sky: only the first image is used");
-    }
-  }
-  lights = std::move(kept);
-}
-
 }  // namespace
 
 void read_lights(Context& context) {
   for (LightStatement& light : context.program.lights) LightReader(context, light).read();
-  merge_environments(context);
 }
 
 Emission read_emission(Context& context, Statement& statement) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/description/validate_material.h"
 #include "scene_io/pbrt/materials.h"
 
 namespace candela::pbrt {
@@ -18,11 +19,11 @@ using description::DiffuseMaterial;
 using description::DiffuseTransmissionMaterial;
 using description::Material;
 
-double read_ior(MaterialReader& reader, std::string_view name) {
+double read_ior(MaterialReader& reader, std::string_view name, double least = 1) {
   const double ior = reader.scalar(name, 1.5);
-  if (ior >= 1) return ior;
+  if (ior >= least) return ior;
   reader.arguments.warning(*reader.arguments.find(name),
-                           fmt::format("is {}, below 1: 1 is used", ior));
+                           fmt::format("is {}, below {}: 1 is used", ior, least));
   return 1;
 }
 
@@ -55,7 +56,7 @@ ConductorMaterial conductor(MaterialReader& reader) {
 
 DielectricMaterial dielectric(MaterialReader& reader) {
   DielectricMaterial glass;
-  glass.ior = read_ior(reader, "eta");
+  glass.ior = read_ior(reader, "eta", description::least_ior);
   set_widths(reader, "", glass);
   return glass;
 }

@@ -122,6 +122,9 @@ std::array<Vec3d, 2> read_metal(MaterialReader& reader, std::string_view prefix)
   const auto k = colour("k");
   const auto reflectance = reader.textures.colour(reader.arguments, "reflectance");
   if (!reflectance) return {constant(eta, copper[0]), constant(k, copper[1])};
+  if (eta || k)
+    reader.arguments.warning(*reader.arguments.find("reflectance"),
+                             "says how the metal reflects: its eta and k are ignored");
   const Vec3d r = glm::clamp(constant(reflectance, Vec3d(0.5)), Vec3d(0.0), Vec3d(0.9999));
   Vec3d extinction;
   for (int c = 0; c < 3; ++c) extinction[c] = 2 * std::sqrt(r[c]) / std::sqrt(1 - r[c]);

@@ -1,5 +1,7 @@
 #include "scene_io/pbrt/media.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "scene_io/pbrt/media_presets.h"
@@ -60,10 +62,21 @@ MediumHandle Media::find(const MediumUse& use) {
   return {};
 }
 
+void Media::check_type(const Statement& statement, const std::string& type) {
+  static constexpr std::string_view types[] = {"homogeneous", "uniformgrid", "rgbgrid",
+                                               "cloud",       "nanovdb",     "heterogeneous"};
+  if (std::find(std::begin(types), std::end(types), type) != std::end(types)) return;
+  context_.report.error(statement.place,
+                        fmt::format("{} is no type of media{}", text::quoted(type),
+                                    did_you_mean(std::string_view(type).substr(0, 100),
+                                                 {std::begin(types), std::end(types)})));
+}
+
 MediumHandle Media::read(Statement& statement, const std::string& name) {
   Arguments arguments(statement, context_.report);
   const std::string type = arguments.string("type").value_or("");
   if (type != "homogeneous") {
+    check_type(statement, type);
     context_.report.warning(statement.place,
                             fmt::format("media of type {} are not rendered: {} is as clear as air",
                                         text::quoted(type), text::quoted(name)));

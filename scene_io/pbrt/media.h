@@ -17,6 +17,7 @@ class Media {
 
  private:
   description::MediumHandle find(const MediumUse& use);
+  void check_type(const Statement& statement, const std::string& type);
   description::MediumHandle read(Statement& statement, const std::string& name);
 
   Context& context_;

@@ -47,7 +47,12 @@ void Parser::option() {
 void Parser::color_space() {
   const Place place = here();
   const auto name = read_string("the name of a colour space");
-  if (name && *name != "srgb")
+  if (!name || *name == "srgb") return;
+  const std::vector<std::string_view> others = {"srgb", "rec2020", "aces2065-1", "dci-p3"};
+  if (std::find(others.begin(), others.end(), *name) == others.end())
+    error(place.offset, fmt::format("{} is no colour space{}", text::quoted(*name),
+                                    did_you_mean(std::string_view(*name).substr(0, 100), others)));
+  else
     warn_once("ColorSpace", place,
               fmt::format("the colour space {} is not supported: colours count as srgb",
                           text::quoted(*name)));

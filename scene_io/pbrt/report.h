@@ -46,6 +46,9 @@ class Report {
   void warning(const Place& place, std::string message) const {
     add(Severity::Warning, place, std::move(message));
   }
+  void note(const Place& place, std::string message) const {
+    add(Severity::Note, place, std::move(message));
+  }
   // False: further warnings are only counted, so their sentences need not be made.
   [[nodiscard]] bool wants_warnings() const {
     return text::is_kept(diagnostics_, Severity::Warning);

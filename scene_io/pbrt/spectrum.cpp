@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "scene_io/pbrt/cie.h"
+#include "renderer/math/cie.h"
 #include "scene_io/pbrt/named_spectra.h"
 #include "scene_io/pbrt/source_files.h"
 #include "scene_io/text/cursor.h"

@@ -1,5 +1,6 @@
 // Parameters that are colours: rgb, xyz, blackbody, named and sampled spectra, .spd files.
-// candela renders linear Rec.709, so a spectrum becomes the colour that it has (cie.h).
+// candela renders linear Rec.709, so a spectrum becomes the colour that it has
+// (renderer/math/cie.h).
 #pragma once
 
 #include <array>

@@ -34,8 +34,11 @@ Wrap wrap_of(Arguments& arguments) {
   return Wrap::Repeat;
 }
 
-// Only PNG files are as "encoding" says.
+// Only PNG files are as "encoding" says. pbrt-v3 decodes sRGB unless "gamma" is false.
 Encoding encoding_of(Arguments& arguments, std::string_view file_name) {
+  if (const Parameter* gamma = arguments.find("gamma"))
+    if (gamma->type == ParameterType::Bool && !arguments.flag("gamma", true))
+      return Encoding::Linear;
   const Parameter* parameter = arguments.find("encoding", {ParameterType::String});
   if (!parameter || parameter->strings.size() != 1 || !has_extension(file_name, ".png"))
     return encoding_of_file(file_name);
@@ -126,11 +129,33 @@ ImageHandle Textures::normal_map(Arguments& arguments) {
   return file ? add_image(context_, *file, Encoding::Linear, Wrap::Repeat) : ImageHandle();
 }
 
+// Lookups are bilinear, pbrt's default; the samples of a pixel average what its footprint covers.
+// pbrt-v3 has the flag "trilinear" and otherwise filters by EWA, of which nothing is said.
+void Textures::note_filter(Arguments& arguments) {
+  const Parameter* filter = arguments.find("filter", {ParameterType::String});
+  const bool is_trilinear = arguments.flag("trilinear", false);
+  if (filter && filter->strings.size() == 1) {
+    const std::string& name = filter->strings[0];
+    if (name == "bilinear") return;
+    if (name != "point" && name != "trilinear" && name != "ewa" && name != "EWA")
+      return arguments.warning(*filter,
+                               fmt::format("{} is none of bilinear, point, trilinear and ewa: "
+                                           "images are looked up bilinearly",
+                                           text::quoted(name)));
+  } else if (!is_trilinear) {
+    return;
+  }
+  const Place& place = filter ? filter->place : arguments.find("trilinear")->place;
+  context_.note_once("texture filter", place,
+                     "images are looked up bilinearly, whatever \"filter\" they name: a pixel's "
+                     "samples average them over its footprint");
+}
+
 Textures::Value Textures::image(const TextureStatement& statement, Arguments& arguments,
                                 const std::string& name) {
   const Parameter* file = arguments.find("filename", {ParameterType::String});
-  // All maps are filtered by the footprint; pbrt-v3's spellings.
-  arguments.accept({"filter", "maxanisotropy", "trilinear", "gamma"});
+  note_filter(arguments);
+  arguments.accept({"maxanisotropy"});
   const Wrap wrap = wrap_of(arguments);
   const Encoding encoding =
       encoding_of(arguments, file && file->strings.size() == 1 ? file->strings[0] : "");

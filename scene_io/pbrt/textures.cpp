@@ -266,7 +266,10 @@ Textures::Value Textures::checkerboard(Kind kind, const TextureStatement& statem
   arguments.accept({"aamode"});  // pbrt-v3
   const UvMapping squares = mapping(statement, arguments);
   const Place& place = arguments.statement().place;
-  if (arguments.integer("dimension").value_or(2) == 3)
+  const auto dimension = arguments.integer("dimension").value_or(2);
+  if (dimension != 2 && dimension != 3)
+    arguments.error(*arguments.find("dimension"), fmt::format("is {}, expected 2 or 3", dimension));
+  if (dimension == 3)
     return add(description::SolidCheckerboardTexture{place_from_world(statement), even, odd}, name,
                place);
   return add(description::CheckerboardTexture{squares, even, odd}, name, place);

@@ -42,6 +42,7 @@ class Textures {
   bool set_own_heights(Arguments& arguments, description::Material& material);
   Value named(Kind kind, const Parameter& parameter);
   Value make(Kind kind, TextureStatement& texture, const std::string& name);
+  void note_filter(Arguments& arguments);
   Value image(const TextureStatement& statement, Arguments& arguments, const std::string& name);
   Value product(Kind kind, Arguments& arguments, const std::string& name);
   Value mix(Kind kind, Arguments& arguments, const std::string& name);

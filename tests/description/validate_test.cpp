@@ -121,10 +121,12 @@ TEST(Errors_Validate, Lights) {
   EXPECT_EQ(error_of_light(description::SpotLight{Vec3d(0), Vec3d(0, -1, 0), Vec3d(1), 0.5, 0.25}),
             "the half angles of a spot light are 0.5 and 0.25, expected 0 <= inner <= outer <= pi");
   EXPECT_EQ(error_after([](auto& scene) {
-              test::add_light(scene, description::ConstantEnvironment{});
-              test::add_light(scene, description::ConstantEnvironment{});
+              test::add_light(scene, description::ConstantEnvironment{Vec3d(1.0), true});
+              test::add_light(scene, description::ConstantEnvironment{Vec3d(0.0), false});
+              test::add_light(scene, description::ConstantEnvironment{Vec3d(2.0), false});
             }),
-            "a second environment, expected at most one");
+            "this environment is not seen by cameras, unlike the first: several are added up, "
+            "expected all to be seen or none");
 }
 
 TEST(Errors_Validate, Materials) {
@@ -141,7 +143,7 @@ TEST(Errors_Validate, Materials) {
             std::string::npos);
   description::DielectricMaterial glass;
   glass.ior = not_a_number;
-  EXPECT_NE(error_of_material(glass).find("the refractive index is nan, expected at least 1"),
+  EXPECT_NE(error_of_material(glass).find("the refractive index is nan, expected at least 0.1"),
             std::string::npos);
   EXPECT_NE(
       error_of_material(description::DiffuseMaterial{{Vec3d(0.5), description::ImageHandle(5)}})

@@ -73,6 +73,16 @@ TEST(Unit_CubeMap, FacesDoNotWrap) {
   EXPECT_EQ(map.radiance(normalize(Vec3f(-0.999f, 0, 1))), Rgb(1));
 }
 
+// pbrt refuses them: they hold latitudes and longitudes, most likely.
+TEST(Errors_EqualAreaMap, MapsThatAreNotSquareAreNamed) {
+  const description::Image image =
+      write_float_map("no_square", 8, 4, [](int, int) { return Vec3f(1); });
+  const auto found = equal_area(image).diagnostics.list();
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].severity, Severity::Warning);
+  EXPECT_NE(found[0].message.find("is 8 x 4: maps of equal areas are square"), std::string::npos);
+}
+
 // 4 x 4 texels: red tells the column, green the row; the directions are those of their middles.
 TEST(Unit_EqualAreaMap, TexelsLieAsTheConventionSays) {
   const description::Image image =

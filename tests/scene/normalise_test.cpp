@@ -37,6 +37,27 @@ TEST(Unit_Normalise, ALargeFloorUnderASmallObjectIsNoOutlier) {
   EXPECT_EQ(normalisation_of(scene).scale, 1.0 / 64);
 }
 
+// Instances whose box lies within the others' are stepped over; no corner that counts may be.
+TEST(Unit_Normalise, ManyInstancesOfALargeMeshHaveTheBoxOfAllVertices) {
+  description::SceneDescription scene;
+  description::Mesh mesh = sphere({0, 0, 0}, 1, 5);
+  ASSERT_GT(mesh.positions.size(), 8192u);
+  mesh.positions[1] = {3, 0.5, 0};  // which a stride of two misses
+  Bounds3d bounds;
+  const auto handle = add_mesh(scene, mesh, add_material(scene, diffuse(Vec3d(0.5))));
+  for (const Vec3d& p : mesh.positions) bounds.include(p);
+  for (int i = 1; i < 60; ++i) {
+    const double a = 0.7 * i;
+    const Transform placed{
+        Mat3d(std::cos(a), std::sin(a), 0, -std::sin(a), std::cos(a), 0, 0, 0, 1),
+        Vec3d(10 * std::sin(1.3 * i), 10 * std::cos(2.1 * i), std::sin(3.0 * i))};
+    add_instance(scene, handle, placed);
+    for (const Vec3d& p : mesh.positions) bounds.include(placed.point(p));
+  }
+  const Normalisation n = normalisation_of(scene);
+  EXPECT_EQ(n.centre, bounds.centre());
+}
+
 TEST(Unit_Normalise, EmptyAndPointLikeScenesHaveAUnit) {
   description::SceneDescription scene;
   EXPECT_EQ(normalisation_of(scene).scale, 1.0);

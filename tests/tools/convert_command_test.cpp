@@ -55,6 +55,34 @@ INSTANTIATE_TEST_SUITE_P(, Agreement_ConvertedAsset,
                                          "pbrt_textured_lights"),
                          [](const auto& info) { return std::string(info.param); });
 
+// Skies of two mappings and a constant, and a film with a balance.
+TEST(Agreement_Convert, SeveralSkiesRenderTheSameBits) {
+  const std::string folder = fresh_folder("convert_skies_source");
+  const std::string map = fmt::format("{}/assets/glass_and_metal/studio.hdr", CANDELA_SOURCE_DIR);
+  const std::string square = folder + "/square.exr";
+  const std::string scene = folder + "/skies.pbrt";
+  write_text(folder + "/sky.pbrt", fmt::format(R"(Camera "spherical"
+    Film "rgb" "integer xresolution" 32 "integer yresolution" 32
+    WorldBegin
+    LightSource "infinite" "string mapname" "{}")",
+                                               map));
+  ASSERT_EQ(
+      run_candela({"render", folder + "/sky.pbrt", "-o", square, "--spp", "1", "-q"}).exit_code, 0);
+  write_text(scene, fmt::format(R"(LookAt 0 2 -4  0 0 0  0 1 0
+    Camera "perspective" "float fov" 40
+    Film "rgb" "float whitebalance" 4000
+    WorldBegin
+    LightSource "infinite" "string filename" "square.exr" "float scale" .5
+    AttributeBegin
+      Rotate 30 1 2 3
+      LightSource "infinite" "string mapname" "{}"
+    AttributeEnd
+    LightSource "infinite" "rgb L" [ .1 .2 .3 ]
+    Shape "sphere")",
+                                map));
+  expect_same_picture(scene, "skies");
+}
+
 TEST(Agreement_Convert, SharedScenesRenderTheSameBits) {
   if (std::getenv("CANDELA_HEAVY") == nullptr) GTEST_SKIP() << "needs CANDELA_HEAVY";
   if (!shared_scene("lab3")) GTEST_SKIP() << "the shared scenes are not here";

@@ -42,18 +42,18 @@ TEST(Unit_ConvertSky, IsTheScenesInEveryDirection) {
                       ImageHandle(0), Vec3d(1, 2, 3),
                       Mat3d(s, 0, -s, 0, 1, 0, s, 0, s) * Mat3d(1, 0, 0, 0, s, s, 0, -s, s), true});
   const auto written = pbrt::write_pbrt(scene, {"files", "a.exr", 0, image_facts});
-  ASSERT_TRUE(written->sky);
-  EXPECT_EQ(written->sky->side, 256);  // of 32,768 texels: 181 squared, rounded up
+  ASSERT_EQ(written->skies.size(), 1u);
+  EXPECT_EQ(written->skies[0].side, 256);  // of 32,768 texels: 181 squared, rounded up
   const auto settings = test::settings_of(8, 1);
   const Scene compiled = test::compiled(scene, settings.options);
-  const auto bytes = make_sky(*written->sky, compiled);
+  const auto bytes = make_sky(written->skies[0], scene);
   ASSERT_TRUE(bytes);
   ASSERT_FALSE(write_file_atomically(folder.file("sky.exr"), *bytes).has_errors());
 
   description::SceneDescription seen = test::small_room();
   seen.images = {{folder.file("sky.exr"), Encoding::Linear, Wrap::Clamp, {}}};
   test::add_light(seen, description::EqualAreaEnvironment{ImageHandle(0), Vec3d(1.0),
-                                                          written->sky->world_from_sky, true});
+                                                          written->skies[0].world_from_sky, true});
   const Scene back = test::compiled(seen, settings.options);
   for (std::uint32_t i = 0; i < 1000; ++i) {
     const Vec2f u(static_cast<float>(i) / 1000, static_cast<float>((i * 617) % 1000) / 1000);

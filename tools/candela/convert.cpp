@@ -57,7 +57,7 @@ class Conversion {
     const SettledSettings settled = settle_settings(wishes, *read.description);
     if (!settled.settings) return fail(settled.exit_code, settled.error);
     fill_defaults(settled.settings->options, read.description->defaults);
-    return convert(*read.description, *read.scene);
+    return convert(*read.description);
   }
 
  private:
@@ -70,14 +70,14 @@ class Conversion {
     return (target_.parent_path() / name).string();
   }
 
-  ExitCode convert(const description::SceneDescription& description, const Scene& scene) {
+  ExitCode convert(const description::SceneDescription& description) {
     const std::string stem = target_.stem().string();
     const Result<pbrt::WrittenScene> written = pbrt::write_pbrt(
         description, {stem + "_files", stem + ".exr", arguments_.camera, image_facts});
     console_.print(written.diagnostics);
     if (arguments_.scene.is_strict && written.diagnostics.warning_count() > 0)
       return ExitCode::Scene;
-    const std::vector<Output> outputs = outputs_of(*written, scene);
+    const std::vector<Output> outputs = outputs_of(*written, description);
     std::vector<std::string> paths;
     for (const Output& output : outputs) paths.push_back(output.path);
     const Diagnostics overwritten = check_scene_is_spared(paths, description);
@@ -86,15 +86,15 @@ class Conversion {
     return write(outputs, paths, beside(stem + "_files"));
   }
 
-  [[nodiscard]] std::vector<Output> outputs_of(const pbrt::WrittenScene& written,
-                                               const Scene& scene) const {
+  [[nodiscard]] std::vector<Output> outputs_of(
+      const pbrt::WrittenScene& written, const description::SceneDescription& description) const {
     std::vector<Output> outputs;
     for (const pbrt::WrittenFile& mesh : written.meshes)
       outputs.push_back({beside(mesh.name), [&] { return mesh.bytes; }});
     for (const pbrt::WrittenImage& image : written.images)
       outputs.push_back({beside(image.name), [&] { return make_image(image); }});
-    if (written.sky)
-      outputs.push_back({beside(written.sky->name), [&] { return make_sky(*written.sky, scene); }});
+    for (const pbrt::WrittenSky& sky : written.skies)
+      outputs.push_back({beside(sky.name), [&] { return make_sky(sky, description); }});
     outputs.push_back({arguments_.output, [&] { return written.text; }});
     return outputs;
   }

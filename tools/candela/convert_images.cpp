@@ -7,6 +7,7 @@
 #include "renderer/image/encode.h"
 #include "renderer/image/file_input.h"
 #include "renderer/sampling/equal_area.h"
+#include "renderer/scene/compile_environment.h"
 
 namespace candela::cli {
 namespace {
@@ -15,7 +16,8 @@ namespace {
 const std::string undated = "2000:01:01 00:00:00";
 
 // The mean over a pixel by a grid of directions of equal solid angles.
-Rgb pixel_mean(const pbrt::WrittenSky& sky, const Scene& scene, int x, int y) {
+Rgb pixel_mean(const pbrt::WrittenSky& sky, const Environment& environment,
+               const TextureStore& textures, int x, int y) {
   constexpr int grid = 4;
   Vec3d sum(0.0);
   for (int j = 0; j < grid; ++j)
@@ -23,7 +25,7 @@ Rgb pixel_mean(const pbrt::WrittenSky& sky, const Scene& scene, int x, int y) {
       const Vec2d place((x + (i + 0.5) / grid) / sky.side, (y + (j + 0.5) / grid) / sky.side);
       const Vec3d along(square_to_equal_area_sphere(Vec2f(place)));
       const Vec3f direction(normalize(sky.world_from_sky * along));
-      sum += Vec3d(environment_radiance(*scene.environment, scene.textures, direction));
+      sum += Vec3d(environment_radiance(environment, textures, direction));
     }
   return Rgb(sum / static_cast<double>(grid * grid));
 }
@@ -57,13 +59,18 @@ Result<std::string> make_image(const pbrt::WrittenImage& image) {
                              encoded.diagnostics.list()[0].message));
 }
 
-Result<std::string> make_sky(const pbrt::WrittenSky& sky, const Scene& scene) {
+Result<std::string> make_sky(const pbrt::WrittenSky& sky,
+                             const description::SceneDescription& scene) {
   Image image(sky.side, sky.side, {"R", "G", "B"});
-  if (scene.environment)
+  TextureStore textures;
+  Diagnostics known;  // compile() has said them
+  const auto environment =
+      compile_environment(scene.lights[sky.light], scene.images, textures, known);
+  if (environment)
     parallel_for(static_cast<std::size_t>(sky.side), [&](std::size_t row) {
       const int y = static_cast<int>(row);
       for (int x = 0; x < sky.side; ++x) {
-        const Rgb mean = pixel_mean(sky, scene, x, y);
+        const Rgb mean = pixel_mean(sky, *environment, textures, x, y);
         for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = mean[c];
       }
     });

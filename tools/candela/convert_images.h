@@ -6,7 +6,7 @@
 #include <string>
 
 #include "renderer/base/result.h"
-#include "renderer/scene/scene.h"
+#include "renderer/description/scene_description.h"
 #include "scene_io/pbrt/write/write_pbrt.h"
 
 namespace candela::cli {
@@ -17,8 +17,9 @@ namespace candela::cli {
 // The bytes of the file to write. Errors name the source.
 [[nodiscard]] Result<std::string> make_image(const pbrt::WrittenImage& image);
 
-// The bytes of an EXR file with the mean of the scene's environment over each pixel; black where
-// there is none.
-[[nodiscard]] Result<std::string> make_sky(const pbrt::WrittenSky& sky, const Scene& scene);
+// The bytes of an EXR file with the mean of the scene's light of that number over each pixel; black
+// where it is no environment.
+[[nodiscard]] Result<std::string> make_sky(const pbrt::WrittenSky& sky,
+                                           const description::SceneDescription& scene);
 
 }  // namespace candela::cli

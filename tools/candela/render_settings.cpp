@@ -203,6 +203,7 @@ void settle_names(const RenderArguments& arguments, const description::RenderDef
     options.filter = *arguments.filter;
   else if (defaults.filter)
     options.filter = scene_choice("filter", *defaults.filter, filter_choices());
+  options.white_balance_kelvins = defaults.white_balance_kelvins;
   if (defaults.filter_radius && !arguments.filter)
     options.filter_radius = static_cast<float>(*defaults.filter_radius);
 }

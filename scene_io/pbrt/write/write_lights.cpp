@@ -36,6 +36,7 @@ struct LightWriter {
   WriteContext& context;
   TextureWriter& textures;
   const SourceSpan& span;
+  std::size_t index;
 
   std::string operator()(const description::PointLight& light) const {
     return Directive("LightSource", "point")
@@ -162,7 +163,7 @@ struct LightWriter {
   // An infinite light by an image that is to be made.
   [[nodiscard]] Directive sky(double texels, const Mat3d& world_from_light) const {
     const std::string name = context.options.folder + "/" + context.unique_name("file", "sky.exr");
-    context.written.sky = WrittenSky{name, sky_side(texels), world_from_light};
+    context.written.skies.push_back({name, sky_side(texels), world_from_light, index});
     return Directive("LightSource", "infinite").add("string filename", name);
   }
 
@@ -197,8 +198,9 @@ std::string area_light(const Vec3d& radiance, bool emits_both_sides) {
 
 std::string write_lights(WriteContext& context, TextureWriter& textures) {
   std::string text;
-  for (const description::Light& light : context.scene.lights)
-    text += std::visit(LightWriter{context, textures, light.span}, light.kind);
+  const auto& lights = context.scene.lights;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    text += std::visit(LightWriter{context, textures, lights[i].span, i}, lights[i].kind);
   return text;
 }
 

@@ -46,18 +46,19 @@ struct WrittenImage {
   int channel = all_channels;  // else a grey image of this one
   bool is_copied = false;  // the source's bytes; else its samples as they are in a PNG or EXR file
 };
-// An image of equal areas to be made of the scene's sky: pbrt takes no other.
+// An image of equal areas to be made of one of the scene's skies: pbrt takes no other.
 struct WrittenSky {
   std::string name;
   int side = 0;               // in pixels
   Mat3d world_from_sky{1.0};  // the image's own axes (description/: EqualAreaEnvironment)
+  std::size_t light = 0;      // of the scene
 };
 
 struct WrittenScene {
   std::string text;
   std::vector<WrittenFile> meshes;
   std::vector<WrittenImage> images;
-  std::optional<WrittenSky> sky;
+  std::vector<WrittenSky> skies;
 };
 
 // The same bytes for the same scene. The scene must be valid (description/validate.h). Diagnostics

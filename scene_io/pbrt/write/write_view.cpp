@@ -102,6 +102,8 @@ std::string film_text(const WriteContext& context) {
   if (const auto& crop = defaults.crop)
     film.add("float cropwindow",
              std::vector<double>{crop->left, crop->right, crop->top, crop->bottom});
+  if (defaults.white_balance_kelvins)
+    film.add("float whitebalance", *defaults.white_balance_kelvins);
   if (defaults.exposure && *defaults.exposure != 0)
     film.add_own("float exposure", *defaults.exposure);
   return film.text();

@@ -142,7 +142,7 @@ TEST(Unit_Lab3Render, EveryKey) {
   const RenderDefaults defaults =
       scene_of(
           "Render: {Width: 640, Height: 480, SamplesPerPixel: 16, MaxDepth: 5, Integrator: Path, "
-          "Filter: BlackmanHarris, Seed: 7, Exposure: -1.5}\n")
+          "Filter: BlackmanHarris, Seed: 7, Exposure: -1.5, WhiteBalance: 4500}\n")
           .defaults;
   EXPECT_EQ(defaults.width, 640);
   EXPECT_EQ(defaults.height, 480);
@@ -152,6 +152,7 @@ TEST(Unit_Lab3Render, EveryKey) {
   EXPECT_EQ(defaults.filter, "blackman_harris");
   EXPECT_EQ(defaults.seed, 7u);
   EXPECT_EQ(defaults.exposure, -1.5);
+  EXPECT_EQ(defaults.white_balance_kelvins, 4500.0);
   EXPECT_EQ(scene_of("Render: {spp: 8}\n").defaults.samples_per_pixel, 8);
 }
 

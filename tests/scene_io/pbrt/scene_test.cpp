@@ -99,6 +99,7 @@ TEST(Unit_PbrtFilm, CropWindowsAndPixelBounds) {
     EXPECT_EQ(crop->bottom, bottom);
   };
   expect_crop("\"float cropwindow\" [ .25 .5 .125 2 ]", 0.25, 0.5, 0.125, 1);
+  expect_crop("\"float cropwindow\" [ .5 .25 1 .125 ]", 0.25, 0.5, 0.125, 1);
   expect_crop("\"integer pixelbounds\" [ 50 100 10 20 ]", 0.25, 0.5, 0.1, 0.2);
   EXPECT_FALSE(pbrt_scene(film + "\nWorldBegin").defaults.crop);
 }
@@ -116,6 +117,23 @@ TEST(Unit_PbrtFilm, TheImagingRatioIsInTheLight) {
   expect_near(std::get<DirectionalLight>(scene.lights.at(1).kind).irradiance, Vec3d(0.5));
   expect_near(std::get<ConstantEnvironment>(scene.lights.at(2).kind).radiance, Vec3d(2.0));
   expect_near(scene.materials.at(0).emission, Vec3d(1.0));
+}
+
+TEST(Unit_PbrtFilm, IsBalancedAsItSays) {
+  const auto balance = [](const std::string& parameters) {
+    return pbrt_scene("Film \"rgb\" " + parameters + "\nWorldBegin").defaults.white_balance_kelvins;
+  };
+  EXPECT_EQ(balance("\"float whitebalance\" 5000"), 5000.0);
+  EXPECT_FALSE(balance(""));
+  EXPECT_FALSE(balance("\"float whitebalance\" 0"));
+  EXPECT_FALSE(balance("\"string sensor\" \"cie1931\""));
+  // pbrt's default for real sensors.
+  EXPECT_EQ(balance("\"string sensor\" \"canon_eos_5d\""), 6500.0);
+  EXPECT_EQ(balance("\"string sensor\" \"canon_eos_5d\" \"float whitebalance\" 3000"), 3000.0);
+  EXPECT_EQ(pbrt_warning("Film \"rgb\" \"string sensor\" \"canon_eos_5d\"\nWorldBegin"),
+            "1:12: 'sensor' is not supported: the film is that of the CIE 1931 observer");
+  EXPECT_EQ(pbrt_error("Film \"rgb\" \"float whitebalance\" -5\nWorldBegin"),
+            "1:12: 'whitebalance' is -5, expected kelvins, or 0 for no balance");
 }
 
 TEST(Errors_PbrtFilm, WhatCannotBeHonouredIsNamed) {
@@ -137,6 +155,38 @@ TEST(Errors_PbrtFilm, WhatCannotBeHonouredIsNamed) {
             "2:8: the camera's transform is singular");
 }
 
+// What no version of pbrt has is no wish that cannot be honoured, but a mistake.
+TEST(Errors_PbrtFilm, TypesThatDoNotExist) {
+  EXPECT_EQ(pbrt_error("Integrator \"volpth\"\nWorldBegin"),
+            "1:12: 'volpth' is no integrator, did you mean 'volpath'?");
+  EXPECT_EQ(pbrt_error("Sampler \"zsobl\"\nWorldBegin"),
+            "1:9: 'zsobl' is no sampler, did you mean 'zsobol'?");
+  EXPECT_EQ(pbrt_error("ColorSpace \"rec202\"\nWorldBegin"),
+            "1:1: 'rec202' is no colour space, did you mean 'rec2020'?");
+  EXPECT_EQ(pbrt_warning("ColorSpace \"rec2020\"\nWorldBegin"),
+            "1:1: the colour space 'rec2020' is not supported: colours count as srgb");
+  EXPECT_EQ(pbrt_world_error("MakeNamedMedium \"m\" \"string type\" \"homogenous\" "
+                             "MediumInterface \"m\" \"\" Shape \"sphere\""),
+            "2:17: 'homogenous' is no type of media, did you mean 'homogeneous'?");
+}
+
+// The window that pbrt makes of it: unit along the shorter side.
+TEST(Unit_PbrtCamera, FrameAspectRatio) {
+  const auto window_of = [](const std::string& parameters) {
+    return pbrt_scene("Camera \"perspective\" " + parameters + "\nWorldBegin")
+        .cameras.at(0)
+        .screen_window.value_or(description::ScreenWindow{0, 0, 0, 0});
+  };
+  const auto wide = window_of("\"float frameaspectratio\" 2");
+  EXPECT_EQ(std::vector<double>({wide.left, wide.right, wide.bottom, wide.top}),
+            std::vector<double>({-2, 2, -1, 1}));
+  const auto tall = window_of("\"float frameaspectratio\" .25");
+  EXPECT_EQ(std::vector<double>({tall.left, tall.right, tall.bottom, tall.top}),
+            std::vector<double>({-1, 1, -4, 4}));
+  EXPECT_EQ(window_of("\"float frameaspectratio\" 2 \"float screenwindow\" [ -3 3 -1 1 ]").right,
+            3);
+}
+
 TEST(Unit_PbrtLights, PlacesAndDirections) {
   const auto scene = pbrt_world(R"(Translate 0 0 10
     Rotate 90 1 0 0
@@ -155,11 +205,13 @@ TEST(Unit_PbrtLights, PlacesAndDirections) {
   EXPECT_NEAR(spot.outer_angle_radians, 40 * pi_double / 180, 1e-12);
 }
 
-TEST(Unit_PbrtLights, SkiesAddUp) {
+// Each of the file's skies is one of the description; compile() adds them up.
+TEST(Unit_PbrtLights, SkiesAreKeptApart) {
   const auto plain = pbrt_world(
       "LightSource \"infinite\" \"rgb L\" [ 1 2 3 ]\nLightSource \"infinite\" \"rgb L\" [ 1 1 1 ]");
-  ASSERT_EQ(plain.lights.size(), 1u);
-  expect_near(std::get<ConstantEnvironment>(plain.lights[0].kind).radiance, {2, 3, 4});
+  ASSERT_EQ(plain.lights.size(), 2u);
+  expect_near(std::get<ConstantEnvironment>(plain.lights[0].kind).radiance, {1, 2, 3});
+  expect_near(std::get<ConstantEnvironment>(plain.lights[1].kind).radiance, Vec3d(1.0));
   const auto turned = pbrt_world(
       "Rotate 90 0 0 1\nLightSource \"infinite\" \"string filename\" \"picture.exr\" \"float "
       "scale\" 2");

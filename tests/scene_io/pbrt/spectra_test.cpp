@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "renderer/math/cie.h"
 #include "renderer/math/colour.h"
-#include "scene_io/pbrt/cie.h"
 #include "tests/scene_io/pbrt/pbrt_text.h"
 
 namespace candela {
@@ -26,13 +26,12 @@ void expect_near(const Vec3d& colour, const Vec3d& expected, double tolerance) {
 
 // Published: the white points of D65 and A, and Planck's law at 6504 K [CIE15].
 TEST(Unit_PbrtSpectra, WhitePoints) {
-  expect_near(pbrt::colour_of_chromaticity(0.31272, 0.32903), Vec3d(1.0), 2e-3);
-  const Vec3d warm = pbrt::colour_of_light([](double nm) { return pbrt::black_body(nm, 2856); });
-  expect_near(warm, pbrt::colour_of_chromaticity(0.44758, 0.40745), 2e-3);
+  expect_near(colour_of_chromaticity(0.31272, 0.32903), Vec3d(1.0), 2e-3);
+  const Vec3d warm = colour_of_light([](double nm) { return black_body(nm, 2856); });
+  expect_near(warm, colour_of_chromaticity(0.44758, 0.40745), 2e-3);
   for (const double kelvin : {200.0, 1000.0, 2856.0, 6500.0, 1e5, 1e8})
-    EXPECT_NEAR(
-        luminance(pbrt::colour_of_light([&](double nm) { return pbrt::black_body(nm, kelvin); })),
-        1, 1e-12)
+    EXPECT_NEAR(luminance(colour_of_light([&](double nm) { return black_body(nm, kelvin); })), 1,
+                1e-12)
         << kelvin;
 }
 
@@ -42,10 +41,9 @@ TEST(Unit_PbrtSpectra, PlancksLaw) {
     return std::pow(nm, -5) / std::expm1(1.438776877e7 / (nm * kelvin));
   };
   for (const double kelvin : {1000.0, 3000.0, 6500.0})
-    EXPECT_NEAR(pbrt::black_body(450, kelvin) / pbrt::black_body(650, kelvin),
+    EXPECT_NEAR(black_body(450, kelvin) / black_body(650, kelvin),
                 law(450, kelvin) / law(650, kelvin), 1e-9);
-  EXPECT_NEAR(pbrt::black_body(450, 500) / pbrt::black_body(650, 500),
-              law(450, 500) / law(650, 500), 1e-9);
+  EXPECT_NEAR(black_body(450, 500) / black_body(650, 500), law(450, 500) / law(650, 500), 1e-9);
 }
 
 TEST(Unit_PbrtSpectra, LightsHaveLuminanceOneButForRgb) {

@@ -94,5 +94,53 @@ TEST(Errors_PbrtTextures, NamesThatAreNotThere) {
             "3:1: the float texture 't' is defined twice");
 }
 
+TEST(Errors_PbrtTextures, CheckerboardsHaveTwoOrThreeDimensions) {
+  EXPECT_EQ(pbrt_world_error("Texture \"t\" \"spectrum\" \"checkerboard\" \"integer dimension\" 4 "
+                             "Material \"diffuse\" \"texture reflectance\" \"t\" Shape \"disk\""),
+            "2:39: 'dimension' is 4, expected 2 or 3");
+}
+
+// pbrt-v3's flag: what is stored is light already.
+TEST(Unit_PbrtTextures, WithoutGammaTexelsAreLinear) {
+  const auto encoding_of = [](const std::string& parameters) {
+    const auto scene = pbrt_world(
+        "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"picture.png\" " +
+        parameters + " Material \"diffuse\" \"texture reflectance\" \"t\" Shape \"disk\"");
+    return scene.images.at(0).encoding;
+  };
+  EXPECT_EQ(encoding_of("\"bool gamma\" false"), Encoding::Linear);
+  EXPECT_EQ(encoding_of("\"bool gamma\" true"), Encoding::Srgb);
+  EXPECT_EQ(encoding_of("\"float gamma\" 2.2"), Encoding::Srgb);
+}
+
+std::vector<Diagnostic> said_of_filter(const std::string& parameters) {
+  const std::string map = "\"spectrum\" \"imagemap\" \"string filename\" \"picture.png\" ";
+  const auto scene = test::parse_pbrt_text(
+      "WorldBegin\nTexture \"a\" " + map + parameters + "\nTexture \"b\" " + map + parameters +
+      "\nMaterial \"diffuse\" \"texture reflectance\" \"a\"\nShape \"disk\"" +
+      "\nMaterial \"diffuse\" \"texture reflectance\" \"b\"\nShape \"disk\"");
+  EXPECT_TRUE(scene);
+  return scene.diagnostics.list();
+}
+
+// Once a scene, and no warning: pictures differ by what more samples take away.
+TEST(Unit_PbrtTextures, OtherFiltersAreNamedByANote) {
+  for (const char* filter : {"\"string filter\" \"trilinear\"", "\"string filter\" \"EWA\"",
+                             "\"string filter\" \"point\"", "\"bool trilinear\" true"}) {
+    const auto said = said_of_filter(filter);
+    ASSERT_EQ(said.size(), 1u) << filter;
+    EXPECT_EQ(said[0].severity, Severity::Note);
+    EXPECT_EQ(said[0].span.line, 2u);
+    EXPECT_EQ(said[0].message,
+              "images are looked up bilinearly, whatever \"filter\" they name: a pixel's samples "
+              "average them over its footprint");
+  }
+  EXPECT_TRUE(said_of_filter("").empty());
+  EXPECT_TRUE(said_of_filter("\"string filter\" \"bilinear\"").empty());
+  const auto unknown = said_of_filter("\"string filter\" \"cubic\"");
+  ASSERT_EQ(unknown.size(), 2u);
+  EXPECT_EQ(unknown[0].severity, Severity::Warning);
+}
+
 }  // namespace
 }  // namespace candela

@@ -107,6 +107,7 @@ TEST(Unit_WriteView, WhatTheSceneAsksFor) {
   defaults.samples_per_pixel = 49;
   defaults.seed = 12345;
   defaults.filter = "blackman_harris";
+  defaults.white_balance_kelvins = 5003.25;
   defaults.filter_radius = 1.75;
   defaults.integrator = "whitted";
   defaults.exposure = -1.5;
@@ -121,6 +122,7 @@ TEST(Unit_WriteView, WhatTheSceneAsksFor) {
   EXPECT_EQ(back.filter_radius, 1.75);
   EXPECT_EQ(back.integrator, "whitted");
   EXPECT_EQ(back.exposure, -1.5);
+  EXPECT_EQ(back.white_balance_kelvins, 5003.25);
   ASSERT_TRUE(back.crop);
   EXPECT_EQ(back.crop->left, 0.125);
   EXPECT_EQ(back.crop->right, 0.5);
@@ -205,6 +207,28 @@ TEST(Unit_WriteLights, SkiesOfAllKinds) {
                                         ImageHandle(0), ImageHandle(0), ImageHandle(0)}));
 }
 
+// Several are several directives, each with the image that pbrt needs of it.
+TEST(Unit_WriteLights, SkiesOneByOne) {
+  SceneDescription scene = room();
+  scene.images = {{"a/one.exr", Encoding::Linear, Wrap::Repeat, {}},
+                  {"a/two.exr", Encoding::Linear, Wrap::Clamp, {}}};
+  scene.lights.clear();
+  test::add_light(scene, LatLongEnvironment{ImageHandle(0), {1, 2, 3}, Mat3d(1.0), true});
+  test::add_light(scene, ConstantEnvironment{odd, true});
+  test::add_light(scene, EqualAreaEnvironment{ImageHandle(1), {1, 1, 1}, Mat3d(1.0), true});
+  test::add_light(scene, LatLongEnvironment{ImageHandle(1), {1, 1, 1}, Mat3d(1.0), true});
+  const RoundTrip trip = test::round_trip(scene);
+  ASSERT_EQ(trip.scene.lights.size(), 4u);
+  EXPECT_TRUE(std::holds_alternative<LatLongEnvironment>(trip.scene.lights[0].kind));
+  EXPECT_EQ(std::get<ConstantEnvironment>(trip.scene.lights[1].kind).radiance, odd);
+  EXPECT_TRUE(std::holds_alternative<EqualAreaEnvironment>(trip.scene.lights[2].kind));
+  EXPECT_TRUE(std::holds_alternative<LatLongEnvironment>(trip.scene.lights[3].kind));
+  ASSERT_EQ(trip.written.skies.size(), 2u);
+  EXPECT_EQ(trip.written.skies[0].light, 0u);
+  EXPECT_EQ(trip.written.skies[1].light, 3u);
+  EXPECT_NE(trip.written.skies[0].name, trip.written.skies[1].name);
+}
+
 TEST(Unit_WriteLights, CubesKeepTheirEncodingAndAreAskedForAsEqualAreas) {
   SceneDescription scene = room();
   scene.images = {{"face.jpg", Encoding::LabGamma, Wrap::Clamp, {}}};
@@ -214,8 +238,8 @@ TEST(Unit_WriteLights, CubesKeepTheirEncodingAndAreAskedForAsEqualAreas) {
   const RoundTrip trip = test::round_trip(scene, {100, 100, 3, -1, false});
   ASSERT_EQ(trip.scene.images.size(), 1u);
   EXPECT_EQ(trip.scene.images[0].encoding, Encoding::LabGamma);
-  ASSERT_TRUE(trip.written.sky);
-  EXPECT_EQ(trip.written.sky->side, 256);  // 245 squared are the texels of six faces
+  ASSERT_EQ(trip.written.skies.size(), 1u);
+  EXPECT_EQ(trip.written.skies[0].side, 256);  // 245 squared are the texels of six faces
   ASSERT_EQ(trip.written.images.size(), 1u);
   EXPECT_FALSE(trip.written.images[0].is_copied);
   EXPECT_TRUE(trip.written.images[0].name.ends_with("face.png"));

@@ -7,7 +7,7 @@
 
 #include "renderer/math/vec.h"
 
-namespace candela::pbrt {
+namespace candela {
 
 // A spectrum of samples by rising wavelength (nanometres), linear between and 0 beyond them.
 struct SampledSpectrum {
@@ -32,6 +32,8 @@ using SpectrumFunction = std::function<double(double wavelength)>;
 // Mean over wavelengths by luminance.
 [[nodiscard]] double luminous_mean(const SpectrumFunction& spectrum);
 
+// Of light with this spectrum, in relative units.
+[[nodiscard]] Vec3d xyz_of_light(const SpectrumFunction& spectrum);
 [[nodiscard]] Vec3d xyz_to_rgb(const Vec3d& xyz);
 
-}  // namespace candela::pbrt
+}  // namespace candela

@@ -1,4 +1,4 @@
-#include "scene_io/pbrt/cie.h"
+#include "renderer/math/cie.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include "renderer/math/colour.h"
 
-namespace candela::pbrt {
+namespace candela {
 namespace {
 
 // [CIE15], tables T.4 and T.1, every 10 nm from 380 to 780.
@@ -105,8 +105,12 @@ Vec3d xyz_to_rgb(const Vec3d& c) {
           0.0556434 * c.x - 0.2040259 * c.y + 1.0572252 * c.z};
 }
 
+Vec3d xyz_of_light(const SpectrumFunction& spectrum) {
+  return integrate(spectrum, false).xyz;
+}
+
 Vec3d colour_of_light(const SpectrumFunction& spectrum) {
-  const Vec3d xyz = integrate(spectrum, false).xyz;
+  const Vec3d xyz = xyz_of_light(spectrum);
   return xyz.y > 0 ? of_luminance_one(xyz) : Vec3d(1.0);
 }
 
@@ -124,4 +128,4 @@ double luminous_mean(const SpectrumFunction& spectrum) {
   return sum.xyz.y / sum.d65_y;
 }
 
-}  // namespace candela::pbrt
+}  // namespace candela

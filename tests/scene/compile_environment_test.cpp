@@ -1,0 +1,90 @@
+// Which of a scene's skies count, and what a compiled scene says of their sum.
+#include "renderer/scene/compile_environment.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/light/map_images.h"
+#include "tests/scenes/description.h"
+#include "tests/scenes/render_scene.h"
+
+namespace candela {
+namespace {
+
+using namespace test;
+using description::ConstantEnvironment;
+using description::EqualAreaEnvironment;
+using description::ImageHandle;
+using description::SceneDescription;
+
+SceneDescription with_map(const Vec3d& scale = Vec3d(1.0), int side = 8) {
+  SceneDescription scene = small_room();
+  scene.images = {light_test::write_float_map(fmt::format("skies{}", side), side, side,
+                                              [](int x, int y) { return Vec3f(x, y, 1); })};
+  add_light(scene, EqualAreaEnvironment{ImageHandle(0), scale, Mat3d(1.0), true});
+  return scene;
+}
+
+TEST(Unit_CompileEnvironment, OneSkyIsItself) {
+  SceneDescription scene = with_map();
+  add_light(scene, ConstantEnvironment{Vec3d(0.0), false});  // black: no matter
+  TextureStore textures;
+  Diagnostics diagnostics;
+  const auto environment = compile_environments(scene, textures, diagnostics);
+  ASSERT_TRUE(environment);
+  EXPECT_EQ(textures.size(), 1u);
+  EXPECT_EQ(textures.path(environment->faces[0]), scene.images[0].path);
+  EXPECT_TRUE(diagnostics.list().empty());
+}
+
+TEST(Unit_CompileEnvironment, BlackSkiesAreKeptWhereThereIsNoOther) {
+  SceneDescription scene = small_room();
+  TextureStore textures;
+  Diagnostics diagnostics;
+  EXPECT_FALSE(compile_environments(scene, textures, diagnostics));
+  add_light(scene, ConstantEnvironment{Vec3d(0.0), true});
+  const auto environment = compile_environments(scene, textures, diagnostics);
+  ASSERT_TRUE(environment);
+  EXPECT_TRUE(environment->is_black());
+}
+
+TEST(Unit_CompileEnvironment, ConstantsAreOneConstant) {
+  SceneDescription scene = small_room();
+  add_light(scene, ConstantEnvironment{{1, 2, 3}, false});
+  add_light(scene, ConstantEnvironment{{0.5, 0, 0.25}, false});
+  const Scene compiled_scene = compiled(scene, settings_of(4, 1).options);
+  ASSERT_TRUE(compiled_scene.environment->is_constant());
+  EXPECT_EQ(compiled_scene.environment->scale, Rgb(1.5f, 2, 3.25f));
+  EXPECT_FALSE(compiled_scene.environment->is_seen_by_camera);
+  EXPECT_EQ(compiled_scene.ambient, Rgb(1.5f, 2, 3.25f));
+}
+
+TEST(Unit_CompileEnvironment, AConstantIsAddedToEachTexelWithoutAWord) {
+  SceneDescription scene = with_map({1, 2, 3});
+  add_light(scene, ConstantEnvironment{{10, 20, 30}, true});
+  TextureStore textures;
+  Diagnostics diagnostics;
+  const auto environment = compile_environments(scene, textures, diagnostics);
+  EXPECT_TRUE(diagnostics.list().empty());
+  const TextureHandle map = environment->faces[0];
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x)
+      EXPECT_EQ(Rgb(textures.texel(map, x, y)), Rgb(x + 10, 2 * y + 20, 33));
+}
+
+TEST(Unit_CompileEnvironment, ANoteSaysWhatIsResampled) {
+  SceneDescription scene = with_map();
+  scene.images.push_back(with_map(Vec3d(1.0), 48).images[0]);
+  add_light(scene, EqualAreaEnvironment{ImageHandle(1), Vec3d(1.0), Mat3d(1.0), true});
+  TextureStore textures;
+  Diagnostics diagnostics;
+  const auto environment = compile_environments(scene, textures, diagnostics);
+  EXPECT_EQ(environment->mapping, EnvironmentMapping::EqualArea);
+  ASSERT_EQ(diagnostics.list().size(), 1u);
+  EXPECT_EQ(diagnostics.list()[0].severity, Severity::Note);
+  EXPECT_EQ(diagnostics.list()[0].message,
+            "the scene's 2 skies differ in grid or rotation: their sum is resampled to a map of "
+            "equal areas, 96 x 96 texels");
+}
+
+}  // namespace
+}  // namespace candela
