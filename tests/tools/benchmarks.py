@@ -105,6 +105,13 @@ def compared_with_cycles(files):
     return list(found)
 
 
+def approximated(folder, scenes):
+    """What is told of these scenes, as a table."""
+    out = pathlib.Path(folder)
+    peers.tell_approximated(results.Results(out, "Peers", "", ""), json.loads(scenes))
+    return sorted(file.name for file in out.iterdir())
+
+
 def errors(shape, reference_noise, picture_noise):
     """relMSE and its trimmed version of a noisy picture against a noisy reference of grey 2, and what
     they are to be: the picture's variance over its denominator; one pixel is off by 100."""

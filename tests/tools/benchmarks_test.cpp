@@ -179,6 +179,18 @@ TEST_F(Unit_Benchmarks, ScenesThatCyclesCannotHaveAreLeftOut) {
   EXPECT_EQ(ask({"compared_with_cycles", files.dump()}), Json{"sun"});
 }
 
+// Scene by scene; none is told where all is exact.
+TEST_F(Unit_Benchmarks, WhatIsOnlyNearInCyclesIsTold) {
+  const std::string folder = fresh_folder("approximated");
+  const std::string exact = R"("box": {"approximated": []})";
+  EXPECT_EQ(ask({"approximated", folder, "{" + exact + "}"}), Json::array());
+  EXPECT_EQ(ask({"approximated", folder, "{" + exact + R"(, "room": {"approximated": [
+      {"what": "metal", "in_Cycles": "Schlick's", "names": ["gold", "tin"]}]}})"}),
+            Json{"approximated.csv"});
+  EXPECT_EQ(file_text(folder + "/approximated.csv"),
+            "scene,what,names,in_Cycles\r\nroom,metal,\"gold, tin\",Schlick's\r\n");
+}
+
 // relMSE is the picture's own, without the reference's noise. Its standard error over 64 x 64 x 3
 // values of variance v: (v + r) sqrt(2 / 12288) / v with r of the reference: 1.6 % here.
 TEST_F(Unit_Benchmarks, TheReferencesNoiseIsTakenOff) {

@@ -12,13 +12,18 @@ sys.path += [str(ROOT / "tools" / "benchmarks"), str(ROOT / "tools" / "dev" / "s
 
 import numpy  # noqa: E402
 
-from blender import agreement, blender_scene, closed_form, cycles_renders, pbrt_scene  # noqa: E402
+from blender import (agreement, blender_scene, closed_form, cycles_renders, equal_area,  # noqa: E402
+                     pbrt_nearest, pbrt_scene)
 from exr import read_channels, read_exr, stacked  # noqa: E402
 
 
 def scene(path, scale="1"):
     reader = pbrt_scene if path.endswith(".pbrt") else blender_scene
     return reader.read(path, float(scale))
+
+
+def nearest(path, scale="1"):
+    return pbrt_scene.read(path, float(scale), nearest=True)
 
 
 def apart(path, other, scale):
@@ -86,6 +91,71 @@ def positions(path, exr):
             "off_surface": float(off.max())}
 
 
+def checks(path, exr):
+    """Where the textures of Blender's meshes, by its own formula, are the albedos that candela saw."""
+    channels = read_channels(pathlib.Path(exr))
+    seen = channels["depth.Z"] > 0
+    points = blender_scene.axes(
+        stacked(channels, ["position.X", "position.Y", "position.Z"])[seen])
+    albedos = stacked(channels, ["albedo.R", "albedo.G", "albedo.B"])[seen]
+    found, least = numpy.zeros_like(albedos), numpy.full(len(points), numpy.inf)
+    for mesh in nearest(path)["meshes"]:
+        texture = mesh["albedo"]
+        for triangle, uvs in zip(numpy.array(mesh["corners"]), numpy.array(mesh["uvs"])):
+            off, at = distances(points, triangle), barycentric(points, triangle)[:2].T
+            uv = uvs[0] + at @ (uvs[1:] - uvs[0])
+            # Blender's checker texture: its second colour where both are even or both odd.
+            odd = numpy.floor(uv * texture["uv_scale"]).sum(axis=1) % 2
+            nearer = off < least
+            found[nearer] = numpy.where(odd[:, None], *reversed(texture["checks"]))[nearer]
+            least = numpy.minimum(off, least)
+    right = numpy.abs(found - albedos).max(axis=1) < 1e-6
+    dark = albedos[:, 0] < .5
+    return {"dark": int(dark.sum()), "light": int((~dark).sum()), "wrong": int((~right).sum())}
+
+
+def sky(path, exr):
+    """Mean and largest difference of what candela's camera sees of a sky from what the map that Cycles
+    looks up has there, over the mean."""
+    picture, described = read_exr(pathlib.Path(exr)), nearest(path)
+    image = read_exr(pathlib.Path(described["environment"]["map"]))
+    found = equal_area.lat_long(image, described["environment"]["map_from_world"])
+    parts, size = 16, picture.shape[0]
+    across = (numpy.arange(parts * size) + .5) / (parts * size) * 2 - 1
+    x, y = numpy.meshgrid(across, -across)
+    reach = numpy.tan(described["camera"]["fovy"] / 2)
+    towards = (numpy.stack([reach * x, reach * y, -numpy.ones_like(x)], axis=-1)
+               @ numpy.array(described["camera"]["to_world"])[:3, :3].T)
+    towards /= numpy.linalg.norm(towards, axis=-1, keepdims=True)
+    rows, columns = found.shape[:2]
+    row = (.5 - numpy.arcsin(towards[..., 2]) / numpy.pi) * rows
+    column = (.5 - numpy.arctan2(towards[..., 1], towards[..., 0]) / (2 * numpy.pi)) * columns
+    seen = found[row.astype(int), column.astype(int) % columns]
+    seen = seen.reshape(size, parts, size, parts, 3).mean(axis=(1, 3))
+    off = numpy.abs(seen - picture) / picture.mean()
+    return {"mean": float(off.mean()), "largest": float(off.max()),
+            "contrast": float(picture.std() / picture.mean())}
+
+
+def ball(radius):
+    """Of the mesh in place of a sphere."""
+    corners, normals = pbrt_nearest.sphere(float(radius))
+    edges = corners[:, [1, 2, 0]] - corners
+    faces = numpy.cross(edges[:, 0], edges[:, 1])
+    areas = numpy.linalg.norm(faces, axis=1)
+    middles = corners.mean(axis=1)
+    outwards = (faces * middles).sum(axis=1) / areas / numpy.linalg.norm(middles, axis=1)
+    return {"area": float(areas.sum() / 2), "least_outwards": float(outwards.min()),
+            "unclosed": float(numpy.abs(faces.sum(axis=0)).max()),
+            "volume": float((faces * middles).sum() / 6),
+            "normals": float(numpy.abs(corners / numpy.linalg.norm(corners, axis=2, keepdims=True)
+                                       - normals).max())}
+
+
+def mean(exr):
+    return read_exr(pathlib.Path(exr)).mean(axis=(0, 1)).tolist()
+
+
 def placed(mesh):
     """A mesh's corners, once for each instance."""
     corners = numpy.array(mesh["corners"])
@@ -93,12 +163,17 @@ def placed(mesh):
         yield corners @ to_world[:3, :3].T + to_world[:3, 3]
 
 
-def distances(points, triangle):
-    """To the triangle's plane; where a point lies beside the triangle, infinite."""
+def barycentric(points, triangle):
+    """Along the two edges from the first corner, and off the plane."""
     a, b, c = triangle
     normal = numpy.cross(b - a, c - a)
     normal /= numpy.linalg.norm(normal)
-    uvw = numpy.linalg.solve(numpy.stack([b - a, c - a, normal], axis=1), (points - a).T)
+    return numpy.linalg.solve(numpy.stack([b - a, c - a, normal], axis=1), (points - a).T)
+
+
+def distances(points, triangle):
+    """To the triangle's plane; where a point lies beside the triangle, infinite."""
+    uvw = barycentric(points, triangle)
     inside = (uvw[0] > -1e-3) & (uvw[1] > -1e-3) & (uvw[0] + uvw[1] < 1.001)
     return numpy.where(inside, numpy.abs(uvw[2]), numpy.inf)
 

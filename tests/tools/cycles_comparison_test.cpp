@@ -1,38 +1,17 @@
 // tools/bench cycles, without Blender: what it hands to Blender is the scene that candela renders,
 // and its statistics see what differs and nothing else.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "tests/tools/run_program.h"
+#include "tests/tools/cycles_questions.h"
 
 namespace candela::cli_test {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* python = "/usr/bin/python3";  // Debian's, as in tools/bench
 const std::string blocks = CANDELA_SOURCE_DIR "/tools/benchmarks/blender/scenes/";
 
-class Unit_CyclesComparison : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!std::filesystem::exists(python) ||
-        Program({python, "-c", "import numpy, yaml"}, ErrorStream::File).finish().exit_code != 0)
-      GTEST_SKIP() << "Debian's python3-numpy and python3-yaml are not installed";
-  }
-
-  static Json ask(std::vector<std::string> question) {
-    std::vector<std::string> words{
-        python, "-B", CANDELA_SOURCE_DIR "/tests/tools/cycles_comparison.py", CANDELA_SOURCE_DIR};
-    words.insert(words.end(), question.begin(), question.end());
-    const ProgramResult result = Program(words, ErrorStream::File).finish();
-    EXPECT_EQ(result.exit_code, 0) << result.error;
-    return result.exit_code == 0 ? Json::parse(result.output) : Json();
-  }
-};
+using Unit_CyclesComparison = CyclesQuestions;
 
 // The camera's matrix and angle, the meshes' transforms: where candela sees a point, the camera
 // that Blender gets sees it too, and it lies on a triangle that Blender gets.

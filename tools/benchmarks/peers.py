@@ -8,6 +8,9 @@ picture of one sample costs (start-up, synchronization, file), in proportion to 
 Beside it Embree's tutorial path tracer, for speed at equal samples: it draws point lights only, ends
 paths early and writes 8 bits, so nothing is said of its error.
 
+With --nearest pbrt's scenes are compared where Blender has only something near to their metals, coats
+and shapes: one answer each, two pictures that are alike. What is only near is listed, scene by scene.
+
 With --all candela has its replicates and its adaptive sampling, and Cycles the better, by its last point, of a fixed
 number of samples and of its noise threshold.
 """
@@ -46,6 +49,8 @@ def add_arguments(parser):
     parser.add_argument("--quick", action="store_true", help="48x48, 4 and 16 spp, 2 pairs")
     parser.add_argument("--all", action="store_true",
                         help="all that candela has against the better of Cycles' settings")
+    parser.add_argument("--nearest", action="store_true",
+                        help="pbrt/NAME: Blender gets the nearest to what it has nothing exact for")
     parser.add_argument("--pairs", type=int, help="runs of each renderer (5)")
     parser.add_argument("--size", type=int, metavar="N", help="pixels a side (128)")
     parser.add_argument("--most", type=int, metavar="SPP", help="samples of the last point (256)")
@@ -67,18 +72,23 @@ def run(options):
     bench = Bench(candela, cycles, options.size or (48 if options.quick else 128),
                   ladder(options.most or (16 if options.quick else 256)),
                   options.pairs or (2 if options.quick else 5), options.threads, options.all)
-    points, ratios = [], []
+    points, ratios, means = [], [], []
     files = scene_files(candela, out, options.scenes or default_scenes())
-    for name, scene in described(candela, out, files).items():
-        own_points, own_ratios = bench.measure(name, files[name], scene)
+    scenes = described(candela, out, files, options.nearest)
+    tell_approximated(results, scenes)
+    for name, scene in scenes.items():
+        own_points, own_ratios, own_means = bench.measure(name, files[name], scene)
         points += own_points
         ratios += own_ratios
+        means.append({"scene": name} | own_means | {
+            "approximated": "; ".join(part["what"] for part in scene["approximated"])})
         print(f"{name}: relMSE * CPU seconds, Cycles / candela: "
               f"{own_ratios[-1]['cpu_ratio']:.2f}", flush=True)
     results.table("points", f"All points, {bench.size}x{bench.size}, {bench.pairs} pairs", points)
     results.table("ratios", "Cycles over candela: times as slow to the same error", ratios,
                   "By relMSE * seconds at equal samples, and by the time to a relMSE where both get "
                   "there; ranges over the pairs.")
+    results.table("means", "The references' means, candela's over Cycles'", means)
     last = [r for r in ratios if r["by"] == f"{bench.counts[-1]} spp" and r["cpu_ratio"] > 0]
     without = geometric_mean(r["cpu_ratio"] / r["relmse_ratio"] * r["trimmed_ratio"] for r in last)
     results.note(f"geometric mean over {len(last)} scenes at {bench.counts[-1]} spp: "
@@ -90,6 +100,14 @@ def run(options):
     embree_path_tracer.compare(results, candela, out / "embree", bench.size, bench.pairs,
                                options.threads)
     results.finish()
+
+
+def tell_approximated(results, scenes):
+    rows = [{"scene": name, "what": part["what"], "names": ", ".join(part["names"]),
+             "in_Cycles": part["in_Cycles"]}
+            for name, scene in scenes.items() for part in scene["approximated"]]
+    if rows:
+        results.table("approximated", "What Cycles has only something near to", rows)
 
 
 def ladder(most):
@@ -106,7 +124,7 @@ def scene_files(candela, out, wanted):
     return files
 
 
-def described(candela, out, files):
+def described(candela, out, files, nearest=False):
     """Name -> what Blender is told. What cannot be compared is left out with a sentence."""
     from blender import blender_scene, pbrt_scene
     from renders import CandelaFailed
@@ -116,7 +134,7 @@ def described(candela, out, files):
             if file.suffix == ".pbrt":
                 plain = out / "converted" / f"{chosen_scenes.safe(name)}.pbrt"
                 candela.convert(file, plain)
-                scenes[name] = pbrt_scene.read(plain, SCALES.get(name, 1))
+                scenes[name] = pbrt_scene.read(plain, SCALES.get(name, 1), nearest)
             else:
                 scenes[name] = blender_scene.read(file, SCALES.get(name, 1))
         except blender_scene.Unsupported as reason:
@@ -137,7 +155,7 @@ class Bench:
     with_all: bool
 
     def measure(self, name, file, scene):
-        """(points, ratios): rows of the two tables."""
+        """(points, ratios, means): rows of two tables, and how far the references are apart."""
         spp = 16 * self.counts[-1]
         ours = truth.reference(self.candela, name, file, self.size, spp, max_depth="none")
         theirs = self.cycles_reference(name, scene, spp)
@@ -153,7 +171,9 @@ class Bench:
                 points.append({"scene": name, "renderer": who,
                                "spp": statistics.median(run.spp for run in runs)}
                               | truth.summary(runs, right) | {"means_candela_over_Cycles": apart})
-        return points, [{"scene": name} | row for row in ratios_of(pairs, self.counts)]
+        by_channel = ours.image.mean(axis=(0, 1)) / theirs.image.mean(axis=(0, 1))
+        return (points, [{"scene": name} | row for row in ratios_of(pairs, self.counts)],
+                {"all": apart} | dict(zip("RGB", map(float, by_channel))))
 
     def our_ladder(self, file, right, seed):
         # Cycles tells no error of a picture: without --all candela does not either.

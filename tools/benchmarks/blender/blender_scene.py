@@ -33,6 +33,7 @@ def read(path, scale=1):
         "lights": [light(entry, scale) for entry in file.get("Lights", ())],
         "environment": environment(file["Environment"], path.parent)
         if "Environment" in file else None,
+        "approximated": [],  # what has no exact counterpart [pbrt_scene.py]
     }
 
 
@@ -165,8 +166,10 @@ def white_metal(material):
 def are_flat(corners, normals):
     """Whether the normals say no more than the windings do."""
     faces = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    faces /= numpy.linalg.norm(faces, axis=1, keepdims=True)
-    return bool(numpy.abs(normals - faces[:, None]).max() < 1e-4)
+    sizes = numpy.linalg.norm(faces, axis=1, keepdims=True)
+    seen = sizes[:, 0] > 0
+    return bool(numpy.abs(normals[seen] - (faces[seen] / sizes[seen])[:, None]).max(initial=0)
+                < 1e-4)
 
 
 def read_obj(path):

@@ -7,21 +7,24 @@ comments that begin with #candela:. Read are diffuse surfaces and clear glass, m
 point and distant lights, one radiance from everywhere, and a perspective camera; the limit of
 bounces, the filter and the size are the measurement's. Anything else is refused. Metals are: what
 Blender 3.4 has for a glossy surface knows nothing of eta and k at each microfacet. So are coats,
-which it lays otherwise, and spheres: as a mesh one would be another shape and another lamp.
+which it lays otherwise, and spheres: as a mesh one would be another shape and another lamp. Where
+the nearest is asked for, Blender gets that [pbrt_nearest.py], and `approximated` lists it.
 """
 
+import dataclasses
 import json
+import math
 import pathlib
 import re
 
 import numpy
 
-from . import blender_scene
+from . import blender_scene, pbrt_nearest
 from .blender_scene import Unsupported, axes, only, unit, vector
 
 WORD = re.compile(r'"(?:[^"\\]|\\.)*"|#candela:|#[^\n]*|[^\s"]+')
 # Of what stands in a block, or before the camera.
-ATTRIBUTES = ("Transform", "NamedMaterial", "AreaLightSource", "Scale", "LookAt")
+ATTRIBUTES = ("Transform", "NamedMaterial", "AreaLightSource", "Scale", "LookAt", "MediumInterface")
 # By directive: what may be said, since it changes nothing that is compared.
 OF_NO_EFFECT = {
     "Film": ("integer xresolution", "integer yresolution", "string filename", "float exposure"),
@@ -29,7 +32,7 @@ OF_NO_EFFECT = {
     "Sampler": ("integer pixelsamples", "integer seed"),
     "Integrator": ("integer maxdepth", "bool unlimited"),
 }
-READ_ELSEWHERE = ("MakeNamedMaterial", "Texture", "WorldBegin")  # what has a texture is refused
+READ_ELSEWHERE = ("MakeNamedMaterial", "MakeNamedMedium", "Texture", "WorldBegin")
 # By type: what of a material is read, and what Blender is told.
 SURFACES = {
     "diffuse": (("rgb reflectance",), lambda m: {
@@ -38,14 +41,24 @@ SURFACES = {
 }
 
 
-def read(path, scale=1):
-    """Lengths are multiplied by `scale`, as blender_scene.read() does."""
+@dataclasses.dataclass
+class Assets:
+    """What shapes and lights name."""
+    folder: pathlib.Path
+    scale: float
+    is_near_enough: bool  # the nearest that Blender has
+    surfaces: dict  # SURFACES, or all that have something near
+    materials: dict
+    media: dict
+    nearest: dict = dataclasses.field(default_factory=dict)  # (what, as what) -> names
+
+
+def read(path, scale=1, nearest=False):
+    """Lengths are multiplied by `scale`, as blender_scene.read() does. `nearest`: what has no exact
+    counterpart gets the nearest one rather than refused; `approximated` lists it."""
     path = pathlib.Path(path)
     statements = statements_of(path.read_text())
-    materials = {json.loads(words[0]): parameters(words[1:])
-                 for name, words in statements if name == "MakeNamedMaterial"}
-    for name, material in materials.items():
-        known_type(name, material)  # tells more of a scene than its first texture does
+    assets = assets_of(statements, path.parent, scale, nearest)
     scene = {"camera": None, "meshes": [], "lights": [], "environment": None}
     block = {}
     for name, words in statements:
@@ -56,16 +69,33 @@ def read(path, scale=1):
         elif name == "Camera":
             scene["camera"] = camera(block, words, scale)
         elif name == "LightSource":
-            add_light(scene, block, words, scale)
+            add_light(scene, block, words, assets)
         elif name == "Shape":
-            scene["meshes"].append(mesh(block, words, materials, path.parent, scale))
+            add_shape(scene, block, words, assets)
         elif name in OF_NO_EFFECT:
             only(parameters(words[1:]), name, *OF_NO_EFFECT[name])
         elif name not in READ_ELSEWHERE:
             raise Unsupported(f"{name} is not compared")
     if not scene["camera"]:
         raise Unsupported("the scene has no camera")
-    return scene
+    return scene | {"approximated": [
+        {"what": what, "in_Cycles": as_what, "names": sorted(names)}
+        for (what, as_what), names in assets.nearest.items()]}
+
+
+def assets_of(statements, folder, scale, nearest):
+    def named(directive):
+        return {json.loads(words[0]): parameters(words[1:])
+                for name, words in statements if name == directive}
+    materials = named("MakeNamedMaterial")
+    surfaces = SURFACES
+    if nearest:
+        surfaces = pbrt_nearest.surfaces({
+            json.loads(words[0]): pbrt_nearest.texture(words[:3], parameters(words[3:]), folder)
+            for name, words in statements if name == "Texture"})
+    for name, material in materials.items():
+        known_type(name, material, surfaces)  # tells more of a scene than its first texture does
+    return Assets(folder, scale, nearest, surfaces, materials, named("MakeNamedMedium"))
 
 
 def statements_of(text):
@@ -104,8 +134,10 @@ def camera(block, words, scale):
                                  "Fovy": said.get("float fovy", said["float fov"])}, scale)
 
 
-def add_light(scene, block, words, scale):
-    kind, said = json.loads(words[0]), parameters(words[1:])
+def add_light(scene, block, words, assets):
+    kind, said, scale = json.loads(words[0]), parameters(words[1:]), assets.scale
+    if kind == "infinite" and "string filename" in said and assets.is_near_enough:
+        return add_sky(scene, block, said, assets)
     if "Transform" in block:
         raise Unsupported(f"a light of the type {kind} that is turned")
     if kind == "point":
@@ -126,32 +158,97 @@ def add_light(scene, block, words, scale):
                           "point, distant or one infinite")
 
 
-def mesh(block, words, materials, folder, scale):
+def add_sky(scene, block, said, assets):
+    """`map_from_world`: of Blender's axes."""
+    only(said, "an infinite light", "string filename")
+    if scene["environment"]:
+        raise Unsupported("a second sky is not compared")
+    note(assets, pbrt_nearest.SKY, said["string filename"])
+    world_from_map = axes(placement(block.get("Transform"))[:3, :3].T).T
+    scene["environment"] = {"map": str((assets.folder / said["string filename"]).resolve()),
+                            "scale": [1.0] * 3,
+                            "map_from_world": numpy.linalg.inv(world_from_map).tolist()}
+
+
+def note(assets, nearest, name):
+    assets.nearest.setdefault(tuple(nearest), set()).add(name)
+
+
+def add_shape(scene, block, words, assets):
+    kind = json.loads(words[0])
+    kinds = ("plymesh", "sphere") if assets.is_near_enough else ("plymesh",)
+    if kind not in kinds:
+        raise Unsupported(f"a shape of the type {kind}; expected {' or '.join(kinds)}")
+    name = json.loads(block["NamedMaterial"][0])
+    described = (surface(name, assets) | emission(block.get("AreaLightSource"))
+                 | inside(block.get("MediumInterface"), assets))
+    to_world = placement(block.get("Transform"))
+    if any(described["emission"]) and described["albedo"] != [0, 0, 0]:
+        raise Unsupported(f"material '{name}': a lamp that also reflects is not compared")
+    if kind == "sphere" and any(described["emission"]):
+        note(assets, pbrt_nearest.BALL, name)
+        scene["lights"].append(ball(words, described["emission"], to_world, assets.scale))
+    else:
+        scene["meshes"].append(mesh(name, words, described, to_world, assets))
+
+
+def ball(words, radiance, to_world, scale):
+    said, stretch = parameters(words[1:]), numpy.linalg.norm(to_world[:3, :3], axis=0)
+    only(said, "a sphere", "float radius")
+    if not numpy.allclose(stretch, stretch[0], rtol=1e-5):
+        raise Unsupported("a lamp that is a stretched sphere is not compared")
+    radius = float(scale * stretch[0] * said.get("float radius", 1))
+    return {"type": "POINT", "position": axes(scale * to_world[:3, 3]).tolist(), "radius": radius,
+            "radiant_intensity": [math.pi * radius ** 2 * x for x in radiance]}
+
+
+def mesh(name, words, described, to_world, assets):
     """Triangles of corners, as blender_scene.mesh() makes them. Their front, which shines, is where
     the file's windings say; a transform that mirrors keeps it."""
-    said = parameters(words[1:])
-    if json.loads(words[0]) != "plymesh":
-        raise Unsupported(f"a shape of the type {json.loads(words[0])}; expected plymesh")
-    only(said, "a mesh", "string filename")
-    name = json.loads(block["NamedMaterial"][0])
-    described = surface(name, materials[name]) | emission(block.get("AreaLightSource"))
-    if any(described["emission"]) and any(described["albedo"]):
-        raise Unsupported(f"material '{name}': a lamp that also reflects is not compared")
-    corners, normals = read_ply(folder / said["string filename"])
-    to_world = placement(block.get("Transform"))
+    shape, corners, normals, uvs = triangles(words, name, assets)
     linear = to_world[:3, :3]
     corners = corners @ linear.T + to_world[:3, 3]
     if numpy.linalg.det(linear) < 0:
-        corners = corners[:, ::-1]
-        normals = None if normals is None else normals[:, ::-1]
+        corners, normals, uvs = (part if part is None else part[:, ::-1]
+                                 for part in (corners, normals, uvs))
     if normals is not None:
         normals = normals @ numpy.linalg.inv(linear)
         normals /= numpy.linalg.norm(normals, axis=2, keepdims=True)
         if blender_scene.are_flat(corners, normals):
             normals = None
-    return {"name": pathlib.Path(said["string filename"]).stem, "instances": None,
-            "corners": axes(scale * corners).tolist(),
+    if has_texture(described):
+        if uvs is None:
+            raise Unsupported(f"material '{name}' has a texture and a mesh without coordinates")
+        described = described | {"uvs": uvs.tolist()}
+    return {"name": shape, "instances": None, "corners": axes(assets.scale * corners).tolist(),
             "normals": None if normals is None else axes(normals).tolist()} | described
+
+
+def triangles(words, material, assets):
+    """The mesh's name, corners, normals and texture coordinates."""
+    kind, said = json.loads(words[0]), parameters(words[1:])
+    if kind == "plymesh":
+        only(said, "a mesh", "string filename")
+        return (pathlib.Path(said["string filename"]).stem,
+                *read_ply(assets.folder / said["string filename"]))
+    only(said, "a sphere", "float radius")
+    note(assets, pbrt_nearest.SPHERE, material)
+    return "sphere", *pbrt_nearest.sphere(said.get("float radius", 1)), None
+
+
+def has_texture(described):
+    return isinstance(described["albedo"], dict) or "bump" in described
+
+
+def inside(words, assets):
+    """The medium within, which dims by the length of the way. pbrt's mesh is closed."""
+    name, outside = map(json.loads, words or ('""', '""'))
+    if outside:
+        raise Unsupported(f"a shape within the medium '{outside}' is not compared")
+    if not name:
+        return {}
+    return {"absorption": [x / assets.scale for x in
+                           pbrt_nearest.absorption(name, assets.media[name])]}
 
 
 def placement(words):
@@ -165,17 +262,23 @@ def emission(words):
     return {"emission": said.get("rgb L", [0.0] * 3), "two_sided": said.get("bool twosided", False)}
 
 
-def known_type(name, material):
-    if material["string type"] not in SURFACES:
-        raise Unsupported(f"material '{name}' is of the type {material['string type']}, which has "
-                          "no exact counterpart in Cycles; only diffuse and dielectric are compared")
-    return SURFACES[material["string type"]]
+def known_type(name, material, surfaces):
+    kind = material["string type"]
+    if kind not in surfaces:
+        raise Unsupported(f"material '{name}' is of the type {kind}, which has no "
+                          + ("near" if surfaces is not SURFACES else "exact")
+                          + f" counterpart in Cycles; only {' and '.join(surfaces)} are compared")
+    return surfaces[kind]
 
 
-def surface(name, material):
-    keys, described = known_type(name, material)
+def surface(name, assets):
+    material = assets.materials[name]
+    keys, described = known_type(name, material, assets.surfaces)
     only(material, f"material '{name}'", "string type", *keys)
-    return described(material)
+    described = described(material)
+    for nearest in described.pop("nearest", ()):
+        note(assets, nearest, name)
+    return described
 
 
 def glass(material):
@@ -185,7 +288,8 @@ def glass(material):
 
 
 def read_ply(path):
-    """Corners and normals as [triangle, corner, xyz]; normals are None where the file has none."""
+    """Corners, normals [triangle, corner, xyz] and texture coordinates; None where the file has
+    none."""
     types = {"float": "<f4", "double": "<f8"}
     header, body = path.read_bytes().split(b"end_header\n", 1)
     lines = [line.split() for line in header.decode().splitlines()]
@@ -196,4 +300,4 @@ def read_ply(path):
     face = numpy.dtype([("count", "u1"), ("corners", "<i4", 3)])
     indices = numpy.frombuffer(body, face, triangles, vertices * layout.itemsize)["corners"]
     return [numpy.stack([table[name] for name in names], axis=1).astype(float)[indices]
-            if names[0] in layout.names else None for names in ("xyz", ("nx", "ny", "nz"))]
+            if names[0] in layout.names else None for names in ("xyz", ("nx", "ny", "nz"), "uv")]

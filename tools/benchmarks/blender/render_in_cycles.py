@@ -10,11 +10,19 @@ paths is off. Prints the CPU seconds of each render, with its synchronization an
 
 import json
 import math
+import pathlib
 import sys
 import time
 
 import bpy
 import mathutils
+import numpy
+
+sys.dont_write_bytecode = True
+sys.path.append(str(pathlib.Path(__file__).parent))
+
+import cycles_materials  # noqa: E402
+import equal_area  # noqa: E402
 
 # Of scene.cycles. Versions differ in what they know; each takes what it has.
 PLAIN = {
@@ -108,13 +116,16 @@ def add_mesh(name, description):
     corners = [corner for triangle in description["corners"] for corner in triangle]
     mesh = bpy.data.meshes.new(name)
     mesh.from_pydata(corners, [], [(i, i + 1, i + 2) for i in range(0, len(corners), 3)])
+    if "uvs" in description:
+        mesh.uv_layers.new(do_init=False).data.foreach_set("uv", [
+            x for triangle in description["uvs"] for uv in triangle for x in uv])
     if description["normals"]:
         for polygon in mesh.polygons:
             polygon.use_smooth = True
         if hasattr(mesh, "use_auto_smooth"):  # until Blender 4.1
             mesh.use_auto_smooth = True
         mesh.normals_split_custom_set([n for triangle in description["normals"] for n in triangle])
-    mesh.materials.append(material(name, description))
+    mesh.materials.append(cycles_materials.material(name, description))
     for to_world in description["instances"] or [None]:
         thing = linked(name, mesh)
         if to_world is not None:
@@ -123,56 +134,14 @@ def add_mesh(name, description):
         thing.cycles.shadow_terminator_geometry_offset = thing.cycles.shadow_terminator_offset = 0
 
 
-def material(name, description):
-    result = bpy.data.materials.new(name)
-    result.use_nodes = True
-    tree = result.node_tree
-    tree.nodes.clear()
-    output = tree.nodes.new("ShaderNodeOutputMaterial")
-    if not any(description["emission"]):
-        surface = scattering(tree, description)
-    elif any(description["albedo"]):
-        raise ValueError(f"{name}: a lamp that also reflects is not compared")
-    else:
-        surface = emission(tree, description)
-    tree.links.new(surface.outputs[0], output.inputs["Surface"])
-    return result
-
-
-def scattering(tree, description):
-    kind = {"diffuse": "ShaderNodeBsdfDiffuse", "glossy": "ShaderNodeBsdfGlossy",
-            "glass": "ShaderNodeBsdfGlass"}[description["surface"]]
-    node = tree.nodes.new(kind)
-    node.inputs["Color"].default_value = (*description["albedo"], 1)
-    node.inputs["Roughness"].default_value = description.get("roughness", 0)
-    if kind != "ShaderNodeBsdfDiffuse":
-        is_smooth = description.get("roughness", 0) == 0
-        node.distribution = "SHARP" if is_smooth else "GGX"
-    if "ior" in description:
-        node.inputs["IOR"].default_value = description["ior"]
-    return node
-
-
-def emission(tree, description):
-    """Cycles' meshes shine from both sides; nothing is mixed in where their back is seen."""
-    shine = tree.nodes.new("ShaderNodeEmission")
-    shine.inputs["Color"].default_value = (*description["emission"], 1)
-    shine.inputs["Strength"].default_value = 1
-    if description["two_sided"]:
-        return shine
-    geometry, mix = tree.nodes.new("ShaderNodeNewGeometry"), tree.nodes.new("ShaderNodeMixShader")
-    tree.links.new(geometry.outputs["Backfacing"], mix.inputs["Fac"])
-    tree.links.new(shine.outputs[0], mix.inputs[1])
-    return mix
-
-
 def add_light(description):
-    """A point of P watts has the radiant intensity P / (4 pi); a sun's energy is its irradiance."""
-    kind = description["type"]
+    """A point of P watts has the radiant intensity P / (4 pi); a sun's energy is its irradiance. With
+    a radius a point is a ball, until Blender 4.1 a disk that faces whoever looks."""
+    kind, radius = description["type"], description.get("radius", 0)
     data = bpy.data.lights.new("light", kind)
     if kind == "POINT":
         strength = [4 * math.pi * x for x in description["radiant_intensity"]]
-        data.shadow_soft_size = 0
+        data.shadow_soft_size = radius
     else:
         strength = description["irradiance"]
         data.angle = 0
@@ -181,6 +150,7 @@ def add_light(description):
     if hasattr(data.cycles, "max_bounces"):
         data.cycles.max_bounces = 1024
     thing = linked("light", data)
+    thing.visible_camera = radius > 0
     if kind == "POINT":
         thing.location = description["position"]
     else:  # a sun shines along its -z
@@ -202,9 +172,12 @@ def world(description):
     coordinates, mapping = new("ShaderNodeTexCoord"), new("ShaderNodeMapping")
     texture, scale = new("ShaderNodeTexEnvironment"), new("ShaderNodeVectorMath")
     background, output = new("ShaderNodeBackground"), new("ShaderNodeOutputWorld")
-    mapping.inputs["Rotation"].default_value = (0, 0, -description["turn"])
     texture.image = bpy.data.images.load(description["map"])
     texture.image.colorspace_settings.name = "Non-Color"  # linear, as it stands
+    if "map_from_world" in description:
+        texture.image = as_lat_long(texture.image, description["map_from_world"])
+    else:
+        mapping.inputs["Rotation"].default_value = (0, 0, -description["turn"])
     scale.operation = "MULTIPLY"
     scale.inputs[1].default_value = description["scale"]
     link(coordinates.outputs["Generated"], mapping.inputs["Vector"])
@@ -214,6 +187,18 @@ def world(description):
     link(background.outputs["Background"], output.inputs["Surface"])
     # Where to look for light. Left to itself, Cycles takes 4096 columns and 3 seconds a picture.
     result.cycles.sampling_method, result.cycles.sample_map_resolution = "MANUAL", 512
+    return result
+
+
+def as_lat_long(image, map_from_world):
+    """What Cycles can look up, of an image of equal areas."""
+    width, height = image.size
+    pixels = numpy.empty(4 * width * height, numpy.float32)
+    image.pixels.foreach_get(pixels)
+    found = equal_area.lat_long(pixels.reshape(height, width, 4)[::-1], map_from_world)
+    result = bpy.data.images.new("sky", found.shape[1], found.shape[0], float_buffer=True,
+                                 is_data=True)
+    result.pixels.foreach_set(found[::-1].astype(numpy.float32).ravel())  # rows from the bottom
     return result
 
 
