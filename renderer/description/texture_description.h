@@ -42,10 +42,13 @@ struct ColourInput {
   TextureHandle texture{};
 };
 inline constexpr int alpha_or_first = -1;
+// As pbrt: alpha where the file has one that is below 1 anywhere, else the mean of its colours.
+inline constexpr int alpha_or_mean = -2;
 struct ScalarInput {
   double factor = 1.0;
   ImageHandle map;
-  int channel = 0;  // of the map; alpha_or_first: alpha where the file has one, else channel 0
+  // Of the map; alpha_or_first: alpha where the file has one, else channel 0; or alpha_or_mean.
+  int channel = 0;
   TextureHandle texture{};
 };
 
@@ -71,6 +74,7 @@ struct ImageTexture {
   UvMapping mapping;
   double factor = 1.0;
   bool is_inverted = false;
+  bool is_scalar = false;  // the texel is one number, as alpha_or_mean says
 };
 struct ProductTexture {
   ColourInput first;

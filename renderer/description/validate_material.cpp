@@ -49,7 +49,7 @@ class Check {
     number(scalar.factor, 0, 1, what);
     image(scalar.map, what);
     texture(scalar.texture, what);
-    if (scalar.channel < alpha_or_first || scalar.channel > 3)
+    if (scalar.channel < alpha_or_mean || scalar.channel > 3)
       diagnostics_.error(material_.span,
                          fmt::format("material '{}': the map of {} has no channel {}",
                                      material_.name, what, scalar.channel));

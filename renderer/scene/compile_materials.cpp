@@ -26,6 +26,10 @@ ScalarParameter scalar(const ScalarInput& input, TextureCompiler& texture) {
     const int channel = std::max(0, input.channel);
     return {value.constant[channel], value.texture, channel};
   }
+  if (input.channel == description::alpha_or_mean && input.map) {
+    const TextureCompiler::Scalar found = texture.scalar(input.map);
+    return {static_cast<float>(input.factor), found.texture, found.channel};
+  }
   const TextureHandle map = texture.image(input.map);
   int channel = input.channel;
   if (channel == description::alpha_or_first)

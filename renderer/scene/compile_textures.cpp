@@ -32,7 +32,7 @@ struct Builder {
                    .factor = static_cast<float>(t.factor),
                    .is_inverted = t.is_inverted};
     set_mapping(t.mapping, out);
-    out.inputs[0].texture = compile.image(t.image);
+    out.inputs[0].texture = t.is_scalar ? grey(t.image) : compile.image(t.image);
     return out;
   }
   Procedural operator()(const description::DirectionMixTexture& t) const {
@@ -77,6 +77,14 @@ struct Builder {
   }
 
  private:
+  // With the number in all channels.
+  [[nodiscard]] TextureHandle grey(description::ImageHandle image) const {
+    const TextureCompiler::Scalar scalar = compile.scalar(image);
+    if (scalar.channel == 0) return scalar.texture;
+    Procedural alpha{.kind = ProceduralKind::Alpha};
+    alpha.inputs[0].texture = scalar.texture;
+    return compile.store().add(alpha);
+  }
   void set_mapping(const description::UvMapping& mapping, Procedural& out) const {
     out.uv_scale = Vec2f(mapping.scale);
     out.uv_offset = Vec2f(mapping.offset);
@@ -86,7 +94,7 @@ struct Builder {
   }
 };
 
-// An image as it is.
+// An image where it is, with its own values.
 const description::ImageTexture* plain_image(const description::Texture& texture) {
   const auto* image = std::get_if<description::ImageTexture>(&texture.kind);
   const bool is_plain =
@@ -98,6 +106,25 @@ const description::ImageTexture* plain_image(const description::Texture& texture
 
 TextureHandle TextureCompiler::image(description::ImageHandle image) {
   return image ? store_.add(scene_.images[image.index], diagnostics_) : TextureHandle{};
+}
+
+TextureCompiler::Scalar TextureCompiler::scalar(description::ImageHandle handle) {
+  const TextureHandle texture = image(handle);
+  switch (store_.scalar_kind(texture)) {
+    case TextureStore::ScalarKind::First:
+      return {texture, 0};
+    case TextureStore::ScalarKind::Alpha:
+      return {texture, 3};
+    case TextureStore::ScalarKind::Mean:
+      break;
+  }
+  const auto [at, is_new] = means_.try_emplace(texture.index);
+  if (is_new) {
+    Procedural mean{.kind = ProceduralKind::Mean};
+    mean.inputs[0].texture = texture;
+    at->second = store_.add(mean);
+  }
+  return {at->second, 0};
 }
 
 TextureValue TextureCompiler::input(const description::ColourInput& input) {
@@ -119,8 +146,10 @@ TextureValue TextureCompiler::texture(description::TextureHandle handle) {
   std::optional<TextureValue>& known = compiled_[handle.index];
   if (!known) {
     const description::Texture& texture = scene_.textures[handle.index];
-    if (const auto* plain = plain_image(texture))
-      known = TextureValue{Vec4f(1), image(plain->image)};
+    const auto* const plain = plain_image(texture);
+    if (plain && (!plain->is_scalar || scalar(plain->image).channel == 0))
+      known = TextureValue{Vec4f(1),
+                           plain->is_scalar ? scalar(plain->image).texture : image(plain->image)};
     else
       known = added(std::visit(Builder{*this}, texture.kind));
   }

@@ -2,6 +2,7 @@
 // used; what is constant becomes a constant, what only names an image that image.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,12 @@ class TextureCompiler {
   [[nodiscard]] TextureStore& store() const { return store_; }
   // Invalid for an invalid handle.
   [[nodiscard]] TextureHandle image(description::ImageHandle image);
+  // An image as one number (description::alpha_or_mean): this channel of that texture.
+  struct Scalar {
+    TextureHandle texture;
+    int channel = 0;
+  };
+  [[nodiscard]] Scalar scalar(description::ImageHandle image);
   [[nodiscard]] TextureValue texture(description::TextureHandle texture);
   [[nodiscard]] const Transform& world_from_normalised() const { return world_from_normalised_; }
   // A constant, an image or a texture.
@@ -39,6 +46,7 @@ class TextureCompiler {
   Diagnostics& diagnostics_;
   Transform world_from_normalised_;
   std::vector<std::optional<TextureValue>> compiled_;
+  std::map<std::size_t, TextureHandle> means_;  // by the image's texture
 };
 
 }  // namespace candela

@@ -108,6 +108,12 @@ Vec4f evaluate_procedural(const Procedural& procedural, const TextureStore& text
       there.uv = place_in(procedural, at);
       return image_value(procedural, value_of(inputs[0], textures, there));
     }
+    case ProceduralKind::Alpha:
+      return {Vec3f(value_of(inputs[0], textures, at).w), 1};
+    case ProceduralKind::Mean: {
+      const Vec4f value = value_of(inputs[0], textures, at);
+      return {Vec3f((value.x + value.y + value.z) * (1.0f / 3.0f)), 1};
+    }
     case ProceduralKind::Product:
       return value_of(inputs[0], textures, at) * value_of(inputs[1], textures, at);
     case ProceduralKind::SquareRoot: {

@@ -26,6 +26,8 @@ struct TextureValue {
 
 enum class ProceduralKind : std::uint8_t {
   Image,    // factor * inputs[0], inverted or not
+  Alpha,    // of input 0, as a grey
+  Mean,     // of the colours of input 0, as a grey
   Product,  // of inputs 0 and 1
   SquareRoot,
   Mix,           // from input 0 to input 1 by input 2

@@ -79,6 +79,25 @@ float stored_value(const TexelArray& texels, int x, int y, int channel) {
   return 0;
 }
 
+bool is_opaque(const TexelArray& texels) {
+  for (int y = 0; y < texels.height; ++y)
+    for (int x = 0; x < texels.width; ++x)
+      if (stored_value(texels, x, y, texels.channels - 1) != 1) return false;
+  return true;
+}
+
+bool is_grey(const TexelArray& texels) {
+  if (texels.channels < 3) return true;
+  const std::size_t size = size_of(texels.type);
+  const std::size_t texel_size = static_cast<std::size_t>(texels.channels) * size;
+  for (std::size_t at = 0; at < texels.bytes(); at += texel_size) {
+    const std::byte* texel = texels.samples.get() + at;
+    if (std::memcmp(texel, texel + size, size) != 0) return false;
+    if (std::memcmp(texel, texel + 2 * size, size) != 0) return false;
+  }
+  return true;
+}
+
 TextureFile::TextureFile(std::string path, SourceSpan span, const Result<ImageHeader>& found)
     : path_(std::move(path)), span_(std::move(span)), is_broken_(!found) {
   if (is_broken_) return;

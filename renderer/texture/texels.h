@@ -33,6 +33,11 @@ struct TexelArray {
 // A sample as stored: integers as [0,1].
 [[nodiscard]] float stored_value(const TexelArray& texels, int x, int y, int channel);
 
+// Whether alpha, the last channel, is 1 everywhere.
+[[nodiscard]] bool is_opaque(const TexelArray& texels);
+// Whether all colours of each texel are equal.
+[[nodiscard]] bool is_grey(const TexelArray& texels);
+
 class TextureFile {
  public:
   // A file that `found` has errors about is magenta from the start.
@@ -41,6 +46,8 @@ class TextureFile {
   TextureFile(std::string name, TexelArray texels);
 
   [[nodiscard]] const std::string& path() const { return path_; }
+  // Magenta since its header could not be read.
+  [[nodiscard]] bool is_broken() const { return is_broken_; }
   // What the header says; decodes nothing.
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }

@@ -252,6 +252,15 @@ TextureStore::RangeGrid TextureStore::range_grid(TextureHandle texture, int chan
   return grid;
 }
 
+TextureStore::ScalarKind TextureStore::scalar_kind(TextureHandle texture) const {
+  const Texture& used = *textures_[texture.index];
+  if (!used.is_image() || used.info().channels == 1) return ScalarKind::First;
+  if (used.file().is_broken()) return ScalarKind::Alpha;  // 1: what is opaque stays so
+  const TexelArray& texels = used.file().texels();
+  if (texels.has_alpha() && !is_opaque(texels)) return ScalarKind::Alpha;
+  return is_grey(texels) ? ScalarKind::First : ScalarKind::Mean;
+}
+
 const TextureInfo& TextureStore::info(TextureHandle texture) const {
   return textures_[texture.index]->info();
 }

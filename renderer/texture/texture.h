@@ -98,6 +98,10 @@ class TextureStore {
   };
   [[nodiscard]] RangeGrid range_grid(TextureHandle texture, int channel, int cell_side) const;
 
+  // What an image is as one number (description::alpha_or_mean); decodes files of 2 to 4 channels.
+  enum class ScalarKind : std::uint8_t { First, Alpha, Mean };  // First: all colours are equal
+  [[nodiscard]] ScalarKind scalar_kind(TextureHandle texture) const;
+
   [[nodiscard]] const TextureInfo& info(TextureHandle texture) const;
   // Whether it is an image file and no procedural texture; only images have paths.
   [[nodiscard]] bool is_image(TextureHandle texture) const;

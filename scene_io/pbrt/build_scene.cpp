@@ -204,6 +204,10 @@ class ShapeMaterials {
     const Vec3d radiance = at->second.radiance_on(areas.surface / count);
     if (!is_finite(radiance))
       context_.report.error(shape.statement.place, "what this shape emits is not finite");
+    if (key.opacity == 0 && radiance != Vec3d(0.0))
+      context_.warn_once("invisible lamp", shape.statement.place,
+                         "lamps of an \"alpha\" of 0, which pbrt samples though no ray meets "
+                         "them, are not supported: it is left out");
     key.emission = {radiance.x, radiance.y, radiance.z};
     key.emits_both_sides = at->second.emits_both_sides;
     key.emission_map = at->second.map.index;
@@ -244,7 +248,7 @@ class ShapeMaterials {
     alpha.factor = key.opacity;
     alpha.map.index = key.opacity_map;
     alpha.texture.index = key.opacity_texture;
-    alpha.channel = alpha.map ? description::alpha_or_first : 0;
+    alpha.channel = alpha.map ? description::alpha_or_mean : 0;
     const auto is_constant = [](const description::ScalarInput& input) {
       return !input.map && !input.texture;
     };

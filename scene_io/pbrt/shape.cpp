@@ -98,7 +98,8 @@ MaybeMesh make_mesh(ShapeStatement& shape, const ShapeOptions& options, const Re
     refuse(shape, report);
     return std::nullopt;
   }
-  arguments.accept({"alpha", "shadowalpha"});  // pbrt-v3 has the second
+  arguments.accept({"alpha"});
+  arguments.ignore("shadowalpha", "shadows are those of \"alpha\"");  // pbrt-v3
   MaybeMesh mesh = mesh_of(arguments, options);
   arguments.warn_of_unknown();
   if (!mesh) return std::nullopt;

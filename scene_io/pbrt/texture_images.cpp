@@ -104,10 +104,7 @@ void Textures::set_heights(Arguments& arguments, description::Material& material
       arguments.find("displacement", {ParameterType::Texture, ParameterType::Float});
   if (!parameter) parameter = arguments.find("bumpmap", {ParameterType::Texture});  // pbrt-v3
   if (!parameter || parameter->type != ParameterType::Texture) return;
-  const auto heights = scalar_texture(*parameter);
-  if (!heights) return;
-  material.height = heights->map;
-  material.height_texture = heights->texture;
+  set_height_texture(*parameter, material);
   material.height_scale = heights_are_lengths;
 }
 
@@ -117,11 +114,14 @@ bool Textures::set_own_heights(Arguments& arguments, description::Material& mate
   if (!parameter) return false;
   arguments.accept({"displacement"});
   material.height_scale = arguments.number("heightscale").value_or(1);
-  const auto heights = scalar_texture(*parameter);
-  if (!heights) return true;
-  material.height = heights->map;
-  material.height_texture = heights->texture;
+  set_height_texture(*parameter, material);
   return true;
+}
+
+void Textures::set_height_texture(const Parameter& parameter, description::Material& material) {
+  if (const auto heights = scalar_texture(parameter))
+    material.height_texture =
+        grey({Vec3d(1.0), heights->map, heights->texture}, parameter.place).texture;
 }
 
 ImageHandle Textures::normal_map(Arguments& arguments) {
@@ -151,7 +151,7 @@ void Textures::note_filter(Arguments& arguments) {
                      "samples average them over its footprint");
 }
 
-Textures::Value Textures::image(const TextureStatement& statement, Arguments& arguments,
+Textures::Value Textures::image(Kind kind, const TextureStatement& statement, Arguments& arguments,
                                 const std::string& name) {
   const Parameter* file = arguments.find("filename", {ParameterType::String});
   note_filter(arguments);
@@ -170,8 +170,10 @@ Textures::Value Textures::image(const TextureStatement& statement, Arguments& ar
   }
   texture.image = add_image(context_, *file, encoding, wrap);
   if (!texture.image) return std::nullopt;
+  const bool is_grey = arguments.flag("scalar", false);  // candela's own
+  texture.is_scalar = kind == Kind::Float || is_grey;
   const bool is_plain =
-      texture.mapping.scale == Vec2d(1.0) && texture.mapping.offset == Vec2d(0.0) &&
+      !is_grey && texture.mapping.scale == Vec2d(1.0) && texture.mapping.offset == Vec2d(0.0) &&
       texture.mapping.kind == MappingKind::Surface && texture.factor == 1 && !texture.is_inverted;
   if (is_plain) return ColourInput{Vec3d(1.0), texture.image, {}};
   return add(texture, name, arguments.statement().place);

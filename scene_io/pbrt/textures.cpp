@@ -34,12 +34,20 @@ ScalarInput to_scalar(const ColourInput& input) {
   scalar.factor = input.factor.x;
   scalar.map = input.map;
   scalar.texture = input.texture;
-  // As in pbrt: alpha of images that have it.
-  scalar.channel = input.map ? description::alpha_or_first : 0;
+  scalar.channel = input.map ? description::alpha_or_mean : 0;
   return scalar;
 }
 
 }  // namespace
+
+// One number, as an input of another texture.
+ColourInput Textures::grey(const ColourInput& input, const Place& place) {
+  if (!input.map) return input;
+  description::ImageTexture texture;
+  texture.image = input.map;
+  texture.is_scalar = true;
+  return add(texture, "grey", place);
+}
 
 std::optional<ColourInput> Textures::colour(Arguments& arguments, std::string_view name) {
   const Parameter* parameter = arguments.find(
@@ -73,7 +81,7 @@ ScalarInput Textures::complement(const ScalarInput& input, const Place& place) {
   ScalarInput result;
   result.factor = 1 - input.factor;
   if (!input.map && !input.texture) return result;
-  const ColourInput amount{Vec3d(input.factor), input.map, input.texture};
+  const ColourInput amount = grey({Vec3d(input.factor), input.map, input.texture}, place);
   const description::MixTexture texture{{Vec3d(1.0), {}, {}}, {Vec3d(0.0), {}, {}}, amount};
   result.factor = 1;
   result.texture = add(texture, "1 - amount", place).texture;
@@ -84,7 +92,7 @@ ScalarInput Textures::square_root(const ScalarInput& input, const Place& place) 
   ScalarInput result;
   result.factor = std::sqrt(std::max(input.factor, 0.0));
   if (!input.map && !input.texture) return result;
-  const description::SquareRootTexture texture{{Vec3d(1.0), input.map, input.texture}};
+  const description::SquareRootTexture texture{grey({Vec3d(1.0), input.map, input.texture}, place)};
   result.texture = add(texture, "root", place).texture;
   return result;
 }
@@ -136,7 +144,7 @@ Textures::Value Textures::make(Kind kind, TextureStatement& texture, const std::
   if (type == "constant")
     value = input(kind, arguments, "value", Vec3d(1.0));
   else if (type == "imagemap")
-    value = image(texture, arguments, name);
+    value = image(kind, texture, arguments, name);
   else if (type == "scale")
     value = product(kind, arguments, name);
   else if (type == "mix")
@@ -180,7 +188,7 @@ ColourInput Textures::input(Kind kind, Arguments& arguments, std::string_view na
   const Parameter* parameter = arguments.find(name, {ParameterType::Float, ParameterType::Texture});
   if (!parameter) return constant;
   if (parameter->type == ParameterType::Texture)
-    return named(Kind::Float, *parameter).value_or(constant);
+    return grey(named(Kind::Float, *parameter).value_or(constant), parameter->place);
   return {Vec3d(arguments.number(name).value_or(otherwise.x)), {}, {}};
 }
 

@@ -39,11 +39,14 @@ class Textures {
 
   // Absent: in error.
   using Value = std::optional<description::ColourInput>;
+  void set_height_texture(const Parameter& parameter, description::Material& material);
   bool set_own_heights(Arguments& arguments, description::Material& material);
   Value named(Kind kind, const Parameter& parameter);
   Value make(Kind kind, TextureStatement& texture, const std::string& name);
   void note_filter(Arguments& arguments);
-  Value image(const TextureStatement& statement, Arguments& arguments, const std::string& name);
+  description::ColourInput grey(const description::ColourInput& input, const Place& place);
+  Value image(Kind kind, const TextureStatement& statement, Arguments& arguments,
+              const std::string& name);
   Value product(Kind kind, Arguments& arguments, const std::string& name);
   Value mix(Kind kind, Arguments& arguments, const std::string& name);
   Value direction_mix(Kind kind, const TextureStatement& statement, Arguments& arguments,

@@ -66,6 +66,51 @@ TEST(Unit_Procedural, PlainImagesStayImages) {
   EXPECT_EQ(t.store.size(), 1u);
 }
 
+// pbrt's: alpha where it says something, else the mean of the colours; what is grey stays an image.
+TEST(Unit_Procedural, ImagesAsNumbersAreAlphaOrTheMean) {
+  Textures t;
+  const TemporaryFolder folder;
+  const auto add_image = [&](const std::string& name, auto&& sample) {
+    const std::string path = folder.put(name, crafted::png_rgba(4, 4, sample));
+    t.scene.images.push_back({path, description::Encoding::Srgb, description::Wrap::Repeat, {}});
+    return description::ImageHandle(t.scene.images.size() - 1);
+  };
+  const auto grey = add_image(
+      "grey.png", [](int x, int, int c) { return static_cast<unsigned>(c < 3 ? 60 * x : 255); });
+  const auto leaf = add_image("leaf.png", [](int x, int y, int c) {
+    return static_cast<unsigned>(c < 3 ? 9 * c : 20 * (x + y));
+  });
+  const description::ImageHandle coloured(0u);
+  TextureCompiler compiler(t.scene, t.store, t.diagnostics);
+  const auto number_at = [&](const TextureCompiler::Scalar& scalar, Vec2f uv) {
+    return t.store.lookup(scalar.texture, uv)[scalar.channel];
+  };
+  const auto of_grey = compiler.scalar(grey);
+  const auto of_leaf = compiler.scalar(leaf);
+  const auto mean = compiler.scalar(coloured);
+  EXPECT_TRUE(t.store.is_image(of_grey.texture));
+  EXPECT_EQ(of_grey.channel, 0);
+  EXPECT_TRUE(t.store.is_image(of_leaf.texture));
+  EXPECT_EQ(of_leaf.channel, 3);
+  EXPECT_EQ(compiler.scalar(coloured).texture, mean.texture);
+  for (const Vec2f uv : places) {
+    const Vec4f colour = t.store.lookup(compiler.image(coloured), uv);
+    EXPECT_FLOAT_EQ(number_at(mean, uv), (colour.x + colour.y + colour.z) / 3);
+    EXPECT_EQ(number_at(of_leaf, uv), t.store.lookup_alpha(of_leaf.texture, uv));
+  }
+  // The same as inputs of other textures, in all channels.
+  for (const auto& [image, scalar] :
+       {std::pair(grey, of_grey), {leaf, of_leaf}, {coloured, mean}}) {
+    const TextureValue twice = t.compiled(t.add(ImageTexture{image, {}, 2, false, true}));
+    const TextureValue once = t.compiled(t.add(ImageTexture{image, {}, 1, false, true}));
+    for (const Vec2f uv : places) {
+      EXPECT_FLOAT_EQ(t.at(twice, uv).x, 2 * number_at(scalar, uv));
+      EXPECT_EQ(t.at(twice, uv).y, t.at(twice, uv).x);
+      EXPECT_FLOAT_EQ(t.at(once, uv).z, number_at(scalar, uv));
+    }
+  }
+}
+
 TEST(Unit_Procedural, ImagesAreMovedScaledAndInverted) {
   Textures t;
   const description::ImageHandle image(0u);

@@ -117,6 +117,7 @@ struct TextureDirectives {
     add_mapping(t.mapping, out);
     if (t.factor != 1) out.add("float scale", t.factor);
     if (t.is_inverted) out.add("bool invert", true);
+    if (t.is_scalar && kind == TextureWriter::Kind::Spectrum) out.add_own("bool scalar", true);
     return out;
   }
   // pbrt scales by numbers only.
@@ -248,7 +249,8 @@ WrittenParameter TextureWriter::input(Kind kind, std::string_view name, const Co
   return {fmt::format("float {}", name), value_text(value.factor.x)};
 }
 
-// What candela looks up: alpha where there is one, or the asked one; grey files repeat theirs.
+// What candela looks up: alpha where there is one, or the asked one; grey files repeat theirs. What
+// pbrt takes of an image itself is left to it.
 TextureWriter::Channel TextureWriter::channel_of(ImageHandle image, int channel) {
   const auto facts = facts_of(image);
   if (!facts) return {};
@@ -256,7 +258,7 @@ TextureWriter::Channel TextureWriter::channel_of(ImageHandle image, int channel)
       channel == 3 || (channel == description::alpha_or_first && facts->alpha_channel >= 0);
   if (asks_alpha) return {facts->alpha_channel, true};
   const int colours = facts->channels - (facts->alpha_channel >= 0 ? 1 : 0);
-  if (facts->channels == 1) return {};
+  if (facts->channels == 1 || channel == description::alpha_or_mean) return {};
   return {std::clamp(channel, 0, colours >= 3 ? 2 : 0), false};
 }
 

@@ -46,7 +46,7 @@ TEST(Unit_PbrtOwnParameters, HeightsHaveTheScaleThatIsGiven) {
       "  #candela: \"texture heights\" \"h\" \"float heightscale\" -0.5\n"
       "Shape \"disk\" \"float radius\" 10\n");
   EXPECT_EQ(only_material(scene).height_scale, -0.5);
-  EXPECT_TRUE(only_material(scene).height);
+  EXPECT_TRUE(only_material(scene).height_texture);
 }
 
 TEST(Errors_PbrtOwnParameters, NameWhatTheyExpect) {

@@ -37,7 +37,28 @@ TEST(Unit_PbrtTextures, KindsAndTheirInputs) {
   EXPECT_TRUE(twice.is_inverted);
   EXPECT_EQ(scene.images.at(twice.image.index).encoding, Encoding::Linear);
   EXPECT_TRUE(material.opacity.map.is_valid());
-  EXPECT_EQ(material.opacity.channel, alpha_or_first);
+  EXPECT_EQ(material.opacity.channel, alpha_or_mean);
+}
+
+// A float texture is one number wherever it stands.
+TEST(Unit_PbrtTextures, FloatImagesAreNumbers) {
+  const auto scene = pbrt_world(R"(
+    Texture "map" "float" "imagemap" "string filename" "picture.png"
+    Texture "twice" "float" "imagemap" "string filename" "picture.png" "float scale" 2
+    Texture "both" "spectrum" "mix" "texture amount" "map"
+    Material "coateddiffuse" "texture reflectance" "both" "texture roughness" "map"
+      "texture displacement" "twice" "bool remaproughness" false
+    Shape "disk")");
+  const auto& material = scene.materials.at(0);
+  const auto& coated = std::get<CoatedDiffuseMaterial>(material.model);
+  EXPECT_EQ(coated.coat.roughness.channel, alpha_or_mean);
+  EXPECT_TRUE(coated.coat.roughness.map);
+  const auto is_scalar = [&](TextureHandle handle) {
+    return std::get<ImageTexture>(scene.textures.at(handle.index).kind).is_scalar;
+  };
+  EXPECT_TRUE(is_scalar(material.height_texture));
+  const auto& mix = std::get<MixTexture>(scene.textures.at(coated.reflectance.texture.index).kind);
+  EXPECT_TRUE(is_scalar(mix.amount.texture));
 }
 
 TEST(Unit_PbrtTextures, ByPlaceAndByNormal) {

@@ -261,6 +261,27 @@ TEST(Unit_WriteLights, TrianglesShineOnTheirOwn) {
   EXPECT_EQ(std::get<DiffuseMaterial>(material.model).reflectance.factor, Vec3d(0));
 }
 
+// Also where the texture around them is one of colours.
+TEST(Unit_WriteTextures, ImagesAsNumbersStayNumbers) {
+  SceneDescription scene = room();
+  scene.images = {{"a.png", Encoding::Srgb, Wrap::Clamp, {}}};
+  scene.textures = {{"n", {}, ImageTexture{ImageHandle(0), {}, 1, false, true}},
+                    {"m", {}, MixTexture{{odd, {}, {}}, {Vec3d(1), {}, {}}, {}}},
+                    {"p", {}, ProductTexture{}}};
+  const auto by = [](std::size_t i) { return ColourInput{Vec3d(1), {}, TextureHandle(i)}; };
+  std::get<MixTexture>(scene.textures[1].kind).amount = by(0);
+  scene.textures[2].kind = ProductTexture{by(1), by(0)};
+  scene.materials[0].model = DiffuseMaterial{by(2)};
+  const SceneDescription back = test::round_trip(scene).scene;
+  const auto& product = std::get<ProductTexture>(back.textures.back().kind);
+  const auto is_scalar = [&](const ColourInput& input) {
+    return std::get<ImageTexture>(back.textures.at(input.texture.index).kind).is_scalar;
+  };
+  EXPECT_TRUE(is_scalar(product.second));
+  const auto& mix = std::get<MixTexture>(back.textures.at(product.first.texture.index).kind);
+  EXPECT_TRUE(is_scalar(mix.amount));
+}
+
 TEST(Unit_WriteTextures, OfEveryKind) {
   SceneDescription scene = room();
   scene.images = {{"a.png", Encoding::Srgb, Wrap::Clamp, {}},

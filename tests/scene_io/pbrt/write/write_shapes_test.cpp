@@ -127,8 +127,13 @@ TEST(Unit_WriteShapes, HolesByAlphaAndByAChannel) {
   ASSERT_EQ(trip.written.images.size(), 1u);
   EXPECT_EQ(trip.written.images[0].channel, 3);
   EXPECT_EQ(trip.scene.images[0].encoding, Encoding::Linear);  // alpha is never decoded
-  EXPECT_EQ(trip.scene.materials[0].opacity.channel, alpha_or_first);
+  EXPECT_EQ(trip.scene.materials[0].opacity.channel, alpha_or_mean);
   EXPECT_TRUE(trip.scene.materials[0].opacity.map);
+  // What pbrt takes by itself stays as it is.
+  scene.materials[0].opacity.channel = alpha_or_mean;
+  trip = test::round_trip(scene, {8, 8, 4, 3, false});
+  EXPECT_EQ(trip.written.images[0].channel, WrittenImage::all_channels);
+  EXPECT_EQ(trip.scene.materials[0].opacity.channel, alpha_or_mean);
   scene.materials[0].opacity.channel = 1;
   trip = test::round_trip(scene, {8, 8, 4, 3, false});
   EXPECT_EQ(trip.written.images[0].channel, 1);
@@ -149,8 +154,8 @@ TEST(Unit_WriteShapes, HeightsAreLengthsForPbrt) {
   const RoundTrip trip = test::round_trip(scene, {8, 8, 1, -1, false});
   EXPECT_NE(trip.written.text.find("\"float scale\" -0.5"), std::string::npos) << trip.written.text;
   EXPECT_EQ(trip.scene.materials[0].height_scale, -0.25);
-  EXPECT_TRUE(trip.scene.materials[0].height);
-  EXPECT_FALSE(trip.scene.materials[0].height_texture);
+  EXPECT_TRUE(trip.scene.materials[0].height_texture);
+  EXPECT_FALSE(trip.scene.materials[0].height);
   EXPECT_TRUE(trip.written.images[0].name.ends_with(".png"));
 }
 

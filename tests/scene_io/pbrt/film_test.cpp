@@ -1,0 +1,186 @@
+// Cameras and films of pbrt scenes as candela describes them.
+#include <gtest/gtest.h>
+
+#include "renderer/math/constants.h"
+#include "tests/scene_io/pbrt/pbrt_text.h"
+
+namespace candela {
+namespace {
+
+using namespace description;
+using test::pbrt_error;
+using test::pbrt_scene;
+using test::pbrt_warning;
+using test::pbrt_world;
+using test::pbrt_world_error;
+
+void expect_near(const Vec3d& vector, const Vec3d& expected) {
+  EXPECT_LT(length(vector - expected), 1e-9) << vector.x << " " << vector.y << " " << vector.z;
+}
+
+Camera camera_of(const std::string& text) {
+  const auto scene = pbrt_scene(text + "\nWorldBegin");
+  EXPECT_EQ(scene.cameras.size(), 1u);
+  return scene.cameras.empty() ? Camera{} : scene.cameras[0];
+}
+
+TEST(Unit_PbrtCamera, LooksAlongZAndIsLeftHanded) {
+  const Camera plain = camera_of("");
+  expect_near(plain.target - plain.eye, {0, 0, 1});
+  expect_near(plain.up, {0, 1, 0});
+  EXPECT_TRUE(plain.is_mirrored);  // x is right, where a right-handed camera has -x
+  EXPECT_FALSE(camera_of("Scale -1 1 1\nCamera \"perspective\"").is_mirrored);
+  const Camera looking = camera_of("LookAt 3 4 5  3 4 0  0 1 0\nCamera \"perspective\"");
+  expect_near(looking.eye, {3, 4, 5});
+  expect_near(normalize(looking.target - looking.eye), {0, 0, -1});
+  expect_near(looking.up, {0, 1, 0});
+  EXPECT_TRUE(looking.is_mirrored);
+}
+
+TEST(Unit_PbrtCamera, LensesAndWindowsAreInTheCamerasUnit) {
+  const Camera camera = camera_of(
+      "Scale .5 .5 .5\nCamera \"perspective\" \"float fov\" 40 \"float lensradius\" 3 \"float "
+      "focaldistance\" 7 \"float screenwindow\" [ -1 2 -3 4 ]");
+  EXPECT_EQ(camera.fovy_degrees, 40);
+  EXPECT_TRUE(camera.fov_is_of_shorter_side);
+  EXPECT_NEAR(camera.lens_radius, 6, 1e-9);
+  EXPECT_NEAR(camera.focus_distance, 14, 1e-9);
+  ASSERT_TRUE(camera.screen_window);
+  EXPECT_EQ(camera.screen_window->top, 4);
+  const Camera flat = camera_of(
+      "Scale .5 .5 .5\nCamera \"orthographic\"\nFilm \"rgb\" \"integer xresolution\" 200 \"integer "
+      "yresolution\" 100");
+  EXPECT_EQ(flat.kind, CameraKind::Orthographic);
+  EXPECT_NEAR(flat.screen_window->right, 4, 1e-9);
+  EXPECT_NEAR(flat.screen_window->top, 2, 1e-9);
+}
+
+TEST(Unit_PbrtFilm, DefaultsArePbrts) {
+  const RenderDefaults defaults = pbrt_world("").defaults;
+  EXPECT_EQ(defaults.width, 1280);
+  EXPECT_EQ(defaults.height, 720);
+  EXPECT_EQ(defaults.samples_per_pixel, 16);
+  EXPECT_EQ(defaults.max_depth, 5);
+  EXPECT_EQ(defaults.filter, "gaussian");
+  EXPECT_EQ(defaults.filter_radius, 1.5);
+  EXPECT_EQ(
+      pbrt_scene("Integrator \"volpath\" \"integer maxdepth\" 0\nWorldBegin").defaults.max_depth,
+      0);
+  const RenderDefaults stratified =
+      pbrt_scene(
+          "Sampler \"stratified\" \"integer xsamples\" 3\nPixelFilter \"triangle\"\nWorldBegin")
+          .defaults;
+  EXPECT_EQ(stratified.samples_per_pixel, 12);
+  EXPECT_EQ(stratified.filter_radius, 2);
+}
+
+TEST(Unit_PbrtFilm, FiltersWithNegativeParts) {
+  const RenderDefaults defaults = pbrt_scene("PixelFilter \"mitchell\"\nWorldBegin").defaults;
+  EXPECT_EQ(defaults.filter, "mitchell");
+  EXPECT_EQ(defaults.filter_radius, 2);
+  EXPECT_EQ(
+      pbrt_scene("PixelFilter \"sinc\" \"float xradius\" 3\nWorldBegin").defaults.filter_radius, 3);
+}
+
+TEST(Unit_PbrtFilm, CropWindowsAndPixelBounds) {
+  const std::string film = "Film \"rgb\" \"integer xresolution\" 200 \"integer yresolution\" 100 ";
+  const auto expect_crop = [&](const std::string& parameter, double left, double right, double top,
+                               double bottom) {
+    const auto crop = pbrt_scene(film + parameter + "\nWorldBegin").defaults.crop;
+    ASSERT_TRUE(crop) << parameter;
+    EXPECT_EQ(crop->left, left);
+    EXPECT_EQ(crop->right, right);
+    EXPECT_EQ(crop->top, top);
+    EXPECT_EQ(crop->bottom, bottom);
+  };
+  expect_crop("\"float cropwindow\" [ .25 .5 .125 2 ]", 0.25, 0.5, 0.125, 1);
+  expect_crop("\"float cropwindow\" [ .5 .25 1 .125 ]", 0.25, 0.5, 0.125, 1);
+  expect_crop("\"integer pixelbounds\" [ 50 100 10 20 ]", 0.25, 0.5, 0.1, 0.2);
+  EXPECT_FALSE(pbrt_scene(film + "\nWorldBegin").defaults.crop);
+}
+
+TEST(Unit_PbrtFilm, TheImagingRatioIsInTheLight) {
+  const auto scene = pbrt_scene(R"(Camera "perspective" "float shutterclose" .25
+    Film "rgb" "float iso" 200
+    WorldBegin
+    LightSource "point" "rgb I" [ 1 2 3 ]
+    LightSource "distant" "rgb L" [ 1 1 1 ]
+    LightSource "infinite" "rgb L" [ 4 4 4 ]
+    AreaLightSource "diffuse" "rgb L" [ 2 2 2 ]
+    Shape "disk")");
+  expect_near(std::get<PointLight>(scene.lights.at(0).kind).intensity, Vec3d(1, 2, 3) * 0.5);
+  expect_near(std::get<DirectionalLight>(scene.lights.at(1).kind).irradiance, Vec3d(0.5));
+  expect_near(std::get<ConstantEnvironment>(scene.lights.at(2).kind).radiance, Vec3d(2.0));
+  expect_near(scene.materials.at(0).emission, Vec3d(1.0));
+}
+
+TEST(Unit_PbrtFilm, IsBalancedAsItSays) {
+  const auto balance = [](const std::string& parameters) {
+    return pbrt_scene("Film \"rgb\" " + parameters + "\nWorldBegin").defaults.white_balance_kelvins;
+  };
+  EXPECT_EQ(balance("\"float whitebalance\" 5000"), 5000.0);
+  EXPECT_FALSE(balance(""));
+  EXPECT_FALSE(balance("\"float whitebalance\" 0"));
+  EXPECT_FALSE(balance("\"string sensor\" \"cie1931\""));
+  // pbrt's default for real sensors.
+  EXPECT_EQ(balance("\"string sensor\" \"canon_eos_5d\""), 6500.0);
+  EXPECT_EQ(balance("\"string sensor\" \"canon_eos_5d\" \"float whitebalance\" 3000"), 3000.0);
+  EXPECT_EQ(pbrt_warning("Film \"rgb\" \"string sensor\" \"canon_eos_5d\"\nWorldBegin"),
+            "1:12: 'sensor' is not supported: the film is that of the CIE 1931 observer");
+  EXPECT_EQ(pbrt_error("Film \"rgb\" \"float whitebalance\" -5\nWorldBegin"),
+            "1:12: 'whitebalance' is -5, expected kelvins, or 0 for no balance");
+}
+
+TEST(Errors_PbrtFilm, WhatCannotBeHonouredIsNamed) {
+  EXPECT_EQ(pbrt_warning("Integrator \"bdpt\" \"bool visualizestrategies\" true\nWorldBegin"),
+            "1:12: the integrator 'bdpt' is rendered by 'path'");
+  EXPECT_EQ(pbrt_warning("Camera \"realistic\" \"string lensfile\" \"x\"\nWorldBegin"),
+            "1:8: cameras of type 'realistic' are not supported: 'perspective' is used");
+  EXPECT_EQ(pbrt_error("Film \"rgb\" \"float cropwindow\" [ .5 .5 0 1 ]\nWorldBegin"),
+            "1:12: 'cropwindow' holds no pixel, expected x0 < x1 and y0 < y1");
+  EXPECT_EQ(pbrt_error("Film \"rgb\" \"integer pixelbounds\" [ 0 10 ]\nWorldBegin"),
+            "1:12: 'pixelbounds' expected 4 numbers: x0, x1, y0, y1");
+  EXPECT_EQ(pbrt_warning("PixelFilter \"mitchell\" \"float B\" 0 \"float C\" .3333\nWorldBegin"),
+            "1:13: the mitchell filter's B is 0.333 here");
+  EXPECT_EQ(pbrt_error("Film \"rgb\" \"integer xresolution\" 0\nWorldBegin"),
+            "1:12: 'xresolution' is 0, expected 1 to 65536");
+  EXPECT_EQ(pbrt_error("Camera \"perspective\" \"float screenwindow\" [ 1 -1 -1 1 ]\nWorldBegin"),
+            "1:22: 'screenwindow' expected 4 numbers, left < right and bottom < top");
+  EXPECT_EQ(pbrt_error("Scale 1 1 0\nCamera \"perspective\"\nWorldBegin"),
+            "2:8: the camera's transform is singular");
+}
+
+// What no version of pbrt has is no wish that cannot be honoured, but a mistake.
+TEST(Errors_PbrtFilm, TypesThatDoNotExist) {
+  EXPECT_EQ(pbrt_error("Integrator \"volpth\"\nWorldBegin"),
+            "1:12: 'volpth' is no integrator, did you mean 'volpath'?");
+  EXPECT_EQ(pbrt_error("Sampler \"zsobl\"\nWorldBegin"),
+            "1:9: 'zsobl' is no sampler, did you mean 'zsobol'?");
+  EXPECT_EQ(pbrt_error("ColorSpace \"rec202\"\nWorldBegin"),
+            "1:1: 'rec202' is no colour space, did you mean 'rec2020'?");
+  EXPECT_EQ(pbrt_warning("ColorSpace \"rec2020\"\nWorldBegin"),
+            "1:1: the colour space 'rec2020' is not supported: colours count as srgb");
+  EXPECT_EQ(pbrt_world_error("MakeNamedMedium \"m\" \"string type\" \"homogenous\" "
+                             "MediumInterface \"m\" \"\" Shape \"sphere\""),
+            "2:17: 'homogenous' is no type of media, did you mean 'homogeneous'?");
+}
+
+// The window that pbrt makes of it: unit along the shorter side.
+TEST(Unit_PbrtCamera, FrameAspectRatio) {
+  const auto window_of = [](const std::string& parameters) {
+    return pbrt_scene("Camera \"perspective\" " + parameters + "\nWorldBegin")
+        .cameras.at(0)
+        .screen_window.value_or(description::ScreenWindow{0, 0, 0, 0});
+  };
+  const auto wide = window_of("\"float frameaspectratio\" 2");
+  EXPECT_EQ(std::vector<double>({wide.left, wide.right, wide.bottom, wide.top}),
+            std::vector<double>({-2, 2, -1, 1}));
+  const auto tall = window_of("\"float frameaspectratio\" .25");
+  EXPECT_EQ(std::vector<double>({tall.left, tall.right, tall.bottom, tall.top}),
+            std::vector<double>({-1, 1, -4, 4}));
+  EXPECT_EQ(window_of("\"float frameaspectratio\" 2 \"float screenwindow\" [ -3 3 -1 1 ]").right,
+            3);
+}
+
+}  // namespace
+}  // namespace candela
