@@ -72,16 +72,17 @@ def run(options):
     bench = Bench(candela, cycles, options.size or (48 if options.quick else 128),
                   ladder(options.most or (16 if options.quick else 256)),
                   options.pairs or (2 if options.quick else 5), options.threads, options.all)
-    points, ratios, means = [], [], []
+    points, ratios, means, shown = [], [], [], []
     files = scene_files(candela, out, options.scenes or default_scenes())
     scenes = described(candela, out, files, options.nearest)
     tell_approximated(results, scenes)
     for name, scene in scenes.items():
-        own_points, own_ratios, own_means = bench.measure(name, files[name], scene)
+        own_points, own_ratios, references = bench.measure(name, files[name], scene)
         points += own_points
         ratios += own_ratios
-        means.append({"scene": name} | own_means | {
+        means.append({"scene": name} | means_of(*references) | {
             "approximated": "; ".join(part["what"] for part in scene["approximated"])})
+        shown.append((name, *references))
         print(f"{name}: relMSE * CPU seconds, Cycles / candela: "
               f"{own_ratios[-1]['cpu_ratio']:.2f}", flush=True)
     results.table("points", f"All points, {bench.size}x{bench.size}, {bench.pairs} pairs", points)
@@ -89,6 +90,10 @@ def run(options):
                   "By relMSE * seconds at equal samples, and by the time to a relMSE where both get "
                   "there; ranges over the pairs.")
     results.table("means", "The references' means, candela's over Cycles'", means)
+    from blender import pictures
+    pictures.references(out / "references.png", shown)
+    results.plot("references.png", "The references, and how far candela's is above Cycles' in blocks of "
+                 "4 x 4 pixels")
     last = [r for r in ratios if r["by"] == f"{bench.counts[-1]} spp" and r["cpu_ratio"] > 0]
     without = geometric_mean(r["cpu_ratio"] / r["relmse_ratio"] * r["trimmed_ratio"] for r in last)
     results.note(f"geometric mean over {len(last)} scenes at {bench.counts[-1]} spp: "
@@ -108,6 +113,11 @@ def tell_approximated(results, scenes):
             for name, scene in scenes.items() for part in scene["approximated"]]
     if rows:
         results.table("approximated", "What Cycles has only something near to", rows)
+
+
+def means_of(ours, theirs):
+    by_channel = ours.mean(axis=(0, 1)) / theirs.mean(axis=(0, 1))
+    return {"all": float(ours.mean() / theirs.mean())} | dict(zip("RGB", map(float, by_channel)))
 
 
 def ladder(most):
@@ -155,7 +165,7 @@ class Bench:
     with_all: bool
 
     def measure(self, name, file, scene):
-        """(points, ratios, means): rows of two tables, and how far the references are apart."""
+        """(points, ratios, references): rows of two tables, and the two long pictures."""
         spp = 16 * self.counts[-1]
         ours = truth.reference(self.candela, name, file, self.size, spp, max_depth="none")
         theirs = self.cycles_reference(name, scene, spp)
@@ -171,9 +181,8 @@ class Bench:
                 points.append({"scene": name, "renderer": who,
                                "spp": statistics.median(run.spp for run in runs)}
                               | truth.summary(runs, right) | {"means_candela_over_Cycles": apart})
-        by_channel = ours.image.mean(axis=(0, 1)) / theirs.image.mean(axis=(0, 1))
         return (points, [{"scene": name} | row for row in ratios_of(pairs, self.counts)],
-                {"all": apart} | dict(zip("RGB", map(float, by_channel))))
+                (ours.image, theirs.image))
 
     def our_ladder(self, file, right, seed):
         # Cycles tells no error of a picture: without --all candela does not either.
