@@ -206,6 +206,9 @@ def mesh(name, words, described, to_world, assets):
     """Triangles of corners, as blender_scene.mesh() makes them. Their front, which shines, is where
     the file's windings say; a transform that mirrors keeps it."""
     shape, corners, normals, uvs = triangles(words, name, assets)
+    kept = apart(corners)
+    corners, normals, uvs = (part if part is None else part[kept]
+                             for part in (corners, normals, uvs))
     linear = to_world[:3, :3]
     corners = corners @ linear.T + to_world[:3, 3]
     if numpy.linalg.det(linear) < 0:
@@ -234,6 +237,15 @@ def triangles(words, material, assets):
     only(said, "a sphere", "float radius")
     note(assets, pbrt_nearest.SPHERE, material)
     return "sphere", *pbrt_nearest.sphere(said.get("float radius", 1)), None
+
+
+def apart(corners):
+    """Which triangles to keep so that none lies in another's place: what Cycles sends from one of two
+    would meet the other."""
+    points = numpy.unique(corners.reshape(-1, 3), axis=0, return_inverse=True)[1].reshape(-1, 3)
+    turned = (points.argmin(axis=1)[:, None] + numpy.arange(3)) % 3
+    same = numpy.take_along_axis(points, turned, axis=1)
+    return numpy.sort(numpy.unique(same, axis=0, return_index=True)[1])
 
 
 def has_texture(described):
