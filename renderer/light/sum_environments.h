@@ -3,8 +3,8 @@
 // Maps of one mapping, size and rotation whose texels are decoded before they are filtered are
 // added texel by texel, which is the sum at every direction; constants are added to each texel. All
 // other maps are resampled to one of equal areas with twice the texels of the finest along each
-// side, 64 to 4096, whose axes are the finest's own: the mean of each texel is kept, and with it
-// the light of the whole sphere.
+// side, 64 to 4096, whose axes are the finest's own, by directions a quarter of a texel apart
+// (half a one where 4096 is the limit).
 #pragma once
 
 #include <span>

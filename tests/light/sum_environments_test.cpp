@@ -131,6 +131,21 @@ TEST(Statistical_SumOfSkies, HasTheLightOfAll) {
   EXPECT_LT(off.standard_error(), 0.002);
 }
 
+// A sun of one texel, wherever it falls between those of the sum.
+TEST(Unit_SumOfSkies, ASunKeepsItsLight) {
+  const auto sun = write_float_map(
+      "sum_sun", 64, 64, [](int x, int y) { return Vec3f(x == 41 && y == 23 ? 1e4f : 0); });
+  const auto night = write_float_map("sum_night", 66, 66, [](int, int) { return Vec3f(0); });
+  for (int i = 0; i < 24; ++i) {
+    Skies skies;
+    skies.add<description::EqualAreaEnvironment>(sun, turn(0.26 * i + 0.1));
+    skies.add<description::EqualAreaEnvironment>(night);
+    const EnvironmentSum sum = sum_environments(Vec3d(0.0), skies.maps, skies.textures);
+    EXPECT_EQ(sum.resampled_side, 132);
+    EXPECT_NEAR(sum.environment.mean_luminance / skies.maps[0].mean_luminance, 1, 0.02) << i;
+  }
+}
+
 TEST(Statistical_SumOfSkies, TheDensityIntegratesToOneAndFollowsTheSum) {
   Skies skies;
   skies.add<description::EqualAreaEnvironment>(write_float_map("sum_p", 16, 16, varied_texel),
