@@ -24,7 +24,7 @@ COAT = ("coat over a diffuse surface",
         "Fresnel's term at the normal mixes GGX and a Lambert surface of what the coat lets through "
         "on average")
 GLASS = ("rough glass", "GGX without height-correlated masking")
-IMAGES = ("images as textures", "looked up bilinearly at full size")
+IMAGES = ("images as textures", "what lies between 8-bit texels is taken before they are decoded")
 SPHERE = ("sphere", f"a mesh of {2 * AROUND * (ROWS - 1)} triangles with its area and normals")
 BALL = ("sphere that shines", "a point light with its radius, which is a disk until Blender 4.1")
 SKY = ("sky on a square of equal areas", "the same light on a latitude-longitude map, bilinearly")
