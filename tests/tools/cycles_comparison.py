@@ -137,6 +137,18 @@ def sky(path, exr):
             "contrast": float(picture.std() / picture.mean())}
 
 
+def cycles_beside(path, exr, folder, spp):
+    """How far candela's picture is above Cycles' of the nearest scene: the means, by channel, and
+    blocks of 8 x 8 pixels."""
+    ours = read_exr(pathlib.Path(exr))
+    job = cycles_renders.Job("near", *ours.shape[1::-1], int(spp), 1, first_sample=4)
+    cycles = cycles_renders.Cycles(pathlib.Path(folder), 1)
+    theirs = cycles.render({"near": nearest(path)}, [job])[job].colour
+    a, b = (agreement.block_means(picture[None])[0].mean(axis=2) for picture in (ours, theirs))
+    return {"means": (ours.mean(axis=(0, 1)) / theirs.mean(axis=(0, 1))).tolist(),
+            "blocks": sorted(numpy.abs(a / b - 1).ravel().tolist())}
+
+
 def ball(radius):
     """Of the mesh in place of a sphere."""
     corners, normals = pbrt_nearest.sphere(float(radius))

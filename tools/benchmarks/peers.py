@@ -215,12 +215,12 @@ class Bench:
                    first_sample=first_sample)
 
     def cycles_reference(self, name, scene, spp):
-        """From eight seeds, whose spread tells its noise; kept as long as Blender's version and the
-        scene are the same."""
+        """From eight seeds, whose spread tells its noise; kept as long as Blender's version, its scripts
+        and the scene are the same."""
         import numpy
         from calibration import with_weight
-        key = hashlib.sha256(json.dumps([self.cycles.version(), self.cycles.settings, scene,
-                                         self.size, spp]).encode()).hexdigest()[:16]
+        key = hashlib.sha256(json.dumps([self.cycles.made_by(), scene, self.size,
+                                         spp]).encode()).hexdigest()[:16]
         file = self.cycles.folder / f"reference_{chosen_scenes.safe(name)}_{key}.npz"
         if not file.exists():
             seeds = 8

@@ -86,18 +86,30 @@ def metal(tree, description):
 
 
 def coated(tree, description):
-    """A diffuse surface under a dielectric's reflection, by Fresnel's term at the normal."""
+    """A diffuse surface of which Fresnel's term at the normal lets out a part, and a reflection."""
     below = tree.nodes.new("ShaderNodeBsdfDiffuse")
     give(tree, description["albedo"], below.inputs["Color"])
     if "coat" in description:
         under_coat(tree, below.inputs["Color"], description["coat"])
-    above = microfacets(tree, "ShaderNodeBsdfGlossy",
-                        {"albedo": [1] * 3, "roughness": description["roughness"]})
-    mix = tree.nodes.new("ShaderNodeMixShader")
-    tree.links.new(fresnel(tree, description["ior"]).outputs[0], mix.inputs["Fac"])
-    tree.links.new(below.outputs[0], mix.inputs[1])
-    tree.links.new(above.outputs[0], mix.inputs[2])
-    return mix
+    let_out, both = tree.nodes.new("ShaderNodeMixShader"), tree.nodes.new("ShaderNodeAddShader")
+    tree.links.new(fresnel(tree, description["ior"]).outputs[0], let_out.inputs["Fac"])
+    tree.links.new(below.outputs[0], let_out.inputs[1])
+    tree.links.new(let_out.outputs[0], both.inputs[0])
+    tree.links.new(reflection(tree, description).outputs[0], both.inputs[1])
+    return both
+
+
+def reflection(tree, description):
+    """A dielectric's outer one alone, by the Fresnel term of each microfacet."""
+    node = tree.nodes.new("ShaderNodeBsdfPrincipled")
+    node.distribution = "GGX"
+    node.inputs["Base Color"].default_value = (0, 0, 0, 1)
+    node.inputs["Roughness"].default_value = description["roughness"]
+    straight_on = ((description["ior"] - 1) / (description["ior"] + 1)) ** 2
+    # Until Blender 4, which knows the index itself.
+    name = "Specular" if "Specular" in node.inputs else "Specular IOR Level"
+    node.inputs[name].default_value = straight_on / .08
+    return node
 
 
 def under_coat(tree, colour, coat):

@@ -11,6 +11,7 @@ import subprocess
 from exr import read_channels, stacked
 
 SCRIPT = pathlib.Path(__file__).with_name("render_in_cycles.py")
+BESIDE = ("cycles_materials.py", "equal_area.py")  # what it imports
 
 
 class CyclesFailed(OSError):
@@ -55,6 +56,11 @@ class Cycles:
                                "blender, which `tools/setup --dev` installs.")
         return subprocess.run([self.program, "--version"], capture_output=True, text=True,
                               check=True).stdout.splitlines()[0]
+
+    def made_by(self):
+        """What pictures depend on beside scene and job."""
+        scripts = [SCRIPT, *(SCRIPT.with_name(name) for name in BESIDE)]
+        return [self.version(), self.settings, *(script.read_text() for script in scripts)]
 
     def render(self, scenes, jobs):
         """`scenes`: what blender_scene.read() gives, by name. -> Picture by Job."""

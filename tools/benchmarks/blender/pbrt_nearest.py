@@ -21,8 +21,8 @@ METAL = ("metal by eta and k",
          "without height-correlated masking")
 HEIGHTS = ("heights", "Cycles' bump node")
 COAT = ("coat over a diffuse surface",
-        "Fresnel's term at the normal mixes GGX and a Lambert surface of what the coat lets through "
-        "on average")
+        "a dielectric's GGX reflection, and a Lambert surface of what the coat lets in on average, of "
+        "which Fresnel's term at the normal lets out a part")
 GLASS = ("rough glass", "GGX without height-correlated masking")
 IMAGES = ("images as textures", "what lies between 8-bit texels is taken before they are decoded")
 SPHERE = ("sphere", f"a mesh of {2 * AROUND * (ROWS - 1)} triangles with its area and normals")
