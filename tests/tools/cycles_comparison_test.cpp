@@ -1,5 +1,6 @@
 // tools/bench cycles, without Blender: what it hands to Blender is the scene that candela renders,
 // and its statistics see what differs and nothing else.
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "tests/tools/cycles_questions.h"
@@ -11,7 +12,12 @@ using Json = nlohmann::json;
 
 const std::string blocks = CANDELA_SOURCE_DIR "/tools/benchmarks/blender/scenes/";
 
-using Unit_CyclesComparison = CyclesQuestions;
+class Unit_CyclesComparison : public CyclesQuestions {
+ protected:
+  static Json ask(const std::vector<std::string>& question) {
+    return Json::parse(answer(question));
+  }
+};
 
 // The camera's matrix and angle, the meshes' transforms: where candela sees a point, the camera
 // that Blender gets sees it too, and it lies on a triangle that Blender gets.

@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "tests/tools/run_program.h"
 
@@ -20,13 +21,14 @@ class CyclesQuestions : public testing::Test {
       GTEST_SKIP() << "Debian's python3-numpy and python3-yaml are not installed";
   }
 
-  static nlohmann::json ask(std::vector<std::string> question) {
+  // JSON; null where the question failed, which the test is told.
+  static std::string answer(const std::vector<std::string>& question) {
     std::vector<std::string> words{
         python, "-B", CANDELA_SOURCE_DIR "/tests/tools/cycles_comparison.py", CANDELA_SOURCE_DIR};
     words.insert(words.end(), question.begin(), question.end());
     const ProgramResult result = Program(words, ErrorStream::File).finish();
     EXPECT_EQ(result.exit_code, 0) << result.error;
-    return result.exit_code == 0 ? nlohmann::json::parse(result.output) : nlohmann::json();
+    return result.exit_code == 0 ? result.output : "null";
   }
 };
 
