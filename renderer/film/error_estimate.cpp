@@ -32,7 +32,7 @@ struct Level {
 // Between the neighbours that look alike and `own`, the pixel's mean over a share of its samples:
 // as near to it as its noise is small beside their structure [James61]; never far below them, since
 // a pixel whose light comes in rare samples is black without those. Where too much noise is left,
-// all that is near by.
+// all that is near by. Rare light comes on top: the pixel's own says little of how rare it is.
 Level level_of(const NeighbourLevel& near, const Vec3d& own, double own_share, double epsilon) {
   Level level;
   for (int c = 0; c < 3; ++c) {
@@ -47,7 +47,8 @@ Level level_of(const NeighbourLevel& near, const Vec3d& own, double own_share, d
   constexpr double much = 0.3;  // variance over level: at twice that nothing else counts
   const double noise = sum_of_components(level.variance / (level.mean * level.mean + epsilon)) / 3;
   const double blend = std::clamp(noise / much - 1, 0.0, 1.0);
-  return {mix(level.mean, near.wide_mean, blend), level.variance * (1 - blend) * (1 - blend)};
+  return {mix(level.mean, near.wide_mean, blend) + near.rare,
+          level.variance * (1 - blend) * (1 - blend) + near.rare_noise};
 }
 
 // The squared error of a pixel over what is there, from a pair of replicates. The level that it is

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "renderer/film/robust_mean.h"
 #include "renderer/film/variance.h"
 
 namespace candela {
@@ -48,6 +49,7 @@ class Surroundings {
   std::vector<double> greys;
   std::vector<double> grey_variances;  // likewise
   std::vector<double> counts;          // 1 within the picture, 0 beyond
+  std::vector<Vec3d> rare;
 
  private:
   void resize() {
@@ -57,11 +59,14 @@ class Surroundings {
     greys.resize(count);
     grey_variances.resize(count);
     counts.resize(count);
+    rare.resize(count);
   }
 
   void fill(std::size_t to, const Film& film, std::size_t i) {
-    means[to] = film.mean(i);
-    variances[to] = variance_of_mean(film, i);
+    const RobustMean robust = robust_mean(film, i);
+    means[to] = robust.mean;
+    variances[to] = robust.variance;
+    rare[to] = robust.rare;
     greys[to] = grey(means[to]);
     // Noise is mostly in phase over the channels: a pessimist's guess of the grey's.
     const Vec3d deviations(std::sqrt(variances[to].x), std::sqrt(variances[to].y),
@@ -168,25 +173,41 @@ std::vector<Sums> sums_of_alike(const Surroundings& s, const PixelRect& block) {
   return sums;
 }
 
-Vec3d wide_mean(const Surroundings& s, int x, int y) {
+// Over all near by.
+struct Wide {
+  Vec3d mean{0.0};
+  Vec3d rare{0.0};
+  Vec3d rare_noise{0.0};
+};
+
+Wide wide_of(const Surroundings& s, int x, int y) {
   double count = 0;
   Vec3d sum(0.0);
+  Vec3d rare(0.0);
+  Vec3d rare_square(0.0);
   for (int dy = -wide_radius; dy <= wide_radius; ++dy)
     for (int dx = -wide_radius; dx <= wide_radius; ++dx) {
       if (dx == 0 && dy == 0) continue;
       const std::size_t neighbour = s.at(x + dx, y + dy);
       count += s.counts[neighbour];
       sum += s.counts[neighbour] * s.means[neighbour];
+      rare += s.counts[neighbour] * s.rare[neighbour];
+      rare_square += s.counts[neighbour] * s.rare[neighbour] * s.rare[neighbour];
     }
-  return count > 0 ? sum / count : s.means[s.at(x, y)];  // a picture of one pixel
+  if (!(count > 0)) return {s.means[s.at(x, y)], Vec3d(0.0), Vec3d(0.0)};  // a picture of one pixel
+  rare /= count;
+  const Vec3d rare_variance = max(rare_square / count - rare * rare, Vec3d(0.0));
+  return {sum / count, max(rare, Vec3d(0.0)), rare_variance / count};
 }
 
-NeighbourLevel level_of(const Sums& sums, const Vec3d& wide_mean) {
+NeighbourLevel level_of(const Sums& sums, const Wide& wide) {
   NeighbourLevel level;
-  level.wide_mean = wide_mean;
+  level.wide_mean = wide.mean;
+  level.rare = wide.rare;
+  level.rare_noise = wide.rare_noise;
   constexpr double nobody = 1e-6;
   if (!(sums.weight > nobody)) {
-    level.mean = wide_mean;
+    level.mean = wide.mean;
     return level;
   }
   level.mean = sums.mean / sums.weight;
@@ -194,6 +215,14 @@ NeighbourLevel level_of(const Sums& sums, const Vec3d& wide_mean) {
   level.structure =
       max((sums.square - sums.variance) / sums.weight - level.mean * level.mean, Vec3d(0.0));
   return level;
+}
+
+// Of the i-th pixel's mean, rare light included: it is in the samples by which the mean is judged.
+// But one that met such light is not for that reason unsure of everything: a limit.
+Vec3d own_variance(const Vec3d& evened_out, const Film& film, std::size_t i) {
+  constexpr double most = 6;  // times the variance without it; between 4 and 6 nothing changes
+  const Vec3d robust = max(evened_out, robust_mean(film, i).variance);
+  return min(most * robust, max(evened_out, variance_of_mean(film, i)));
 }
 
 }  // namespace
@@ -204,10 +233,10 @@ std::vector<NeighbourLevel> neighbour_levels(const Film& film, const PixelRect& 
   for (const Sums& sums : sums_of_alike(surroundings, block)) {
     const int x = margin + static_cast<int>(levels.size()) % block.width();
     const int y = margin + static_cast<int>(levels.size()) / block.width();
-    levels.push_back(level_of(sums, wide_mean(surroundings, x, y)));
+    levels.push_back(level_of(sums, wide_of(surroundings, x, y)));
     const std::size_t i = film.index(block.x0 + x - margin, block.y0 + y - margin);
     levels.back().own_variance =
-        max(surroundings.variances[surroundings.at(x, y)], variance_of_mean(film, i));
+        own_variance(surroundings.variances[surroundings.at(x, y)], film, i);
   }
   return levels;
 }

@@ -40,12 +40,16 @@ struct Noise {
   double (*draw)(std::mt19937_64&);  // of mean 1
 };
 
-// From even to strongly skewed: a light that one sample in ten finds.
+// From even to strongly skewed: a light that one sample in ten finds; flashes that one in 500 does.
 const Noise noises[] = {
     {"uniform", [](std::mt19937_64& r) { return std::uniform_real_distribution<>(0, 2)(r); }},
     {"exponential", [](std::mt19937_64& r) { return std::exponential_distribution<>(1)(r); }},
     {"rare",
-     [](std::mt19937_64& r) { return std::uniform_real_distribution<>()(r) < .1 ? 10. : 0.; }}};
+     [](std::mt19937_64& r) { return std::uniform_real_distribution<>()(r) < .1 ? 10. : 0.; }},
+    {"flashes", [](std::mt19937_64& r) {
+       return std::uniform_real_distribution<>(.6, 1)(r) +
+              (std::uniform_real_distribution<>()(r) < .002 ? 100. : 0.);
+     }}};
 
 double stated_over_true(const Noise& noise, int samples) {
   double stated = 0;
