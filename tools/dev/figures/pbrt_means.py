@@ -24,13 +24,24 @@ def ratios(ours, theirs):
     return [round(float(ratio), 4) for ratio in a / b]
 
 
+def noise_of(first, second):
+    """Of the mean of two independent halves, in blocks. Two numbers say little of their spread:
+    relative to the light it is pooled with the 5 x 5 blocks around."""
+    mean = (first + second) / 2
+    relative = numpy.divide(first - second, 2 * mean, out=numpy.zeros_like(mean), where=mean > 0)
+    around = numpy.pad(relative ** 2, 2, mode="reflect")
+    height, width = mean.shape
+    pooled = sum(around[y:y + height, x:x + width] for y in range(5) for x in range(5)) / 25
+    return pooled ** .5 * mean
+
+
 def odd_blocks(our_halves, their_halves, tolerance):
     """The share of blocks whose luminance is off by more than `tolerance`, BLOCKS_TOLERANCE and
     NOISES times the noise of both, which two independent halves of each tell."""
     ours, theirs = ([block_means(half @ LUMINANCE) for half in halves]
                     for halves in (our_halves, their_halves))
     mean = [(first + second) / 2 for first, second in (ours, theirs)]
-    noise = numpy.hypot(*(abs(first - second) / 2 for first, second in (ours, theirs)))
+    noise = numpy.hypot(noise_of(*ours), noise_of(*theirs))
     off = abs(mean[0] - mean[1]) > (tolerance + BLOCKS_TOLERANCE) * mean[1] + NOISES * noise
     return round(float(off.mean()), 4)
 
