@@ -31,17 +31,41 @@ struct DirectLight {
 };
 
 // The contribution of one light sample, already divided by the probability `choice` of the light.
-template <FeatureSet F>
+// `radiance()`: the sample's; a sky's is asked for only where the surface sends some of it on.
+template <FeatureSet F, class Radiance>
 [[nodiscard]] inline Rgb unshadowed_contribution(const RenderOptions& options,
                                                  const SurfacePoint& point, const Bsdf& bsdf,
-                                                 const Vec3f& wo_local, const LightSample& light,
-                                                 float choice) {
-  Vec3f wi_local = point.shading.to_local(light.wi);
-  if (!is_consistent(point, light.wi, wi_local)) return Rgb(0);
+                                                 const Vec3f& wo_local, const Vec3f& wi,
+                                                 float light_pdf, bool is_delta, float choice,
+                                                 const Radiance& radiance) {
+  Vec3f wi_local = point.shading.to_local(wi);
+  if (!is_consistent(point, wi, wi_local)) return Rgb(0);
   BsdfEvaluation f = evaluate_bsdf<F.models>(bsdf, wo_local, wi_local);
-  const float pdf = light.pdf * choice;
-  const float weight = light.is_delta ? 1.0f : light_sample_weight<F>(options, pdf, f.pdf);
-  return f.value * light.radiance * (weight / pdf);
+  if (F.environment && is_black(f.value)) return Rgb(0);
+  const float pdf = light_pdf * choice;
+  const float weight = is_delta ? 1.0f : light_sample_weight<F>(options, pdf, f.pdf);
+  return f.value * radiance() * (weight / pdf);
+}
+
+// Half of a sky may lie below a surface, and what costs most is to fetch its texels.
+template <FeatureSet F, class A>
+[[nodiscard]] inline DirectLight sample_sky(const PathContext<A>& context, Vec2f u, float choice,
+                                            const SurfacePoint& point, const Bsdf& bsdf,
+                                            const Vec3f& wo_local, TileCounts& counts) {
+  const Environment& sky = *context.scene.environment;
+  EnvironmentSample sample = sample_environment(sky, u);
+  if (!(sample.pdf > 0)) return {};
+  const auto radiance = [&] {
+    return environment_radiance(sky, context.scene.textures, sample.direction);
+  };
+  Rgb contribution =
+      unshadowed_contribution<F>(context.options, point, bsdf, wo_local, sample.direction,
+                                 sample.pdf, false, choice, radiance);
+  if (is_black(contribution)) {
+    ++counts.skipped.shadow_rays;
+    return {};
+  }
+  return {contribution, spawn_ray(point, sample.direction)};
 }
 
 template <FeatureSet F, class A>
@@ -50,11 +74,17 @@ template <FeatureSet F, class A>
                                                      const SurfacePoint& point, const Bsdf& bsdf,
                                                      const Vec3f& wo_local, TileCounts& counts) {
   const Scene& scene = context.scene;
+  constexpr LightKindSet sky = light_kind_bit(LightKind::Environment);
+  if constexpr ((F.light_kinds() & sky) != 0) {
+    if (scene.lights[index].kind == LightKind::Environment)
+      return sample_sky<F>(context, u, choice, point, bsdf, wo_local, counts);
+  }
   LightSample light =
-      sample_light<F.light_kinds()>(light_tables(scene), scene.lights[index], point, u);
+      sample_light<(F.light_kinds() & ~sky)>(light_tables(scene), scene.lights[index], point, u);
   if (!light.is_valid()) return {};
   Rgb contribution =
-      unshadowed_contribution<F>(context.options, point, bsdf, wo_local, light, choice);
+      unshadowed_contribution<F>(context.options, point, bsdf, wo_local, light.wi, light.pdf,
+                                 light.is_delta, choice, [&] { return light.radiance; });
   if (is_black(contribution)) {
     ++counts.skipped.shadow_rays;
     return {};

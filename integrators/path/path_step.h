@@ -265,18 +265,14 @@ template <FeatureSet F, class A>
   }
 }
 
-// From what the path's ray met to its next ray, which takes its place; false where the path ends.
+// From the surface that the path's ray met to its next ray, which takes its place; false where the
+// path ends.
 // `first_hit`: what the film's layers keep of the camera ray.
 template <FeatureSet F, class A>
 [[nodiscard]] inline bool step(const PathContext<A>& context, const StepNumbers& numbers,
                                std::uint32_t bounce, const Hit& hit, Ray& ray, PathState& path,
                                DirectLight& picked, FilmSample& first_hit, TileCounts& counts) {
   const Scene& scene = context.scene;
-  if (!hit.is_hit()) {
-    add_environment<F>(scene, context.options, bounce, ray.direction, path);
-    if (bounce == 0) first_hit.alpha = 0;
-    return false;
-  }
   const Geometry& geometry = scene.geometries[hit.geometry];
   Vec3f wo = -ray.direction;
   SurfacePoint point = met_point_at<F>(scene, hit, wo);

@@ -112,12 +112,31 @@ inline void trace_shadow_rays(const PathContext<A>& context, LaneMask lanes, Pat
   counts.rays.shadow += static_cast<std::uint64_t>(std::popcount(lanes));
 }
 
+// Ends the paths whose rays left the scene, one right after the other, so that their waits for the
+// sky's texels overlap; returns the others. (Among media a ray may collide before it leaves.)
+template <FeatureSet F, class A>
+[[nodiscard]] inline LaneMask end_in_environment(const PathContext<A>& context, LaneMask alive,
+                                                 std::uint32_t bounce, const HitBlock& hits,
+                                                 PathBlock& block) {
+  if constexpr (F.media) return alive;
+  LaneMask ended = 0;
+  for_each_lane(alive, [&](std::uint32_t i) { ended |= hits[i].is_hit() ? 0 : 1u << i; });
+  for_each_lane(ended, [&](std::uint32_t i) {
+    add_environment<F>(context.scene, context.options, bounce, block.rays[i].direction,
+                       block.paths[i]);
+    if (bounce == 0) block.samples[i].alpha = 0;
+  });
+  return alive & ~ended;
+}
+
 // A bounce of the paths of a block; returns those that go on.
 template <FeatureSet F, class A>
 [[nodiscard]] inline LaneMask leave_hits(const PathContext<A>& context,
                                          const BounceSamplers& samplers, LaneMask alive,
                                          std::uint32_t bounce, const HitBlock& hits,
                                          PathBlock& block, TileCounts& counts) {
+  alive = end_in_environment<F>(context, alive, bounce, hits, block);
+  if (alive == 0) return 0;
   const LanesAfterStep after = step_lanes<F>(context, samplers, alive, bounce, hits, block, counts);
   if (after.shadow_rays != 0) trace_shadow_rays<F>(context, after.shadow_rays, block, counts);
   return after.going_on;

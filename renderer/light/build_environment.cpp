@@ -5,16 +5,12 @@
 #include <fmt/format.h>
 
 #include "renderer/base/parallel.h"
+#include "renderer/light/cell_weights.h"
 #include "renderer/light/luminance_rows.h"
 #include "renderer/math/colour.h"
 
 namespace candela {
 namespace {
-
-struct GridSize {
-  std::uint32_t columns = 1;
-  std::uint32_t rows = 1;
-};
 
 // One image of a map.
 struct Face {
@@ -42,7 +38,8 @@ Face add_face(description::Image image, description::Wrap wrap, TextureStore& te
   return face;
 }
 
-// As many cells as texels, or fewer of the same shape: the table takes no more memory than the map.
+// As many cells as texels, or fewer of about the same shape: the table takes no more memory than
+// the map. Where they are fewer anyway, so many that merging them can go on for long.
 GridSize grid_size(const Face& face, const TextureStore& textures, std::size_t max_cells) {
   constexpr std::size_t cell_bytes = 6;  // of a GridDistribution, at most
   const std::size_t affordable = textures.info(face.texture).bytes / cell_bytes;
@@ -50,7 +47,9 @@ GridSize grid_size(const Face& face, const TextureStore& textures, std::size_t m
   const double texels = static_cast<double>(face.width) * face.height;
   const double shrink = std::min(1.0, std::sqrt(cells / texels));
   const auto shrunk = [&](std::uint32_t n) {
-    return std::max(1u, static_cast<std::uint32_t>(n * shrink));
+    constexpr std::uint32_t often_even = 32;
+    const auto m = std::max(1u, static_cast<std::uint32_t>(n * shrink));
+    return m < n && m >= 8 * often_even ? m - m % often_even : m;
   };
   return {shrunk(face.width), shrunk(face.height)};
 }
@@ -64,42 +63,40 @@ void warn_of_invalid(const TextureStore& textures, const Face& face, const Sourc
                         textures.path(face.texture), count));
 }
 
-// Sets the face's rows of the grid, from `first_row` on, to luminance times
+// Sets the face's rows of the cells, `size.rows` from `first_row` on, to luminance times
 // `solid_angle(column, row)`; they sum to the mean luminance times 4 pi. Decodes the texture.
 // Returns the number of invalid texels.
 template <class SolidAngle>
 std::uint64_t set_rows(const TextureStore& textures, const Face& face, GridSize size,
-                       std::uint32_t first_row, SolidAngle&& solid_angle,
-                       GridDistributionBuilder& grid) {
+                       std::uint32_t first_row, SolidAngle&& solid_angle, CellWeights& cells) {
   constexpr std::uint32_t block_rows = 32;
   std::atomic<std::uint64_t> invalid_count = 0;
   parallel_for((size.rows + block_rows - 1) / block_rows, [&](std::size_t block) {
     const auto begin = static_cast<std::uint32_t>(block) * block_rows;
-    const RowRange cells{begin, std::min(begin + block_rows, size.rows)};
+    const RowRange own{begin, std::min(begin + block_rows, size.rows)};
     const LuminanceRows map = filtered_luminance(
-        textures, face.texture, touched_rows(cells, size.rows, face.height), face.columns_wrap);
-    std::vector<double> weights(size.columns);
-    for (std::uint32_t row = cells.begin; row < cells.end; ++row) {
+        textures, face.texture, touched_rows(own, size.rows, face.height), face.columns_wrap);
+    for (std::uint32_t row = own.begin; row < own.end; ++row) {
       const RowRange texels = touched_rows({row, row + 1}, size.rows, face.height);
       for (std::uint32_t column = 0; column < size.columns; ++column)
-        weights[column] = cell_mean(map, texels, column, size.columns) * solid_angle(column, row);
-      grid.set_row(first_row + row, weights);
+        cells.at(column, first_row + row) =
+            cell_mean(map, texels, column, size.columns) * solid_angle(column, row);
     }
     // A row that two blocks touch is counted by the second.
     const std::uint32_t owned_end =
-        cells.end == size.rows
-            ? face.height
-            : touched_rows({cells.end, cells.end + 1}, size.rows, face.height).begin;
+        own.end == size.rows ? face.height
+                             : touched_rows({own.end, own.end + 1}, size.rows, face.height).begin;
     for (std::uint32_t y = map.rows.begin; y < owned_end; ++y)
       invalid_count += map.invalid_counts[y - map.rows.begin];
   });
   return invalid_count;
 }
 
-void set_distribution(Environment& environment, GridDistributionBuilder&& grid) {
+// `faces` of the same number of rows each.
+void set_distribution(Environment& environment, const CellWeights& cells, std::uint32_t faces) {
+  environment.distribution = distribution_of(cells, merged_cells(cells, faces));
   environment.mean_luminance =
-      grid.total_weight() / (4 * pi_double) * luminance(Vec3d(environment.scale));
-  environment.distribution = std::move(grid).build();
+      total_weight(cells) / (4 * pi_double) * luminance(Vec3d(environment.scale));
 }
 
 // Of the cell's centre, near enough to the mean over the cell: (s, t) in [-1, 1]^2 on the face at
@@ -136,9 +133,9 @@ std::uint64_t set_map(Environment& environment, const Face& face, const TextureS
   const auto solid_angle = [&](std::uint32_t /*column*/, std::uint32_t row) {
     return cell_solid_angle(environment.mapping, row, size);
   };
-  GridDistributionBuilder grid(size.columns, size.rows);
-  const std::uint64_t invalid = set_rows(textures, face, size, 0, solid_angle, grid);
-  set_distribution(environment, std::move(grid));
+  CellWeights cells(size);
+  const std::uint64_t invalid = set_rows(textures, face, size, 0, solid_angle, cells);
+  set_distribution(environment, cells, 1);
   return invalid;
 }
 
@@ -193,13 +190,13 @@ Environment build_environment(const description::CubeEnvironment& cube,
   const auto solid_angle = [&](std::uint32_t column, std::uint32_t row) {
     return cube_cell_solid_angle(column, row, size);
   };
-  GridDistributionBuilder grid(size.columns, size.rows * 6);
+  CellWeights cells({size.columns, size.rows * 6});
   for (std::uint32_t i = 0; i < 6; ++i) {
     const std::uint64_t invalid =
-        set_rows(textures, faces[i], size, i * size.rows, solid_angle, grid);
+        set_rows(textures, faces[i], size, i * size.rows, solid_angle, cells);
     warn_of_invalid(textures, faces[i], images[cube.faces[i].index].span, invalid, diagnostics);
   }
-  set_distribution(environment, std::move(grid));
+  set_distribution(environment, cells, 6);
   return environment;
 }
 

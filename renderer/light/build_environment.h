@@ -11,7 +11,8 @@
 namespace candela {
 
 // A grid for sampling has a cell a texel, or about this many in all where there are more texels;
-// fewer where it would take more memory than the texels do (of maps of bytes: half of them).
+// fewer where it would take more memory than the texels do (of maps of bytes: half of them), and
+// where fewer do as well (cell_weights.h).
 inline constexpr std::size_t default_environment_cells = std::size_t{2048} * 1024;
 
 [[nodiscard]] Environment build_environment(const description::ConstantEnvironment& constant);

@@ -56,7 +56,9 @@ template <LightKindSet kinds = all_light_kinds>
     case LightKind::Quad:
       return sample_quad_light(light, from, u);
     case LightKind::Environment:
-      return sample_environment_light(tables, from, u);
+      if constexpr ((kinds & light_kind_bit(LightKind::Environment)) != 0)
+        return sample_environment_light(tables, from, u);
+      break;
     case LightKind::TexturedTriangle:
       return sample_textured_triangle_light(light, (*tables.geometries)[light.geometry],
                                             *tables.textures, from, u);

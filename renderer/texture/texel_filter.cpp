@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "renderer/image/half.h"
+#include "renderer/image/lanes_half.h"
 #include "renderer/math/colour.h"
 #include "renderer/math/lanes_power.h"
 #include "renderer/math/transcendental.h"
@@ -64,6 +65,8 @@ Float4 four_stored(const std::byte* place) {
   if constexpr (type == SampleType::U8) {
     using Byte4 = std::uint8_t __attribute__((vector_size(4)));
     return __builtin_convertvector(value_at<Byte4>(place), Float4);
+  } else if constexpr (type == SampleType::Half) {
+    return half_to_float(value_at<Half4>(place));
   } else if constexpr (type == SampleType::Float) {
     return value_at<Float4>(place);
   } else {

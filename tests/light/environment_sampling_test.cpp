@@ -38,6 +38,22 @@ MapEnvironment varied_lat_long(std::size_t max_cells = default_environment_cells
   return lat_long(write_float_map("varied", 16, 8, varied_texel), Mat3d(1.0), max_cells);
 }
 
+// Smooth, and of so many texels that cells are merged.
+Vec3f smooth_texel(int x, int y) {
+  return {2 + std::sin(0.05f * static_cast<float>(x)), 0.1f + 0.01f * static_cast<float>(y), 1};
+}
+MapEnvironment smooth_lat_long() {
+  return lat_long(write_float_map("smooth", 512, 256, smooth_texel));
+}
+MapEnvironment smooth_cube() {
+  std::array<description::Image, 6> faces;
+  for (std::size_t i = 0; i < 6; ++i)
+    faces[i] = write_float_map(fmt::format("smooth{}", i), 96, 96, [&](int x, int y) {
+      return smooth_texel(x, y) * (1 + static_cast<float>(i));
+    });
+  return cube(faces);
+}
+
 // A rotation with a mirror in it.
 Mat3d mirrored_turn() {
   return {Vec3d(0.6, 0, 0.8), Vec3d(0, -1, 0), Vec3d(-0.8, 0, 0.6)};
@@ -67,6 +83,8 @@ std::vector<NamedMap> all_maps() {
   maps.push_back({"coarse lat-long", varied_lat_long(50)});
   maps.push_back({"cube", cube(varied_faces())});
   maps.push_back({"coarse cube", cube(varied_faces(), 100)});
+  maps.push_back({"merged lat-long", smooth_lat_long()});
+  maps.push_back({"merged cube", smooth_cube()});
   maps.push_back({"equal-area", varied_equal_area()});
   maps.push_back({"coarse equal-area", varied_equal_area(100)});
   return maps;
@@ -92,6 +110,11 @@ TEST(Statistical_Environment, SamplesFitTheDensity) {
               1e-4)
         << m.name;
   }
+}
+
+TEST(Unit_Environment, TablesOfSmoothSkiesAreCoarserThanTheirTexels) {
+  EXPECT_EQ(smooth_lat_long().environment.distribution.columns(), 256u);
+  EXPECT_EQ(smooth_cube().environment.distribution.columns(), 48u);
 }
 
 // The polar rows by themselves, where a cell's solid angle shrinks to nothing.
