@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "renderer/image/compare.h"
 #include "tests/film/synthetic_film.h"
 #include "tests/statistics/moments.h"
 
@@ -73,6 +75,33 @@ TEST(Statistical_ErrorEstimate, IsTheTrueErrorInTheMean) {
       EXPECT_GT(ratio, 0.8) << noise.name << ", " << samples << " samples";
       EXPECT_LT(ratio, 1.25) << noise.name << ", " << samples << " samples";
     }
+}
+
+// Three dark columns beside five bright ones, and a flash in one of 1000 samples anywhere: a pixel
+// that has met one is no brighter for it than its dark neighbours.
+TEST(Statistical_ErrorEstimate, FlashesDoNotMakeDarkPixelsLookBright) {
+  constexpr double flash = 50;
+  constexpr double probability = 0.001;
+  const auto even = [](int x) { return x % 8 < 3 ? 0.1 : 2.0; };
+  Image truth(size, size, {"R", "G", "B"});
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x)
+      std::fill_n(truth.pixel(x, y), 3, static_cast<float>(even(x) + flash * probability));
+  for (const int samples : {16, 64}) {
+    double stated = 0;
+    double error = 0;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+      const Film film =
+          test::synthetic_film(size, samples, 4, seed, [&](std::mt19937_64& random, int x, int) {
+            std::uniform_real_distribution<> uniform(0, 1);
+            return even(x) * (0.8 + 0.4 * uniform(random)) +
+                   (uniform(random) < probability ? flash : 0);
+          });
+      stated += estimate_error(film)->relmse;
+      error += compare_images(film.to_image(false), truth)->rel_mse;
+    }
+    EXPECT_NEAR(stated / error, 1, 0.1) << samples << " samples";
+  }
 }
 
 TEST(Statistical_ErrorEstimate, ItsIntervalHoldsTheTrueError) {
