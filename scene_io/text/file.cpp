@@ -102,8 +102,7 @@ bool has_gzip_name(std::string_view path) {
 Result<std::string> read_file(const std::string& path, const FileLimits& limits) {
   Result<std::string> bytes = read_plain(path, limits.bytes);
   if (!bytes || !has_gzip_name(path)) return bytes;
-  const std::uint64_t expected = std::max(limits.small_bytes, bytes->size() * limits.inflation);
-  return inflate_gzip(*bytes, path, std::min(limits.inflated_bytes, expected));
+  return inflate_gzip(*bytes, path, limits);
 }
 
 }  // namespace candela::text

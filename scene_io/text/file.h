@@ -13,8 +13,8 @@ namespace candela::text {
 struct FileLimits {
   std::uint64_t bytes = std::uint64_t{8} << 30;           // of the file itself
   std::uint64_t inflated_bytes = std::uint64_t{2} << 30;  // of what a .gz holds
-  // A .gz may be inflated so many times, and to `small_bytes` in any case: scenes come to 15 times,
-  // bombs to 1000.
+  // What is read of a .gz may be inflated so many times, and to `small_bytes` in any case: scenes
+  // come to 15 times, bombs to 1000.
   std::uint64_t inflation = 100;
   std::uint64_t small_bytes = std::uint64_t{1} << 26;
 };
@@ -23,9 +23,9 @@ struct FileLimits {
 // device is never waited for), too large, or a broken gzip file.
 [[nodiscard]] Result<std::string> read_file(const std::string& path, const FileLimits& limits = {});
 
-// The bytes that a gzip file in memory holds.
+// The bytes that a gzip file in memory holds. A bomb is known by its beginning, however large.
 [[nodiscard]] Result<std::string> inflate_gzip(std::string_view bytes, const std::string& name,
-                                               std::uint64_t max_bytes);
+                                               const FileLimits& limits);
 
 // `path` ends in .gz, in any letter case.
 [[nodiscard]] bool has_gzip_name(std::string_view path);

@@ -34,6 +34,7 @@ class Inflater {
 
   [[nodiscard]] bool is_ready() const { return is_ready_; }
   [[nodiscard]] bool is_at_end() const { return left_ == 0; }
+  [[nodiscard]] std::size_t bytes_left() const { return left_; }
   // Fills as much of [out, out + size) as it can; adds to `filled`. zlib counts in 32 bits.
   int step(char* out, std::size_t size, std::size_t& filled) {
     constexpr std::size_t most = std::numeric_limits<uInt>::max();
@@ -58,22 +59,28 @@ class Inflater {
 }  // namespace
 
 Result<std::string> inflate_gzip(std::string_view bytes, const std::string& name,
-                                 std::uint64_t max_bytes) {
+                                 const FileLimits& limits) {
+  const auto allowed = [&limits](std::size_t compressed) {
+    return std::min(limits.inflated_bytes,
+                    std::max(limits.small_bytes, compressed * limits.inflation));
+  };
   Inflater inflater(bytes);
   if (!inflater.is_ready()) return fault(name, "cannot be inflated: out of memory");
   std::string out;
   std::size_t filled = 0;
   while (true) {
     if (filled == out.size()) {
-      const std::uint64_t wanted = std::max<std::uint64_t>({bytes.size() * 4, filled * 2, 4096});
+      const std::uint64_t wanted =
+          std::max<std::uint64_t>(std::min(bytes.size() * 4, limits.small_bytes), filled * 2) +
+          4096;
       // One byte more than allowed, so that what fits exactly is told from what does not.
-      out.resize(static_cast<std::size_t>(std::min(wanted, max_bytes + 1)));
+      out.resize(static_cast<std::size_t>(std::min(wanted, allowed(bytes.size()) + 1)));
     }
     const std::size_t before = filled;
     const int status = inflater.step(out.data() + filled, out.size() - filled, filled);
-    if (filled > max_bytes) {
-      return fault(name, fmt::format("inflates to more than {} bytes; no more is read", max_bytes));
-    }
+    const std::uint64_t most = allowed(bytes.size() - inflater.bytes_left());
+    if (filled > most)
+      return fault(name, fmt::format("inflates to more than {} bytes; no more is read", most));
     if (status == Z_STREAM_END && inflater.is_at_end()) break;
     if (status == Z_STREAM_END) {
       inflater.restart();  // files may be put behind one another

@@ -74,7 +74,7 @@ std::string try_text(std::string_view bytes) {
 
 std::string try_gzip(std::string_view bytes) {
   constexpr std::size_t most = std::size_t{1} << 20;
-  const Result<std::string> text = text::inflate_gzip(bytes, "fuzzed.gz", most);
+  const Result<std::string> text = text::inflate_gzip(bytes, "fuzzed.gz", {.inflated_bytes = most});
   if (!text) return fault_of_failure(text.diagnostics);
   return text->size() <= most ? "" : "more than is allowed";
 }
