@@ -45,7 +45,8 @@ class Surroundings {
   }
 
   std::vector<Vec3d> means;
-  std::vector<Vec3d> variances;  // of the means; of 3x3 pixels together, since one's is a guess
+  std::vector<Vec3d> own_variances;  // of the means
+  std::vector<Vec3d> variances;      // those of 3x3 pixels together, since one's is a guess
   std::vector<double> greys;
   std::vector<double> grey_variances;  // likewise
   std::vector<double> counts;          // 1 within the picture, 0 beyond
@@ -55,6 +56,7 @@ class Surroundings {
   void resize() {
     const auto count = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     means.resize(count);
+    own_variances.resize(count);
     variances.resize(count);
     greys.resize(count);
     grey_variances.resize(count);
@@ -65,7 +67,7 @@ class Surroundings {
   void fill(std::size_t to, const Film& film, std::size_t i) {
     const RobustMean robust = robust_mean(film, i);
     means[to] = robust.mean;
-    variances[to] = robust.variance;
+    own_variances[to] = variances[to] = robust.variance;
     rare[to] = robust.rare;
     greys[to] = grey(means[to]);
     // Noise is mostly in phase over the channels: a pessimist's guess of the grey's.
@@ -75,7 +77,6 @@ class Surroundings {
   }
 
   void even_out() {
-    const std::vector<Vec3d> raw = variances;
     const std::vector<double> raw_greys = grey_variances;
     for (int y = 1; y + 1 < height_; ++y)
       for (int x = 1; x + 1 < width_; ++x) {
@@ -83,7 +84,7 @@ class Surroundings {
         double grey_sum = 0;
         for (int dy = -1; dy <= 1; ++dy)
           for (int dx = -1; dx <= 1; ++dx) {
-            sum += raw[at(x + dx, y + dy)];
+            sum += own_variances[at(x + dx, y + dy)];
             grey_sum += raw_greys[at(x + dx, y + dy)];
           }
         variances[at(x, y)] = sum / 9.0;
@@ -217,12 +218,12 @@ NeighbourLevel level_of(const Sums& sums, const Wide& wide) {
   return level;
 }
 
-// Of the i-th pixel's mean, rare light included: it is in the samples by which the mean is judged.
+// Of a pixel's mean, rare light included: it is in the samples by which the mean is judged.
 // But one that met such light is not for that reason unsure of everything: a limit.
-Vec3d own_variance(const Vec3d& evened_out, const Film& film, std::size_t i) {
+Vec3d own_variance(const Surroundings& s, std::size_t at, const Vec3d& variance_of_mean) {
   constexpr double most = 6;  // times the variance without it; between 4 and 6 nothing changes
-  const Vec3d robust = max(evened_out, robust_mean(film, i).variance);
-  return min(most * robust, max(evened_out, variance_of_mean(film, i)));
+  const Vec3d robust = max(s.variances[at], s.own_variances[at]);
+  return min(most * robust, max(s.variances[at], variance_of_mean));
 }
 
 }  // namespace
@@ -236,7 +237,7 @@ std::vector<NeighbourLevel> neighbour_levels(const Film& film, const PixelRect& 
     levels.push_back(level_of(sums, wide_of(surroundings, x, y)));
     const std::size_t i = film.index(block.x0 + x - margin, block.y0 + y - margin);
     levels.back().own_variance =
-        own_variance(surroundings.variances[surroundings.at(x, y)], film, i);
+        own_variance(surroundings, surroundings.at(x, y), variance_of_mean(film, i));
   }
   return levels;
 }
