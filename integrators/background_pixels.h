@@ -1,13 +1,12 @@
 // Pixels of which the geometry proves that no camera ray meets anything: their samples are all the
 // constant background, and no ray need be traced for them.
-//
-// What the bounds cover: every triangle's, or instance's box's, projection, widened by what
-// rounding does to vertices and rays, and by the pixel filter's radius.
+// (Covered are all triangles' and spheres' projections, and those of instances' boxes.)
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "integrators/pixel_cover.h"
 #include "integrators/render.h"
 #include "renderer/film/filter.h"
 
@@ -20,17 +19,17 @@ class BackgroundPixels {
   // or the scene more triangles than looking at them could spare.
   BackgroundPixels(const Scene& scene, const Filter& filter, const RenderOptions& options);
 
-  [[nodiscard]] bool is_empty() const { return is_background_.empty(); }
+  [[nodiscard]] bool is_empty() const { return is_covered_.empty(); }
   [[nodiscard]] bool contains(int x, int y) const {
-    return !is_background_.empty() &&
-           is_background_[static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x)] != 0;
+    return !is_covered_.empty() &&
+           is_covered_[static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x)] == 0;
   }
   // What each sample of these pixels brings.
   [[nodiscard]] const FilmSample& sample() const { return sample_; }
 
  private:
   std::size_t width_ = 0;
-  std::vector<std::uint8_t> is_background_;  // in rows from the top
+  PixelMask is_covered_;
   FilmSample sample_;
 };
 

@@ -28,7 +28,8 @@ struct Trial {
 // Samples that are skipped count as if they were not: whether they are must not change the picture.
 double cost_of(const TileCounts& counts) {
   return 0.55 * static_cast<double>(counts.rays.camera + counts.skipped.samples) +
-         static_cast<double>(counts.rays.indirect) + 0.1 * static_cast<double>(counts.rays.shadow);
+         static_cast<double>(counts.rays.indirect) +
+         0.1 * static_cast<double>(counts.rays.shadow + counts.rays.lamp);
 }
 
 Trial run_trial(const TilePass& pass, const RenderOptions& options,

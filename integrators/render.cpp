@@ -8,6 +8,7 @@
 #include "integrators/check_media.h"
 #include "integrators/kernel.h"
 #include "integrators/path/check_sampling.h"
+#include "integrators/path/find_lamp_pixels.h"
 #include "integrators/path/kernels.h"
 #include "integrators/render_rounds.h"
 #include "integrators/report/check_report.h"
@@ -30,12 +31,14 @@ Kernel path_kernel(const Scene& scene, const A& accelerator, const Filter& filte
                    const RenderOptions& options) {
   const PathKernel<A> kernel = path_instance<A>(scene, options);
   PathContext<A> context = make_path_context(scene, accelerator, filter, options);
+  const auto lamps = std::make_shared<const LampPixels>(find_lamp_pixels<media_features>(context));
+  context.lamps = lamps.get();
   std::shared_ptr<const BackgroundPixels> background;
   if (!options.use_general_kernel)
     background = std::make_shared<const BackgroundPixels>(scene, filter, options);
   context.background = background.get();
   return {"path/" + std::string(kernel.name),
-          [render = kernel.render, context, background](const TilePass& pass, Film& film) {
+          [render = kernel.render, context, lamps, background](const TilePass& pass, Film& film) {
             return render(context, pass, film);
           }};
 }

@@ -34,6 +34,7 @@ enum class SpecularModel : std::uint8_t { Blinn, Phong };
 enum class SamplerKind : std::uint8_t { Sobol, Independent };
 
 inline constexpr int max_splitting = 64;
+inline constexpr int max_lamp_rays = 64;
 
 struct RenderOptions {
   IntegratorKind integrator = IntegratorKind::Path;
@@ -56,6 +57,9 @@ struct RenderOptions {
   std::optional<int> splitting = 1;
   // path: the throughput from which on Russian roulette ends no path, in (0, 1]; none: as above.
   std::optional<float> roulette_threshold = 1.0f;
+  // path: camera rays a sample that look for lamps alone in pixels that lamps cover in part, at
+  // most (path/find_lamp_pixels.h); 0: none.
+  int lamp_rays = 0;
   // path: bounces as pbrt counts them: 0 sees emission only, 1 direct light, ...; none: no limit.
   // whitted: surfaces that a ray may meet, as the lab counts them; none: 5.
   std::optional<int> max_depth;
@@ -91,6 +95,7 @@ struct RayCounts {
   std::uint64_t camera = 0;
   std::uint64_t indirect = 0;
   std::uint64_t shadow = 0;
+  std::uint64_t lamp = 0;  // more camera rays, which look for lamps alone
 };
 
 // What was not done because it could not matter.

@@ -21,6 +21,7 @@ struct TileCounts {
     rays.camera += other.rays.camera;
     rays.indirect += other.rays.indirect;
     rays.shadow += other.rays.shadow;
+    rays.lamp += other.rays.lamp;
     skipped.shadow_rays += other.skipped.shadow_rays;
     skipped.samples += other.skipped.samples;
     invalid_samples += other.invalid_samples;

@@ -15,6 +15,7 @@
 namespace candela {
 
 class BackgroundPixels;
+class LampPixels;
 
 template <class A>
 struct PathContext {
@@ -25,7 +26,9 @@ struct PathContext {
   const RenderOptions& options;
   std::uint32_t max_depth;                       // the largest number where there is no limit
   const BackgroundPixels* background = nullptr;  // null: of no pixel it is known
+  const LampPixels* lamps = nullptr;             // null: there are none
   float inverse_roulette_threshold = 1;          // of the pass (path_plan.h)
+  std::uint32_t lamp_rays = 0;  // of the pixel; 0: paths' camera rays count what lamps they meet
 };
 
 template <class A>

@@ -104,7 +104,7 @@ template <FeatureSet F, class A>
   SurfacePoint point = met_point_at<F>(scene, flight.hit, wo);
   const Material& material = material_at<F>(scene, geometry, point, numbers.material);
   set_material_frame<F>(scene, material, wo, point);
-  if (geometry.is_emissive())
+  if (geometry.is_emissive() && (bounce > 0 || context.lamp_rays == 0))
     add_emission<F>(scene, context.options, geometry, flight.hit, from, ray.direction,
                     flight.distance, path);
   if (bounce == 0 && context.options.aovs != 0)

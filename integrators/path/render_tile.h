@@ -2,20 +2,11 @@
 #pragma once
 
 #include "integrators/background_pixels.h"
-#include "integrators/path/trace_block.h"
+#include "integrators/lamp_pixels.h"
+#include "integrators/path/seen_lamps.h"
 #include "integrators/tile_pass.h"
 
 namespace candela {
-
-// The camera ray of one sample at a place that the filter chose (filter importance sampling).
-template <FeatureSet F, class A>
-[[nodiscard]] inline Ray camera_ray(const PathContext<A>& context, Vec2f place, Vec2f lens, int x,
-                                    int y) {
-  Vec2f film{(static_cast<float>(x) + 0.5f + place.x) / static_cast<float>(context.options.width),
-             (static_cast<float>(y) + 0.5f + place.y) / static_cast<float>(context.options.height)};
-  if constexpr (!F.thin_lens) return context.camera.generate_ray(film, Vec2f(0));
-  return context.camera.generate_ray(film, lens);
-}
 
 // The samples of `lanes` of the pixel's block that begins at `base`.
 template <FeatureSet F, class A>
@@ -23,25 +14,24 @@ inline void render_block(const PathContext<A>& context, const PixelSampler& pixe
                          std::uint32_t base, LaneMask lanes, std::uint32_t splitting,
                          PathBlock& block, Film& film, TileCounts& counts) {
   const SamplerBlock samplers(pixel, base);
-  SobolPointLanes filter;
-  SobolPointLanes lens{};
-  samplers.sample_2d(0, Dimension::Filter, filter);
-  if (F.thin_lens && context.camera.lens_radius > 0) samplers.sample_2d(0, Dimension::Lens, lens);
+  CameraNumbers numbers;
+  numbers.draw<F>(context.camera, samplers, Dimension::Filter, Dimension::Lens);
   LaneMask alive = 0;
   for_each_lane(lanes, [&](std::uint32_t i) {
     block.paths[i] = PathState{};
     if constexpr (F.media) block.media[i] = context.camera.medium;
     block.samples[i].alpha = 1;
     block.samples[i].has_hit = false;
-    Vec2f place = context.filter.sample(unit_point(filter, i));
+    Vec2f place = context.filter.sample(unit_point(numbers.filter, i));
     block.samples[i].weight = context.filter.weight(place);
-    Ray ray = camera_ray<F>(context, place, unit_point(lens, i), x, y);
+    Ray ray = camera_ray<F>(context, place, unit_point(numbers.lens, i), x, y);
     if (set_ray(block, i, ray)) alive |= 1u << i;
   });
   counts.rays.camera += static_cast<std::uint64_t>(std::popcount(lanes));
   if (F.media && context.scene.features.media) splitting = 1;
   trace_block<F>(context, samplers, Branches(pixel, base, splitting), alive, lanes == all_lanes,
                  block, counts);
+  if (context.lamp_rays > 0) add_seen_lamps<F>(context, pixel, x, y, base, lanes, block, counts);
   for_each_lane(lanes, [&](std::uint32_t i) {
     block.samples[i].radiance = block.paths[i].radiance;
     add_or_count(block.samples[i], x, y, base + i, context.options.clamp, film, counts);
@@ -58,7 +48,7 @@ inline void render_block(const PathContext<A>& context, const PixelSampler& pixe
 
 // In units of a camera ray, roughly: those of a pixel are traced as a packet.
 [[nodiscard]] inline std::uint64_t ray_cost(const RayCounts& rays) {
-  return rays.camera + 4 * rays.indirect + 2 * rays.shadow;
+  return rays.camera + rays.lamp + 4 * rays.indirect + 2 * rays.shadow;
 }
 
 // How many independent sequences the samples of a pixel are dealt to: one a replicate, or one each.
@@ -94,6 +84,7 @@ TileCounts render_tile(const PathContext<A>& of_render, const TilePass& pass, Fi
       }
       const PixelSampler pixel(pass.seed, static_cast<std::uint32_t>(x),
                                static_cast<std::uint32_t>(y), sequences_of(context.options, film));
+      if (context.lamps != nullptr) context.lamp_rays = context.lamps->rays_a_sample(x, y);
       const std::uint64_t rays_before = ray_cost(counts.rays);
       for (std::uint32_t base = range.first & ~(block_size - 1); base < range.end;
            base += block_size)

@@ -19,6 +19,9 @@ enum class Dimension : std::uint8_t {
   Roulette,        // 1D
   MaterialChoice,  // 1D: which part of a mixture
   FreeFlight,      // 1D: where a medium scatters, and which channel decides
+  // once a camera ray that looks for lamps alone (bounce 0)
+  LampFilter,  // 2D
+  LampLens,    // 2D
 };
 
 }  // namespace candela

@@ -70,6 +70,7 @@ struct RenderArguments {
   std::optional<Heuristic> heuristic;
   std::optional<SamplerKind> sampler;
   std::optional<bool> samples_constant_sky;
+  std::optional<int> lamp_rays;
   std::optional<LightSampling> light_sampling;
   std::optional<SpecularModel> specular;
   bool has_lab_normals = false;

@@ -84,6 +84,7 @@ void add_options(Json& json, const RenderReport& report) {
       json["heuristic"] = name_of(options.heuristic, heuristic_choices());
       json["sampler"] = name_of(options.sampler, sampler_choices());
       json["sky_samples"] = options.samples_constant_sky;
+      json["lamp_rays"] = options.lamp_rays;
       json["light_sampling"] = name_of(options.light_sampling, light_sampling_choices());
     }
   }
@@ -104,7 +105,8 @@ void add_results(Json& json, const RenderReport& report) {
   json["cpu_seconds"] = seconds_json(report.cpu_seconds);
   json["rays"] = {{"camera", statistics.rays.camera},
                   {"indirect", statistics.rays.indirect},
-                  {"shadow", statistics.rays.shadow}};
+                  {"shadow", statistics.rays.shadow},
+                  {"lamp", statistics.rays.lamp}};
   json["skipped"] = {{"shadow_rays", statistics.skipped.shadow_rays},
                      {"textures", report.skipped_textures},
                      {"samples", statistics.skipped.samples}};

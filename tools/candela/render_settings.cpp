@@ -124,6 +124,7 @@ void refuse_what_only_path_does(const RenderArguments& arguments, const RenderOp
   refuse(arguments.roulette.has_value(), "--roulette");
   refuse(arguments.sampler.has_value(), "--sampler");
   refuse(arguments.samples_constant_sky.has_value(), "--sky-samples");
+  refuse(arguments.lamp_rays.has_value(), "--lamp-rays");
   refuse(arguments.light_sampling.has_value(), "--light-sampling");
 }
 
@@ -318,6 +319,8 @@ RenderSettings settled(const RenderArguments& arguments,
   options.sampler = arguments.sampler.value_or(options.sampler);
   options.samples_constant_sky =
       arguments.samples_constant_sky.value_or(options.samples_constant_sky);
+  constexpr int default_lamp_rays = 16;
+  options.lamp_rays = arguments.lamp_rays.value_or(default_lamp_rays);
   options.light_sampling = arguments.light_sampling.value_or(options.light_sampling);
   refuse_what_does_not_fit(arguments, options);
   refuse_sampling(arguments, options);

@@ -1,0 +1,58 @@
+// What lamps send straight to the camera, by rays that look for nothing else (lamp_pixels.h).
+#pragma once
+
+#include "integrators/path/camera_rays.h"
+#include "integrators/path/trace_block.h"
+
+namespace candela {
+
+// Rays through the lanes' places, by numbers that no path's camera ray takes; returns the lanes of
+// those that can be traced.
+template <FeatureSet F, class A>
+[[nodiscard]] inline LaneMask aim_at_lamps(const PathContext<A>& context,
+                                           const SamplerBlock& samplers, int x, int y,
+                                           LaneMask lanes, RayBlock& rays) {
+  CameraNumbers numbers;
+  numbers.draw<F>(context.camera, samplers, Dimension::LampFilter, Dimension::LampLens);
+  LaneMask traceable = 0;
+  for_each_lane(lanes, [&](std::uint32_t i) {
+    Vec2f place = context.filter.sample(unit_point(numbers.filter, i));
+    rays[i] = camera_ray<F>(context, place, unit_point(numbers.lens, i), x, y);
+    if (is_traceable(rays[i])) traceable |= 1u << i;
+  });
+  return traceable;
+}
+
+// Radiance along a camera ray, of the surface that it met itself.
+template <FeatureSet F>
+[[nodiscard]] inline Rgb lamp_radiance(const Scene& scene, const RenderOptions& options,
+                                       const Ray& ray, const Hit& hit) {
+  if (!hit.is_hit()) return Rgb(0);
+  const Geometry& geometry = scene.geometries[hit.geometry];
+  if (!geometry.is_emissive()) return Rgb(0);
+  PathState path;
+  add_emission<F>(scene, options, geometry, hit, ray.origin, ray.direction, hit.t, path);
+  return path.radiance;
+}
+
+// To each sample of a block the mean over its rays. Out of line: few pixels have any.
+template <FeatureSet F, class A>
+[[gnu::noinline]] void add_seen_lamps(const PathContext<A>& context, const PixelSampler& pixel,
+                                      int x, int y, std::uint32_t base, LaneMask lanes,
+                                      PathBlock& block, TileCounts& counts) {
+  const std::uint32_t count = context.lamp_rays;
+  const float share = 1.0f / static_cast<float>(count);
+  RayBlock rays;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const SamplerBlock samplers(pixel, base, count, k);
+    const LaneMask traced = aim_at_lamps<F>(context, samplers, x, y, lanes, rays);
+    const HitBlock hits = intersect_lanes(context.accelerator, rays, traced, 0, lanes == all_lanes);
+    for_each_lane(traced, [&](std::uint32_t i) {
+      block.paths[i].radiance +=
+          share * lamp_radiance<F>(context.scene, context.options, rays[i], hits[i]);
+    });
+    counts.rays.lamp += static_cast<std::uint64_t>(std::popcount(traced));
+  }
+}
+
+}  // namespace candela

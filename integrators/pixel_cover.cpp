@@ -1,0 +1,88 @@
+#include "integrators/pixel_cover.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "renderer/geometry/geometry_bounds.h"
+
+namespace candela {
+namespace {
+
+double extent_of(const Bounds3f& bounds) {
+  return static_cast<double>(
+      std::max(max_component(glm::abs(bounds.lower)), max_component(glm::abs(bounds.upper))));
+}
+
+int clamped_pixel(double place, int count) {
+  return static_cast<int>(std::clamp(place, 0.0, static_cast<double>(count)));
+}
+
+}  // namespace
+
+bool PixelCover::has_projection(const Camera& camera) {
+  const bool is_flat =
+      camera.kind == CameraKind::Perspective || camera.kind == CameraKind::Orthographic;
+  return is_flat && camera.lens_radius == 0;
+}
+
+PixelCover::PixelCover(const Camera& camera, const Bounds3f& bounds, const Filter& filter,
+                       int width, int height)
+    : projection_(camera, extent_of(bounds)),
+      width_(width),
+      height_(height),
+      reach_(static_cast<double>(filter.radius()) + 0.5 + std::max(width, height) * 0x1p-20),
+      corners_(static_cast<std::size_t>(width + 1) * static_cast<std::size_t>(height + 1)) {}
+
+// All pixels whose samples may lie within the bounds. A pixel's middle is half a pixel beside its
+// index.
+void PixelCover::add_rectangle(const FilmBounds& bounds) {
+  if (bounds.is_empty()) return;
+  const auto column = [&](double x) { return (x + 1) / 2 * width_; };
+  const auto row = [&](double y) { return (1 - y) / 2 * height_; };
+  const int x0 = clamped_pixel(std::ceil(column(bounds.lower.x) - reach_), width_);
+  const int x1 = clamped_pixel(std::floor(column(bounds.upper.x) + reach_), width_);
+  const int y0 = clamped_pixel(std::ceil(row(bounds.upper.y) - reach_), height_);
+  const int y1 = clamped_pixel(std::floor(row(bounds.lower.y) + reach_), height_);
+  if (x0 >= x1 || y0 >= y1) return;
+  ++corners_[corner(x0, y0)];
+  --corners_[corner(x1, y0)];
+  --corners_[corner(x0, y1)];
+  ++corners_[corner(x1, y1)];
+}
+
+void PixelCover::add(const Bounds3f& box) {
+  std::array<Projection::Point, 8> corners;
+  for (unsigned i = 0; i < corners.size(); ++i)
+    corners[i] = projection_.point({((i & 1) != 0 ? box.upper : box.lower).x,
+                                    ((i & 2) != 0 ? box.upper : box.lower).y,
+                                    ((i & 4) != 0 ? box.upper : box.lower).z});
+  add_rectangle(projection_.bounds(corners));
+}
+
+void PixelCover::add(const Geometry& geometry) {
+  for (const Sphere& sphere : geometry.spheres) add(bounds_of(sphere));
+  std::vector<Projection::Point> points;
+  points.reserve(geometry.positions.size());
+  for (const Vec3f& position : geometry.positions) points.push_back(projection_.point(position));
+  for (const auto& [a, b, c] : geometry.triangles)
+    add_rectangle(projection_.bounds(std::array{points[a], points[b], points[c]}));
+}
+
+PixelMask PixelCover::covered() const {
+  PixelMask mask;
+  mask.reserve(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  std::vector<std::int32_t> above(static_cast<std::size_t>(width_));
+  for (int y = 0; y < height_; ++y) {
+    std::int32_t in_row = 0;
+    for (int x = 0; x < width_; ++x) {
+      in_row += corners_[corner(x, y)];
+      std::int32_t& covering = above[static_cast<std::size_t>(x)];
+      covering += in_row;
+      mask.push_back(covering != 0 ? 1 : 0);
+    }
+  }
+  return mask;
+}
+
+}  // namespace candela
