@@ -27,8 +27,7 @@ std::uint32_t affordable_rays(double lamp_pixels, const RenderOptions& options) 
 
 }  // namespace
 
-PixelMask possible_lamp_pixels(const Scene& scene, const Filter& filter,
-                               const RenderOptions& options) {
+LampTrial plan_lamp_trial(const Scene& scene, const Filter& filter, const RenderOptions& options) {
   const Camera& camera = scene.cameras[options.camera];
   if (options.lamp_rays == 0 || scene.features.media || filter.is_signed() ||
       !scene.features.area_lights || !PixelCover::has_projection(camera))
@@ -39,11 +38,13 @@ PixelMask possible_lamp_pixels(const Scene& scene, const Filter& filter,
     if (geometry.is_emissive()) cover.add(geometry);
   }
   PixelMask mask = cover.covered();
+  const double pixels = count_of(mask);
+  if (pixels == 0) return {};
+  constexpr double most_blocks = 4;
   constexpr double share = 0.02;  // of the picture's time, at most
-  const double rays = count_of(mask) * lamp_trial_blocks * block_size;
   const double samples = pixel_count(options) * options.samples_per_pixel;
-  if (rays == 0 || rays > share * cost_of_sample * samples) return {};
-  return mask;
+  const double affordable = share * cost_of_sample * samples / (pixels * block_size);
+  return {std::move(mask), static_cast<std::uint32_t>(std::min(affordable, most_blocks))};
 }
 
 LampPixels lamp_edges(const std::vector<LampCoverage>& coverage, const RenderOptions& options) {

@@ -13,15 +13,13 @@ namespace candela {
 // How much of a pixel lamps cover, as far as the trial's rays can tell.
 enum class LampCoverage : std::uint8_t { None, Part, All };
 
-inline constexpr std::uint32_t lamp_trial_blocks = 4;  // of sixteen rays a pixel
-
 template <FeatureSet F, class A>
 [[nodiscard]] LampCoverage lamp_coverage(const PathContext<A>& context, const PixelSampler& pixel,
-                                         int x, int y) {
+                                         int x, int y, std::uint32_t blocks) {
   bool any = false;
   bool all = true;
   RayBlock rays;
-  for (std::uint32_t block = 0; block < lamp_trial_blocks; ++block) {
+  for (std::uint32_t block = 0; block < blocks; ++block) {
     const SamplerBlock samplers(pixel, block * block_size);
     const LaneMask traced = aim_at_lamps<F>(context, samplers, x, y, all_lanes, rays);
     const HitBlock hits = intersect_lanes(context.accelerator, rays, traced, 0, true);
@@ -36,9 +34,14 @@ template <FeatureSet F, class A>
   return all ? LampCoverage::All : LampCoverage::Part;
 }
 
-// Where lamps may be seen; empty where nowhere.
-[[nodiscard]] PixelMask possible_lamp_pixels(const Scene& scene, const Filter& filter,
-                                             const RenderOptions& options);
+// Where lamps may be seen, and how many blocks of sixteen rays look at each of these pixels; 0:
+// nowhere, or it would take too long.
+struct LampTrial {
+  PixelMask pixels;
+  std::uint32_t blocks = 0;
+};
+[[nodiscard]] LampTrial plan_lamp_trial(const Scene& scene, const Filter& filter,
+                                        const RenderOptions& options);
 
 // Pixels that are not covered like all of their neighbours: what the trial missed of a lamp's edge
 // lies beside what it found.
@@ -50,18 +53,18 @@ template <FeatureSet F, class A>
 template <FeatureSet F, class A>
 [[nodiscard]] LampPixels find_lamp_pixels(const PathContext<A>& context) {
   const RenderOptions& options = context.options;
-  const PixelMask possible = possible_lamp_pixels(context.scene, context.filter, options);
-  if (possible.empty()) return {};
+  const LampTrial trial = plan_lamp_trial(context.scene, context.filter, options);
+  if (trial.blocks == 0) return {};
   const std::uint64_t seed = mix_bits(options.seed + 3);  // none that the picture uses
-  std::vector<LampCoverage> coverage(possible.size(), LampCoverage::None);
+  std::vector<LampCoverage> coverage(trial.pixels.size(), LampCoverage::None);
   const auto width = static_cast<std::size_t>(options.width);
   parallel_for(static_cast<std::size_t>(options.height), [&](std::size_t y) {
     for (std::size_t x = 0; x < width; ++x) {
-      if (possible[y * width + x] == 0) continue;
+      if (trial.pixels[y * width + x] == 0) continue;
       const PixelSampler pixel(seed, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
                                1);
       coverage[y * width + x] =
-          lamp_coverage<F>(context, pixel, static_cast<int>(x), static_cast<int>(y));
+          lamp_coverage<F>(context, pixel, static_cast<int>(x), static_cast<int>(y), trial.blocks);
     }
   });
   return lamp_edges(coverage, options);

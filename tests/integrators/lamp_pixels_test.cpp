@@ -1,0 +1,177 @@
+// Pixels that lamps cover in part: more camera rays take noise away and nothing else.
+#include "integrators/lamp_pixels.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "integrators/path/find_lamp_pixels.h"
+#include "tests/light/map_images.h"
+#include "tests/scenes/description.h"
+#include "tests/scenes/exact_sphere.h"
+#include "tests/scenes/render_scene.h"
+#include "tests/statistics/moments.h"
+
+namespace candela {
+namespace {
+
+using namespace test;
+using description::SceneDescription;
+
+constexpr int some_rays = 16;
+
+RenderSettings lamp_settings(int size, int samples, int rays, std::uint64_t seed = 1) {
+  RenderSettings settings = settings_of(size, samples, seed);
+  settings.options.lamp_rays = rays;
+  return settings;
+}
+
+// Half of a quad lamp and of a ball lamp lie behind a wall; a textured one stands beside them.
+SceneDescription three_lamps() {
+  SceneDescription scene = empty_scene();
+  const auto lamp = add_material(scene, diffuse(Vec3d(0.3)), Vec3d(10, 8, 6));
+  add_mesh(scene, quad({-1, 0.2, 0}, {0.4, 0, 0}, {0, 0.4, 0}), lamp);
+  add_mesh(scene, exact_sphere(0.2), lamp, at_place({0, 0.4, 0}));
+  scene.images.push_back(light_test::write_float_map(
+      "lamp_pixels", 4, 4, [](int x, int) { return Vec3f(x < 2 ? 1.0f : 0.0f); }));
+  const auto textured = add_material(scene, diffuse(Vec3d(0.0)), Vec3d(7));
+  scene.materials[textured.index].emission_map = description::ImageHandle(std::size_t{0});
+  add_mesh(scene, quad({0.5, 0.2, 0}, {0.4, 0, 0}, {0, 0.4, 0}), textured);
+  const auto white = add_material(scene, diffuse(Vec3d(0.7)));
+  add_mesh(scene, quad({-2, 0.4, 0.5}, {4, 0, 0}, {0, 1, 0}), white);
+  add_mesh(scene, quad({-2, -0.5, 2}, {4, 0, 0}, {0, 0, -4}), white);
+  set_camera(scene, {0, 0, 4}, {0, 0, 0}, 40);
+  return scene;
+}
+
+LampPixels edges_of(const std::vector<LampCoverage>& coverage, int side, int rays = some_rays) {
+  return lamp_edges(coverage, lamp_settings(side, 4, rays).options);
+}
+
+TEST(Unit_LampPixels, AreThoseThatDifferFromANeighbour) {
+  constexpr int side = 24;
+  std::vector<LampCoverage> coverage(side * side, LampCoverage::None);
+  for (const int y : {5, 6, 7, 8})
+    for (const int x : {10, 11, 12, 13})
+      coverage[static_cast<std::size_t>(y * side + x)] = LampCoverage::All;
+  coverage[20 * side + 3] = LampCoverage::Part;
+  const LampPixels pixels = edges_of(coverage, side, 4);
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const bool is_around = x >= 9 && x <= 14 && y >= 4 && y <= 9;
+      const bool is_inside = x >= 11 && x <= 12 && y >= 6 && y <= 7;
+      const bool is_dot = x >= 2 && x <= 4 && y >= 19 && y <= 21;
+      EXPECT_EQ(pixels.rays_a_sample(x, y), (is_around && !is_inside) || is_dot ? 4u : 0u)
+          << x << " " << y;
+    }
+  }
+}
+
+TEST(Unit_LampPixels, HaveFewerRaysWhereTheyAreMany) {
+  constexpr int side = 20;
+  std::uint32_t rays = some_rays;
+  std::vector<LampCoverage> coverage(side * side, LampCoverage::None);
+  for (std::size_t i = 0; i < coverage.size(); ++i) {
+    coverage[i] = LampCoverage::Part;
+    const std::uint32_t now = edges_of(coverage, side).rays_a_sample(0, 0);
+    EXPECT_LE(now, rays);
+    // No more than the samples of the whole picture times one, a twentieth of their cost.
+    EXPECT_LE(now * (i + 1), coverage.size());
+    rays = now;
+  }
+  EXPECT_EQ(rays, 0u);
+}
+
+TEST(Unit_LampPixels, TheirRaysAreCountedApart) {
+  const Scene scene = compiled(small_room(), lamp_settings(24, 8, some_rays).options);
+  const RayCounts with = rendered(scene, lamp_settings(24, 8, some_rays)).statistics.rays;
+  const RayCounts without = rendered(scene, lamp_settings(24, 8, 0)).statistics.rays;
+  EXPECT_EQ(without.lamp, 0u);
+  EXPECT_GT(with.lamp, 0u);
+  EXPECT_EQ(with.lamp % 8, 0u);
+  EXPECT_EQ(with.camera, without.camera);
+  EXPECT_EQ(with.indirect, without.indirect);
+}
+
+TEST(Unit_LampPixels, NoneWithALensOrAFilterWithNegativeParts) {
+  SceneDescription scene = small_room();
+  RenderSettings settings = lamp_settings(24, 8, some_rays);
+  settings.options.filter = FilterKind::Mitchell;
+  EXPECT_EQ(rendered(scene, settings).statistics.rays.lamp, 0u);
+  scene.cameras[0].lens_radius = 0.1;
+  scene.cameras[0].focus_distance = 3.5;
+  EXPECT_EQ(rendered(scene, lamp_settings(24, 8, some_rays)).statistics.rays.lamp, 0u);
+}
+
+TEST(Agreement_LampPixels, SameBitsHoweverItIsRendered) {
+  for (const SceneDescription& description : {small_room(), three_lamps()}) {
+    RenderSettings settings = lamp_settings(40, 20, some_rays);
+    const Scene scene = compiled(description, settings.options);
+    settings.threads = 1;
+    const Image one = picture(scene, settings);
+    settings.threads = 3;
+    settings.options.tile_size = 7;
+    EXPECT_EQ(picture(scene, settings).values, one.values);
+    settings.options.use_general_kernel = true;
+    EXPECT_EQ(picture(scene, settings).values, one.values);
+    const PixelRect crop{13, 0, 31, 22};
+    settings.options.crop = crop;
+    expect_part(picture(scene, settings), one, crop);
+  }
+}
+
+// Only what lamps send straight to the camera, of a lamp that covers a share of the pixel, down to
+// less than the trial's rays tell from nothing.
+TEST(Statistical_LampPixels, ShowTheShareThatIsCovered) {
+  constexpr int size = 16;
+  constexpr double pixel_width = 2.0 / size;  // the picture is 2 wide at the lamp's distance
+  for (const double share : {0.5, 0.03, 0.004}) {
+    SceneDescription scene = empty_scene();
+    const auto lamp = add_material(scene, diffuse(Vec3d(0)), Vec3d(5));
+    add_mesh(scene, quad({-4 * pixel_width, -0.5, 0}, {(4 + share) * pixel_width, 0, 0}, {0, 1, 0}),
+             lamp);
+    set_camera(scene, {0, 0, 1}, {0, 0, 0}, 90);
+    statistics::Moments seen;
+    for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+      RenderSettings settings = lamp_settings(size, 8, some_rays, seed);
+      settings.options.filter = FilterKind::Box;
+      settings.options.max_depth = 0;
+      const RenderResult result = rendered(scene, settings);
+      EXPECT_GT(result.statistics.rays.lamp, 0u);
+      const Image image = result.film.to_image(false);
+      for (int y = 6; y < 10; ++y) seen.add(static_cast<double>(image.pixel(size / 2, y)[0]));
+    }
+    EXPECT_GT(seen.p_value(5 * share), 0.01) << seen.mean() << " for " << 5 * share;
+    EXPECT_LT(seen.variance(), share * (1 - share) * 25 / 8 / 8) << share;  // of plain samples / 8
+  }
+}
+
+TEST(Statistical_LampPixels, SamePictureWithLessNoise) {
+  for (const SceneDescription& description : {small_room(), three_lamps()}) {
+    const Scene scene = compiled(description, lamp_settings(32, 8, 0).options);
+    const auto moments = [&](int rays) {
+      std::vector<statistics::Moments> pixels(32 * 32 + 1);
+      for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+        const Image image = picture(scene, lamp_settings(32, 8, rays, seed));
+        const std::vector<double> values = grey(image);
+        for (std::size_t i = 0; i < values.size(); ++i) pixels[i].add(values[i]);
+        pixels.back().add(mean_of(image));
+      }
+      return pixels;
+    };
+    const auto without = moments(0);
+    const auto with = moments(some_rays);
+    EXPECT_GT(welch_p_value(without.back(), with.back()), 0.01)
+        << without.back().mean() << " " << with.back().mean();
+    double variance_without = 0;
+    double variance_with = 0;
+    for (std::size_t i = 0; i + 1 < with.size(); ++i) {
+      variance_without += without[i].variance();
+      variance_with += with[i].variance();
+    }
+    EXPECT_LT(variance_with, variance_without / 2);
+  }
+}
+
+}  // namespace
+}  // namespace candela
