@@ -15,9 +15,9 @@ double count_of(const PixelMask& mask) {
 // In rays of a packet, of which a path's ray takes some five times as long.
 constexpr double cost_of_sample = 20;
 
-// The most rays a sample that take at most a twentieth of the picture's time, by twos.
+// The most rays a sample that take at most a thirtieth or so of the picture's time, by twos.
 std::uint32_t affordable_rays(double lamp_pixels, const RenderOptions& options) {
-  constexpr double share = 0.05;
+  constexpr double share = 0.03;
   const double affordable = share * cost_of_sample * pixel_count(options) / lamp_pixels;
   const auto most = static_cast<double>(options.lamp_rays);
   for (std::uint32_t rays = static_cast<std::uint32_t>(options.lamp_rays); rays > 1; rays /= 2)
@@ -41,7 +41,7 @@ LampTrial plan_lamp_trial(const Scene& scene, const Filter& filter, const Render
   const double pixels = count_of(mask);
   if (pixels == 0) return {};
   constexpr double most_blocks = 4;
-  constexpr double share = 0.02;  // of the picture's time, at most
+  constexpr double share = 0.01;  // of the picture's time, at most
   const double samples = pixel_count(options) * options.samples_per_pixel;
   const double affordable = share * cost_of_sample * samples / (pixels * block_size);
   return {std::move(mask), static_cast<std::uint32_t>(std::min(affordable, most_blocks))};

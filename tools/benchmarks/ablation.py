@@ -39,6 +39,7 @@ TECHNIQUES = (  # a row is a line
     Technique("roulette by a trial (off: at any throughput)", {"roulette": 1}),
     Technique("Sobol points (off: plain random numbers)", {"sampler": "independent"}),
     Technique("no light samples for a constant sky", {"sky_samples": "on"}),
+    Technique("more camera rays at lamps' edges", {"lamp_rays": 0}),
     Technique("two triangles as one lamp (off: apart)", {"light_sampling": "triangles"}),
     Technique("near lamps by area (off: by solid angle)", {"light_sampling": "solid_angle"}),
     Technique("four replicates (off: one, no stated error)", {"replicates": 1}),

@@ -146,7 +146,7 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
             "Light samples for a constant environment, which BSDF samples find as well [off]");
   add_value(command, "--lamp-rays", "N", render.lamp_rays, integer_between(0, max_lamp_rays),
             "Camera rays a sample that look for lamps alone in pixels that lamps cover in part, at "
-            "most [16]");
+            "most [8]");
   add_choice(command, "--light-sampling", "light sampling", render.light_sampling,
              light_sampling_choices(),
              "Where on lamps: triangles apart by area, two that are one parallelogram as a quad, "

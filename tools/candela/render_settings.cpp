@@ -319,7 +319,7 @@ RenderSettings settled(const RenderArguments& arguments,
   options.sampler = arguments.sampler.value_or(options.sampler);
   options.samples_constant_sky =
       arguments.samples_constant_sky.value_or(options.samples_constant_sky);
-  constexpr int default_lamp_rays = 16;
+  constexpr int default_lamp_rays = 8;
   options.lamp_rays = arguments.lamp_rays.value_or(default_lamp_rays);
   options.light_sampling = arguments.light_sampling.value_or(options.light_sampling);
   refuse_what_does_not_fit(arguments, options);
