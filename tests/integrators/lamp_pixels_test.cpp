@@ -110,6 +110,7 @@ TEST(Agreement_LampPixels, SameBitsHoweverItIsRendered) {
     RenderSettings settings = lamp_settings(40, 20, some_rays);
     const Scene scene = compiled(description, settings.options);
     settings.threads = 1;
+    EXPECT_GT(rendered(scene, settings).statistics.rays.lamp, 0u);
     const Image one = picture(scene, settings);
     settings.threads = 3;
     settings.options.tile_size = 7;
@@ -125,12 +126,14 @@ TEST(Agreement_LampPixels, SameBitsHoweverItIsRendered) {
 // Only what lamps send straight to the camera, of a lamp that covers a share of the pixel, down to
 // less than the trial's rays tell from nothing.
 TEST(Statistical_LampPixels, ShowTheShareThatIsCovered) {
-  constexpr int size = 16;
+  constexpr int size = 48;
   constexpr double pixel_width = 2.0 / size;  // the picture is 2 wide at the lamp's distance
   for (const double share : {0.5, 0.03, 0.004}) {
     SceneDescription scene = empty_scene();
     const auto lamp = add_material(scene, diffuse(Vec3d(0)), Vec3d(5));
-    add_mesh(scene, quad({-4 * pixel_width, -0.5, 0}, {(4 + share) * pixel_width, 0, 0}, {0, 1, 0}),
+    add_mesh(scene,
+             quad({-4 * pixel_width, -4 * pixel_width, 0}, {(4 + share) * pixel_width, 0, 0},
+                  {0, 8 * pixel_width, 0}),
              lamp);
     set_camera(scene, {0, 0, 1}, {0, 0, 0}, 90);
     statistics::Moments seen;
@@ -141,7 +144,7 @@ TEST(Statistical_LampPixels, ShowTheShareThatIsCovered) {
       const RenderResult result = rendered(scene, settings);
       EXPECT_GT(result.statistics.rays.lamp, 0u);
       const Image image = result.film.to_image(false);
-      for (int y = 6; y < 10; ++y) seen.add(static_cast<double>(image.pixel(size / 2, y)[0]));
+      for (int y = 22; y < 26; ++y) seen.add(static_cast<double>(image.pixel(size / 2, y)[0]));
     }
     EXPECT_GT(seen.p_value(5 * share), 0.01) << seen.mean() << " for " << 5 * share;
     EXPECT_LT(seen.variance(), share * (1 - share) * 25 / 8 / 8) << share;  // of plain samples / 8
@@ -149,12 +152,14 @@ TEST(Statistical_LampPixels, ShowTheShareThatIsCovered) {
 }
 
 TEST(Statistical_LampPixels, SamePictureWithLessNoise) {
+  constexpr int size = 48;
+  constexpr int samples = 16;
   for (const SceneDescription& description : {small_room(), three_lamps()}) {
-    const Scene scene = compiled(description, lamp_settings(32, 8, 0).options);
+    const Scene scene = compiled(description, lamp_settings(size, samples, 0).options);
     const auto moments = [&](int rays) {
-      std::vector<statistics::Moments> pixels(32 * 32 + 1);
-      for (std::uint64_t seed = 1; seed <= 24; ++seed) {
-        const Image image = picture(scene, lamp_settings(32, 8, rays, seed));
+      std::vector<statistics::Moments> pixels(size * size + 1);
+      for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        const Image image = picture(scene, lamp_settings(size, samples, rays, seed));
         const std::vector<double> values = grey(image);
         for (std::size_t i = 0; i < values.size(); ++i) pixels[i].add(values[i]);
         pixels.back().add(mean_of(image));
