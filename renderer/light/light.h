@@ -23,6 +23,7 @@ enum class LightKind : std::uint8_t {
   Projection,        // a point that projects an image
   Sphere,            // evenly or, with a texture, by place
   Quad,              // two triangles that are one parallelogram: picked in their place
+  NearTriangle,      // as Triangle, but sampled by solid angle from near
 };
 
 // Which kinds a scene has: kernels specialised on a set leave the others out of their switches.
@@ -30,9 +31,10 @@ using LightKindSet = std::uint32_t;
 constexpr LightKindSet light_kind_bit(LightKind kind) {
   return 1u << static_cast<unsigned>(kind);
 }
-inline constexpr LightKindSet all_light_kinds = 0x3ff;
+inline constexpr LightKindSet all_light_kinds = 0x7ff;
 inline constexpr LightKindSet surface_light_kinds =  // without textures
-    light_kind_bit(LightKind::Triangle) | light_kind_bit(LightKind::Quad);
+    light_kind_bit(LightKind::Triangle) | light_kind_bit(LightKind::Quad) |
+    light_kind_bit(LightKind::NearTriangle);
 
 struct Light {
   static constexpr std::uint32_t none = 0xffffffffu;
@@ -68,12 +70,15 @@ struct Light {
   float length1 = 0;  // Quad: of edge1
   float length2 = 0;  // Quad: of edge2
   // Quad: points whose squared distance from its middle is below this see it sampled by solid
-  // angle.
+  // angle. Triangles for which near_triangle.cpp decides that, by the next: infinity.
   float near_distance2 = 0;
+  float triangle_near_distance2 = 0;
   // Triangle, Quad, Sphere: where it lies, for its shadow ray's end
   std::uint32_t geometry = none;
   std::uint32_t triangle = 0;  // or sphere
-  std::uint32_t quad = none;   // Triangle: the light that is picked in its place
+  // Triangle: the quad that is picked in its place;  NearTriangle, and TexturedTriangle if sampled
+  // so: itself
+  std::uint32_t quad = none;
 
   // Delta lights have no area: only next-event estimation sees them.
   [[nodiscard]] bool is_delta() const {

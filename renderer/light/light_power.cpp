@@ -30,6 +30,7 @@ double light_power(const Light& light, const Environment* environment, double sc
       return disc * emission;
     case LightKind::Triangle:
     case LightKind::Quad:
+    case LightKind::NearTriangle:
       return (light.emits_both_sides ? 2 : 1) * pi_double * light.area * emission;
     case LightKind::Environment:
       return 4 * pi_double * disc * environment->mean_luminance;

@@ -1,5 +1,6 @@
 #include "renderer/light/make_light.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace candela {
@@ -29,15 +30,13 @@ bool is_rectangle(const Light& quad) {
   return std::abs(dot(edge1, edge2)) <= 1e-5 * length(edge1) * length(edge2);
 }
 
-// Where a quad begins to be sampled by solid angle: area over squared distance from its middle.
+// Where a lamp begins to be sampled by solid angle: area over squared distance from its middle.
 // Less brings less than it costs (docs/decisions.md).
 constexpr float near_solid_angle = 1.5f;
 
-// Long rectangles are as near beside their ends.
-float near_distance2_of(const Light& quad) {
-  const float from_middle = std::sqrt(quad.area / near_solid_angle);
-  const float longer = std::abs(quad.length1 - quad.length2);
-  return square(from_middle + 0.5f * longer);
+// Long lamps are as near beside their ends, which lie `beyond` those of one that is not long.
+float near_distance2_of(float area, float beyond) {
+  return square(std::sqrt(area / near_solid_angle) + beyond);
 }
 
 }  // namespace
@@ -134,8 +133,21 @@ std::optional<Light> make_quad_light(const std::array<Vec3f, 4>& corners, const 
   light.kind = LightKind::Quad;
   light.area *= 2;
   light.offset += std::abs(dot(light.normal, gap));
-  if (by_solid_angle && is_rectangle(light)) light.near_distance2 = near_distance2_of(light);
+  if (by_solid_angle && is_rectangle(light))
+    light.near_distance2 =
+        near_distance2_of(light.area, 0.5f * std::abs(light.length1 - light.length2));
   return light;
+}
+
+void sample_by_solid_angle(Light& triangle, std::uint32_t index) {
+  if (triangle.kind == LightKind::Triangle) triangle.kind = LightKind::NearTriangle;
+  triangle.quad = index;
+  triangle.near_distance2 = std::numeric_limits<float>::infinity();
+  const float longest = std::max(
+      {length(triangle.edge1), length(triangle.edge2), length(triangle.edge1 - triangle.edge2)});
+  const float height = 2 * triangle.area / longest;
+  triangle.triangle_near_distance2 =
+      near_distance2_of(triangle.area, (longest - height) * (2.0f / 3));
 }
 
 Light make_environment_light() {

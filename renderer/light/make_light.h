@@ -44,6 +44,10 @@ namespace candela {
                                                    const Rgb& radiance, bool emits_both_sides,
                                                    bool by_solid_angle);
 
+// Of a Triangle or TexturedTriangle: sampled by solid angle from near. `index`: its place in the
+// table of lights.
+void sample_by_solid_angle(Light& triangle, std::uint32_t index);
+
 [[nodiscard]] Light make_environment_light();
 
 }  // namespace candela

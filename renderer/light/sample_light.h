@@ -43,8 +43,8 @@ template <LightKindSet kinds = all_light_kinds>
 [[nodiscard]] inline LightSample sample_light(const LightTables& tables, const Light& light,
                                               const SurfacePoint& from, Vec2f u) {
   if constexpr (kinds == surface_light_kinds)
-    return light.kind == LightKind::Quad ? sample_quad_light(light, from, u)
-                                         : sample_triangle_light(light, from, u);
+    return light.kind == LightKind::Triangle ? sample_triangle_light(light, from, u)
+                                             : sample_quad_light(light, from, u);
   switch (light.kind) {
     case LightKind::Point:
     case LightKind::Spot:
@@ -54,6 +54,7 @@ template <LightKindSet kinds = all_light_kinds>
     case LightKind::Triangle:
       return sample_triangle_light(light, from, u);
     case LightKind::Quad:
+    case LightKind::NearTriangle:
       return sample_quad_light(light, from, u);
     case LightKind::Environment:
       if constexpr ((kinds & light_kind_bit(LightKind::Environment)) != 0)
@@ -93,6 +94,7 @@ template <LightKindSet kinds = all_light_kinds>
     case LightKind::TexturedTriangle:
       return triangle_light_pdf(light, wi, distance);
     case LightKind::Quad:
+    case LightKind::NearTriangle:
       return quad_light_pdf(light, from, normal, wi, distance);
     case LightKind::Environment:
       return environment_pdf(*tables.environment, wi);

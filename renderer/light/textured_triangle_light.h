@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/light/image_radiance.h"
-#include "renderer/light/triangle_light.h"
+#include "renderer/light/near_place.h"
 
 namespace candela {
 
@@ -16,10 +16,12 @@ namespace candela {
                                                                 const Geometry& geometry,
                                                                 const TextureStore& textures,
                                                                 const SurfacePoint& from, Vec2f u) {
-  LightSample sample = sample_triangle_light(light, from, u);
+  NearPlace place{.weights = square_to_triangle(u)};
+  if (is_near(light, from.position))
+    place = sample_near_place(light, from.position, from.receiving_normal, u);
+  LightSample sample = light_from_near_place(light, from, place);
   if (!sample.is_valid()) return sample;
-  Vec2f weights = square_to_triangle(u);
-  sample.radiance *= emission_factor(light, geometry, textures, weights.x, weights.y);
+  sample.radiance *= emission_factor(light, geometry, textures, place.weights.x, place.weights.y);
   if (is_black(sample.radiance)) return {};
   return sample;
 }

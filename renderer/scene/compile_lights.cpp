@@ -178,11 +178,12 @@ LightSampler build_light_sampler(const Scene& scene) {
   const double radius = scene.bounds.is_empty() ? 1.0 : 0.5 * length(Vec3d(scene.bounds.extent()));
   std::vector<double> powers;
   powers.reserve(scene.lights.size());
-  for (const Light& light : scene.lights) {
+  for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
+    const Light& light = scene.lights[i];
     const Environment* environment = scene.environment ? &*scene.environment : nullptr;
-    powers.push_back(light.quad != Light::none || has_holes(scene, light)
-                         ? 0
-                         : light_power(light, environment, radius));
+    const bool is_part_of_quad = light.quad != Light::none && light.quad != i;
+    powers.push_back(
+        is_part_of_quad || has_holes(scene, light) ? 0 : light_power(light, environment, radius));
   }
   limit_far_powers(scene.lights, powers);
   return {scene.lights, powers};
@@ -217,8 +218,9 @@ void compile_lights(const SceneDescription& description, const CompileOptions& o
                     Scene& scene, DropCounts& dropped, Diagnostics& diagnostics) {
   add_delta_lights(description, scene, dropped, diagnostics);
   add_surface_lights(scene);
-  if (options.light_sampling != LightSampling::Triangles)
-    add_quad_lights(scene, options.light_sampling == LightSampling::SolidAngle);
+  const bool by_solid_angle = options.light_sampling == LightSampling::SolidAngle;
+  if (options.light_sampling != LightSampling::Triangles) add_quad_lights(scene, by_solid_angle);
+  if (by_solid_angle) sample_triangles_by_solid_angle(scene);
   add_environment(description, options, scene, diagnostics);
   scene.ambient = ambient_of(description);
   scene.light_sampler = build_light_sampler(scene);

@@ -39,6 +39,7 @@ std::optional<Light> quad_of(const Scene& scene, const Light& a, const Light& b,
   if (!corners) return std::nullopt;
   std::optional<Light> quad =
       make_quad_light(*corners, a.emission, a.emits_both_sides, by_solid_angle);
+  if (by_solid_angle && quad && !(quad->near_distance2 > 0)) return std::nullopt;
   if (quad) quad->geometry = a.geometry;
   return quad;
 }
@@ -55,6 +56,15 @@ void add_quad_lights(Scene& scene, bool by_solid_angle) {
         static_cast<std::uint32_t>(scene.lights.size());
     scene.lights.push_back(*quad);
     ++i;
+  }
+}
+
+void sample_triangles_by_solid_angle(Scene& scene) {
+  for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
+    Light& light = scene.lights[i];
+    const bool is_triangle =
+        light.kind == LightKind::Triangle || light.kind == LightKind::TexturedTriangle;
+    if (is_triangle && light.area > 0 && light.quad == Light::none) sample_by_solid_angle(light, i);
   }
 }
 

@@ -1,5 +1,5 @@
 // --light-sampling: whole pictures with lamps that are near, touch and fill the view, by triangles
-// and by solid angle.
+// and by solid angle; the lamps being rectangles, triangles, and triangles with a texture.
 #include <gtest/gtest.h>
 
 #include "tests/scenes/description.h"
@@ -13,23 +13,32 @@ namespace {
 using namespace test;
 using description::SceneDescription;
 
+enum class Lamps { Rectangles, Triangles };
+
 // A wide lamp close above a floor, and one that stands on it; `ball` lies between them.
 template <class Model>
-SceneDescription near_lamps(Model ball) {
+SceneDescription near_lamps(Model ball, Lamps lamps = Lamps::Rectangles) {
   SceneDescription scene = empty_scene();
   const auto lamp = add_material(scene, diffuse(Vec3d(0.0)), Vec3d(3.0));
   scene.materials[lamp.index].emits_both_sides = true;
   add_mesh(scene, quad({-3, -3, 0}, {6, 0, 0}, {0, 6, 0}),
            add_material(scene, diffuse(Vec3d(0.7))));
-  add_mesh(scene, quad({-1, 1, 0.8}, {2, 0, 0}, {0, -1, 0}), lamp);
-  add_mesh(scene, quad({-1.2, -1, 0}, {0, 1.5, 0}, {0, 0, 1}), lamp);
+  if (lamps == Lamps::Rectangles) {
+    add_mesh(scene, quad({-1, 1, 0.8}, {2, 0, 0}, {0, -1, 0}), lamp);
+    add_mesh(scene, quad({-1.2, -1, 0}, {0, 1.5, 0}, {0, 0, 1}), lamp);
+  } else {
+    add_mesh(scene, triangle({-1, 1, 0.8}, {1.4, 1, 0.9}, {0.3, -0.2, 0.7}), lamp);
+    add_mesh(scene, triangle({-1.2, -1, 0}, {-1.2, 0.6, 0}, {-1.1, -0.4, 1.2}), lamp);
+    add_mesh(scene, quad({0.6, 0, 0}, {0.5, 0.5, 0}, {0.3, 0.3, 0.5}), lamp);  // skew
+  }
   add_mesh(scene, sphere({0, -0.2, 0.3}, 0.25, 2), add_material(scene, ball));
   set_camera(scene, {0.5, -2.5, 1.2}, {-0.2, 0, 0.3}, 60, {0, 0, 1});
   return scene;
 }
 
 statistics::Replicates replicates_of(const SceneDescription& description, LightSampling sampling,
-                                     std::uint64_t first_seed, int max_depth = 4) {
+                                     std::uint64_t first_seed, int max_depth = 4,
+                                     SamplingStrategy strategy = SamplingStrategy::Mis) {
   constexpr int size = 16;
   statistics::Replicates result{
       "by kind " + std::to_string(static_cast<int>(sampling)), size, size, {}};
@@ -37,6 +46,7 @@ statistics::Replicates replicates_of(const SceneDescription& description, LightS
     RenderSettings settings = settings_of(size, 64, seed);
     settings.options.light_sampling = sampling;
     settings.options.max_depth = max_depth;
+    settings.options.sampling = strategy;
     const RenderResult render = rendered(description, settings);
     EXPECT_EQ(render.statistics.invalid_samples, 0u);
     result.images.push_back(grey(render.film.to_image(false)));
@@ -55,6 +65,26 @@ void expect_agreement(const SceneDescription& scene, const char* name) {
 
 TEST(Agreement_LightSampling, GivesOnePictureOfDiffuseSurfaces) {
   expect_agreement(near_lamps(diffuse(Vec3d(0.5))), "diffuse");
+}
+
+TEST(Agreement_LightSampling, GivesOnePictureOfLampsThatAreTriangles) {
+  expect_agreement(near_lamps(diffuse(Vec3d(0.5)), Lamps::Triangles), "triangles");
+  description::DielectricMaterial rough;
+  rough.roughness.factor = 0.4;
+  expect_agreement(near_lamps(rough, Lamps::Triangles), "triangles, and rough glass");
+}
+
+// Light samples, BSDF samples and both, of lamps by solid angle.
+TEST(Agreement_LightSampling, GivesOnePictureByEveryStrategy) {
+  const SceneDescription scene = near_lamps(diffuse(Vec3d(0.5)), Lamps::Triangles);
+  const auto by = [&](SamplingStrategy strategy, std::uint64_t first_seed) {
+    return replicates_of(scene, LightSampling::SolidAngle, first_seed, 4, strategy);
+  };
+  const auto both = by(SamplingStrategy::Mis, 100);
+  for (const SamplingStrategy strategy : {SamplingStrategy::Light, SamplingStrategy::Bsdf}) {
+    const auto result = statistics::compare_replicates(by(strategy, 200), both);
+    EXPECT_TRUE(result.passed) << static_cast<int>(strategy) << ": " << result.message;
+  }
 }
 
 // Where light comes from both sides there is no warp by the cosine.
@@ -76,8 +106,7 @@ TEST(Agreement_LightSampling, GivesOnePictureWithinMedia) {
 }
 
 // Of direct light, in the mean over the pixels. Edges within pixels are the same noise to both.
-TEST(Statistical_LightSampling, IsLessNoisyNearLamps) {
-  const SceneDescription scene = near_lamps(diffuse(Vec3d(0.5)));
+void expect_less_noise(const SceneDescription& scene, double most) {
   const auto variances = [&](LightSampling sampling) {
     const statistics::Replicates replicates = replicates_of(scene, sampling, 300, 1);
     std::vector<double> result;
@@ -94,7 +123,15 @@ TEST(Statistical_LightSampling, IsLessNoisyNearLamps) {
   for (std::size_t pixel = 0; pixel < near.size(); ++pixel)
     if (near[pixel] > 0 && area[pixel] > 0) logarithms.add(std::log(near[pixel] / area[pixel]));
   EXPECT_GT(logarithms.count(), 100u);
-  EXPECT_LT(std::exp(logarithms.mean()), 0.8);
+  EXPECT_LT(std::exp(logarithms.mean()), most);
+}
+
+TEST(Statistical_LightSampling, IsLessNoisyNearLamps) {
+  expect_less_noise(near_lamps(diffuse(Vec3d(0.5))), 0.8);
+}
+
+TEST(Statistical_LightSampling, IsLessNoisyNearTriangles) {
+  expect_less_noise(near_lamps(diffuse(Vec3d(0.5)), Lamps::Triangles), 0.9);
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST(Unit_TexturedLamps, ShowTheirImage) {
 }
 
 // Samples of the lamp alone, paths that meet it alone, and both together, in whole pictures.
-TEST(Statistical_TexturedLamps, AllStrategiesAgree) {
+void expect_agreement(LightSampling light_sampling) {
   const Transform mirrored{Mat3d(-1, 0, 0, 0, 1, 0, 0, 0, 1), {0.3, 0, 0}};
   for (const bool is_mirrored : {false, true}) {
     SceneDescription scene = lamp_over_floor("lamp_lights", is_mirrored ? mirrored : Transform{});
@@ -67,6 +67,7 @@ TEST(Statistical_TexturedLamps, AllStrategiesAgree) {
       const auto means = [&](SamplingStrategy strategy, std::uint64_t stream) {
         RenderSettings settings = settings_of(12, 16, 3 * seed + stream);
         settings.options.sampling = strategy;
+        settings.options.light_sampling = light_sampling;
         const Image image = rendered(scene, settings).film.to_image(false);
         Vec3d sum(0.0);
         for (int y = 0; y < image.height; ++y)
@@ -89,6 +90,14 @@ TEST(Statistical_TexturedLamps, AllStrategiesAgree) {
       EXPECT_LT(by_light[c].standard_error(), 0.02);
     }
   }
+}
+
+TEST(Statistical_TexturedLamps, AllStrategiesAgree) {
+  expect_agreement(LightSampling::Area);
+}
+
+TEST(Statistical_TexturedLamps, AllStrategiesAgreeBySolidAngle) {
+  expect_agreement(LightSampling::SolidAngle);
 }
 
 // Both triangles are picked by what their halves of the image send; a triangle whose light lies

@@ -33,13 +33,13 @@ SceneDescription lamp_of(description::Mesh mesh) {
 
 TEST(Unit_QuadLights, TwoTrianglesOfAParallelogramArePickedAsOne) {
   const SceneDescription scene = lamp_of(quad({0, 0, 0}, {2, 0, 0}, {0.5, 1, 0}));
-  const Scene paired = compiled_with(scene, LightSampling::SolidAngle);
+  const Scene paired = compiled_with(scene, LightSampling::Area);
   ASSERT_EQ(paired.lights.size(), 3u);
   EXPECT_EQ(quads_of(paired), (std::vector<std::uint32_t>{2, 2, Light::none}));
   const Light& light = paired.lights[2];
   EXPECT_EQ(light.kind, LightKind::Quad);
   EXPECT_FLOAT_EQ(light.area, paired.lights[0].area + paired.lights[1].area);
-  EXPECT_EQ(light.near_distance2, 0) << "it is skew";
+  EXPECT_EQ(light.near_distance2, 0);
   EXPECT_EQ(paired.light_sampler.probability(2), 1);
   EXPECT_EQ(paired.light_sampler.probability(0), 0);
   const Scene apart = compiled_with(scene, LightSampling::Triangles);
@@ -51,6 +51,17 @@ TEST(Unit_QuadLights, RectanglesAreSampledBySolidAngleWhereThatIsAskedFor) {
   const SceneDescription scene = lamp_of(quad({0, 0, 0}, {2, 0, 0}, {0, 1, 0}));
   EXPECT_GT(compiled_with(scene, LightSampling::SolidAngle).lights[2].near_distance2, 0);
   EXPECT_EQ(compiled_with(scene, LightSampling::Area).lights[2].near_distance2, 0);
+}
+
+TEST(Unit_QuadLights, OtherTrianglesAreSampledBySolidAngleWhereThatIsAskedFor) {
+  const SceneDescription scene = lamp_of(quad({0, 0, 0}, {2, 0, 0}, {0.5, 1, 0}));
+  const Scene skew = compiled_with(scene, LightSampling::SolidAngle);
+  ASSERT_EQ(skew.lights.size(), 2u);
+  EXPECT_EQ(quads_of(skew), (std::vector<std::uint32_t>{0, 1})) << "themselves";
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(skew.lights[i].kind, LightKind::NearTriangle);
+    EXPECT_EQ(skew.light_sampler.probability(i), 0.5f);
+  }
 }
 
 // Every point of both triangles is a point of the quad, and the sides agree, whichever corner the

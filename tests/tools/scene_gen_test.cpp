@@ -23,6 +23,7 @@ struct SceneCase {
 
 const std::vector<SceneCase>& cases() {
   static const std::vector<SceneCase> all{
+      {"attic", "", 7 * 2 + 2 + 512 + 1 + 4, false},
       {"door_ajar", "gap=20", 12 * 4 + 12 + 5 * 12 + 512 + 12 + 2, false},
       {"forest", "trees=40, leaves=100", 2 * 128 * 128 + 40 * (12 + 100)},
       {"glass_and_mirrors", "balls=3", 4 + 4 + 4 + 12 + 2 + 3 * 2048},

@@ -7,7 +7,7 @@ from renders import CandelaFailed
 from scenes import pbrt_scenes, scenes_by_name
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-GENERATED = ("door_ajar", "forest", "glass_and_mirrors", "lamps", "mis_plates", "white_room",
+GENERATED = ("attic", "door_ajar", "forest", "glass_and_mirrors", "lamps", "mis_plates", "white_room",
              "window")
 
 

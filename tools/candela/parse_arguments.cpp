@@ -150,7 +150,7 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
   add_choice(command, "--light-sampling", "light sampling", render.light_sampling,
              light_sampling_choices(),
              "Where on lamps: triangles apart by area, two that are one parallelogram as a quad, "
-             "near rectangles by solid angle [area]");
+             "near lamps by solid angle [area]");
   add_choice(command, "--fresnel", "Fresnel term", render.scene.load.fresnel, fresnel_choices(),
              "Of all cook_torrance materials [the scene's]");
   add_choice(command, "--geometry", "geometry term", render.scene.load.geometry, geometry_choices(),

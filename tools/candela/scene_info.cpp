@@ -49,6 +49,7 @@ std::string kind_name(LightKind kind) {
       return "directional";
     case LightKind::Triangle:
     case LightKind::TexturedTriangle:
+    case LightKind::NearTriangle:
     case LightKind::Quad:  // of two of them
       return "triangle";
     case LightKind::Environment:

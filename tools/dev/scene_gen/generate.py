@@ -13,7 +13,7 @@ import numpy
 
 from scene_gen.files import MeshFolder, write_yaml
 
-NAMES = ("door_ajar", "forest", "glass_and_mirrors", "lamps", "mis_plates", "soup", "terrain",
+NAMES = ("attic", "door_ajar", "forest", "glass_and_mirrors", "lamps", "mis_plates", "soup", "terrain",
          "white_room", "window")
 
 

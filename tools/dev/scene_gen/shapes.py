@@ -38,6 +38,10 @@ def joined(*meshes):
                 else numpy.concatenate([mesh.normals for mesh in meshes]))
 
 
+def triangle(a, b, c):
+    return Mesh(numpy.array([a, b, c], float), numpy.array([[0, 1, 2]]))
+
+
 def quad(a, b, c, d):
     return Mesh(numpy.array([a, b, c, d], float), numpy.array([[0, 1, 2], [0, 2, 3]]))
 
