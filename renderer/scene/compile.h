@@ -10,7 +10,7 @@
 namespace candela {
 
 // How points on lamps are chosen: triangle by triangle, uniform by area; two that are one
-// parallelogram as one quad; rectangles, and triangles that are none of their halves, by solid angle
+// parallelogram as one quad; rectangles, and triangles that are not their halves, by solid angle
 // where they are near.
 enum class LightSampling : std::uint8_t { Triangles, Area, SolidAngle };
 
