@@ -2,53 +2,23 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <string>
+#include <algorithm>
 #include <vector>
 
 #include "renderer/math/constants.h"
 #include "tests/light/directions.h"
+#include "tests/sampling/precise_triangle.h"
 #include "tests/statistics/chi_square.h"
 #include "tests/statistics/distributions.h"
 
 namespace candela {
 namespace {
 
-using Precise = glm::vec<3, long double, glm::defaultp>;
-
-struct Corners {
-  Precise a, b, c;
-};
-
-// Between directions, small and straight angles included.
-long double angle_between(const Precise& a, const Precise& b) {
-  const Precise u = a / glm::length(a);
-  const Precise v = b / glm::length(b);
-  return 2 * std::atan2(glm::length(u - v), glm::length(u + v));
-}
-
-struct SolidAngle {
-  double steradians;
-  double relative_error;  // by the rounding of long doubles
-};
-
-// By the sides alone (L'Huilier), where the code goes by a determinant.
-SolidAngle solid_angle(const Corners& t) {
-  const long double a = angle_between(t.b, t.c);
-  const long double b = angle_between(t.c, t.a);
-  const long double c = angle_between(t.a, t.b);
-  const long double s = (a + b + c) / 2;
-  const long double square =
-      std::tan(s / 2) * std::tan((s - a) / 2) * std::tan((s - b) / 2) * std::tan((s - c) / 2);
-  const long double least = std::min({s - a, s - b, s - c});
-  return {static_cast<double>(4 * std::atan(std::sqrt(std::max(square, 0.0L)))),
-          static_cast<double>(1e-18L / std::max(least, 1e-30L))};
-}
-
-struct TriangleCase {
-  const char* name;
-  Vec3d apex, to_b, to_c;
-};
+using test::angle_between;
+using test::Precise;
+using test::random_triangle;
+using test::solid_angle;
+using test::TriangleCase;
 
 const std::vector<TriangleCase>& cases() {
   static const std::vector<TriangleCase> all{
@@ -72,39 +42,12 @@ const std::vector<TriangleCase>& cases() {
 SphericalTriangle made(const TriangleCase& c) {
   return make_spherical_triangle(c.apex, c.to_b, c.to_c);
 }
-Corners corners_of(const TriangleCase& c) {
-  const Precise apex(c.apex);
-  return {apex, apex + Precise(c.to_b), apex + Precise(c.to_c)};
-}
-
-double decades(std::uint64_t i, std::uint64_t stream, double low, double high) {
-  const auto u = static_cast<double>(light_test::random_unit(i, stream));
-  return std::pow(10.0, low + u * (high - low));
-}
-
-// From 1e-12 sr to 2 pi: sizes of six decades, edges of up to a thousand times each other's length,
-// heights of nine decades.
-TriangleCase random_case(std::uint64_t i) {
-  const auto sign = [&](std::uint64_t stream) {
-    return light_test::random_unit(i, stream) < 0.5f ? -1.0 : 1.0;
-  };
-  const double size = decades(i, 1, -6, 0.5);
-  const auto length = [&](std::uint64_t stream) {
-    return sign(stream) * decades(i, stream + 1, -3, 0) * size;
-  };
-  const double height = decades(i, 2, -9, 0);
-  return {"random",
-          {length(3), length(5), height},
-          {length(7), length(9), 0},
-          {length(11), length(13), 0}};
-}
-
 TEST(Unit_SphericalTriangle, SolidAngleIsThatOfMorePrecision) {
   double least = 1, most = 0;
   int compared = 0;  // sharply
   for (std::uint64_t i = 0; i < 200'000; ++i) {
-    const TriangleCase c = random_case(i);
-    const auto [exact, error] = solid_angle(corners_of(c));
+    const TriangleCase c = random_triangle(i);
+    const auto [exact, error] = solid_angle(c.precise());
     if (exact < 1e-13 || error > 1e-3) continue;
     const auto found = static_cast<double>(made(c).solid_angle);
     ASSERT_NEAR(found / exact, 1, 5e-7 + error) << i << ": " << exact;
@@ -133,7 +76,7 @@ TEST(Unit_SphericalTriangle, HasNoneInItsOwnPlane) {
 
 TEST(Unit_SphericalTriangle, PointsAreWithinAndComeBack) {
   std::vector<TriangleCase> all = cases();
-  for (std::uint64_t i = 0; i < 1000; ++i) all.push_back(random_case(i));
+  for (std::uint64_t i = 0; i < 1000; ++i) all.push_back(random_triangle(i));
   for (const TriangleCase& c : all) {
     const SphericalTriangle triangle = made(c);
     if (!(triangle.solid_angle > 1e-13f)) continue;
