@@ -59,9 +59,9 @@ SphericalTriangle make_spherical_triangle(const Vec3d& apex, const Vec3d& to_b, 
   return t;
 }
 
-// The triangle of apex, b and a point p of the arc bc has the part u.x of the solid angle E. By the
-// formula above p is b mirrored in alpha b + beta c [Peters21], where alpha - beta is
-// hypotenuse sin((1 - u.x) E / 2). On the arc from the apex to p the cosine is uniform [Arvo95].
+// The triangle of apex, b and a point p of the arc bc has the part u.x of the solid angle E where,
+// by the formula above, p is b mirrored in alpha b + beta c [Peters21]; `rest` is alpha - beta, the
+// one difference here, and 0 at c. On the arc from the apex to p the cosine is uniform [Arvo95].
 Vec2d SphericalTriangle::point(Vec2f u) const {
   const double part = 0.5 * static_cast<double>(solid_angle) * static_cast<double>(u.x);
   const Double2 turn = sine(Double2{part, 0.5 * pi_double - part});

@@ -1,6 +1,7 @@
 // Triangles as a unit sphere about the origin sees them: their solid angle, and points on them that
-// are uniform in it [Arvo95]. From 1e-12 sr to 2 pi, needles included: what places a point is made
-// of sums of positive numbers, where Arvo's own form takes differences of angles. In double.
+// are uniform in it [Arvo95]. From 1e-12 sr to 2 pi, needles included: points are weights of the
+// vertices, made of a determinant and of sums of unit vectors, where Arvo's own form takes arc
+// cosines. In double.
 #pragma once
 
 #include "renderer/math/vec.h"
