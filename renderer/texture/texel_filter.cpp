@@ -59,12 +59,23 @@ float decoded(const std::byte* place) {
     return decoded_srgb(stored<type>(place) / unit<type>);
 }
 
+// (GCC converts vectors of four bytes one by one.)
+Float4 four_bytes(const std::byte* place) {
+#if defined(__SSE2__)
+  const __m128i zero = _mm_setzero_si128();
+  const __m128i bytes = _mm_cvtsi32_si128(value_at<std::int32_t>(place));
+  return _mm_cvtepi32_ps(_mm_unpacklo_epi16(_mm_unpacklo_epi8(bytes, zero), zero));
+#else
+  using Byte4 = std::uint8_t __attribute__((vector_size(4)));
+  return __builtin_convertvector(value_at<Byte4>(place), Float4);
+#endif
+}
+
 // Four samples as stored; a texel of three brings its neighbour's first along, which is ignored.
 template <SampleType type>
 Float4 four_stored(const std::byte* place) {
   if constexpr (type == SampleType::U8) {
-    using Byte4 = std::uint8_t __attribute__((vector_size(4)));
-    return __builtin_convertvector(value_at<Byte4>(place), Float4);
+    return four_bytes(place);
   } else if constexpr (type == SampleType::Half) {
     return half_to_float(value_at<Half4>(place));
   } else if constexpr (type == SampleType::Float) {
