@@ -3,51 +3,16 @@
 #include <algorithm>
 #include <vector>
 
+#include "integrators/trial.h"
 #include "renderer/base/parallel.h"
-#include "renderer/film/film.h"
 #include "renderer/sampling/hash.h"
-#include "renderer/sampling/sampler.h"
 
 namespace candela {
 namespace {
 
-constexpr std::uint32_t trial_replicates = 4;
-constexpr std::uint32_t trial_samples = 16;
 constexpr std::uint32_t trial_splitting = 4;  // of the second trial
 constexpr float low_threshold = 0.5f;         // of the third
 constexpr int tile_size = 4;
-
-// A trial of one tile: sums over its pixels and channels.
-struct Trial {
-  double mean = 0;
-  double variance = 0;  // of what a replicate holds
-  double cost = 0;
-};
-
-// In bounces: fitted to the times of twelve scenes with and without splitting (docs/decisions.md).
-// Samples that are skipped count as if they were not: whether they are must not change the picture.
-double cost_of(const TileCounts& counts) {
-  return 0.55 * static_cast<double>(counts.rays.camera + counts.skipped.samples) +
-         static_cast<double>(counts.rays.indirect) +
-         0.1 * static_cast<double>(counts.rays.shadow + counts.rays.lamp);
-}
-
-Trial run_trial(const TilePass& pass, const RenderOptions& options,
-                const TileFunction& render_tile) {
-  Film film(options.width, options.height, pass.tile, 0, trial_replicates, film_balance(options));
-  Trial trial;
-  trial.cost = cost_of(render_tile(pass, film));
-  for (std::size_t i = 0; i < film.pixel_count(); ++i) {
-    const Vec3d mean = film.mean(i);
-    trial.mean += sum_of_components(mean);
-    for (std::uint32_t r = 0; r < trial_replicates; ++r) {
-      const Vec3d off =
-          film.replicate_sum(i, r) / static_cast<double>(film.samples_of_replicate(i, r)) - mean;
-      trial.variance += sum_of_components(off * off) / (trial_replicates - 1);
-    }
-  }
-  return trial;
-}
 
 // The same tile as it is, with splitting, and with a low roulette threshold.
 struct Trials {
@@ -59,17 +24,7 @@ struct Trials {
 // What relMSE weighs the tiles' variances by.
 double weight_of(const Trials& tile, double picture_mean) {
   const double mean = (tile.whole.mean + tile.split.mean) / 2;
-  return 1 / (mean * mean + 1e-2 * picture_mean * picture_mean);
-}
-
-// Without the noisiest tiles, where a rare bright sample would decide alone.
-double trimmed_sum(std::vector<double> values) {
-  constexpr std::size_t trimmed_share = 16;
-  const auto kept = values.end() - static_cast<std::ptrdiff_t>(values.size() / trimmed_share);
-  std::sort(values.begin(), values.end());
-  double sum = 0;
-  for (auto value = values.begin(); value != kept; ++value) sum += *value;
-  return sum;
+  return relative_weight(mean, picture_mean);
 }
 
 double weighted_error(const std::vector<Trials>& tiles, Trial Trials::*trial) {
@@ -165,13 +120,6 @@ std::uint32_t trial_tiles(const RenderOptions& options) {
   return tiles < fewest ? 0 : static_cast<std::uint32_t>(tiles);
 }
 
-PixelRect trial_tile(const RenderOptions& options, std::uint64_t seed, std::uint32_t index) {
-  const Vec2f place = Sampler(seed, 0, 0, index).sample_2d(0, Dimension::Filter);
-  const int x = static_cast<int>(place.x * static_cast<float>(options.width));
-  const int y = static_cast<int>(place.y * static_cast<float>(options.height));
-  return {x, y, std::min(x + tile_size, options.width), std::min(y + tile_size, options.height)};
-}
-
 }  // namespace
 
 PathPlan choose_path_plan(const RenderOptions& options, const TileFunction& render_tile,
@@ -184,7 +132,7 @@ PathPlan choose_path_plan(const RenderOptions& options, const TileFunction& rend
   parallel_for(tiles.size(), [&](std::size_t i) {
     if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return;
     TilePass pass;
-    pass.tile = trial_tile(options, seed, static_cast<std::uint32_t>(i));
+    pass.tile = trial_tile(options, tile_size, seed, static_cast<std::uint32_t>(i));
     pass.range = {0, trial_samples};
     pass.seed = seed;
     pass.plan.roulette_threshold = plans.front().roulette_threshold;

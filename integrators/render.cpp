@@ -39,7 +39,8 @@ Kernel path_kernel(const Scene& scene, const A& accelerator, const Filter& filte
   context.background = background.get();
   return {"path/" + std::string(kernel.name),
           [render = kernel.render, context, lamps, background](const TilePass& pass, Film& film) {
-            return render(context, pass, film);
+            const bool is_guided = pass.guide != nullptr || pass.training != nullptr;
+            return (is_guided ? &render_tile<guided_features, A> : render)(context, pass, film);
           }};
 }
 
@@ -83,7 +84,9 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
                     const CancelFlag* cancel) {
   const Filter filter = make_filter(options);
   RenderOptions rounds = options;
+  if (!has_default_strategy(options)) rounds.guiding = Guiding::Off;
   if (scene.features.media) {  // branches.h
+    rounds.guiding = Guiding::Off;
     rounds.splitting = 1;
     if (!rounds.roulette_threshold) rounds.roulette_threshold = 1.0f;
   }
@@ -97,9 +100,10 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
         const RoundsDone done =
             render_rounds(rounds, kernel.render_tile, result.film, progress, cancel);
         const TileCounts& counts = done.counts;
-        result.statistics = {
-            counts.rays, counts.skipped, counts.invalid_samples, counts.first_invalid, kernel.name,
-            done.plan,   done.stop};
+        result.statistics = {counts.rays,          counts.skipped, counts.invalid_samples,
+                             counts.first_invalid, kernel.name,    done.plan,
+                             done.guiding,         done.stop};
+        if (done.guiding.cells > 0) result.statistics.kernel = "path/guided";
         result.error = done.error;
       },
       accelerator);

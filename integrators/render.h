@@ -33,6 +33,10 @@ enum class SpecularModel : std::uint8_t { Blinn, Phong };
 // Whether the samples of a pixel know of each other; plain random numbers are for comparisons.
 enum class SamplerKind : std::uint8_t { Sobol, Independent };
 
+// Whether paths follow what others learned of the light: where a trial says that it pays, or
+// always.
+enum class Guiding : std::uint8_t { Off, Auto, On };
+
 inline constexpr int max_splitting = 64;
 inline constexpr int max_lamp_rays = 64;
 
@@ -60,6 +64,8 @@ struct RenderOptions {
   // path: camera rays a sample that look for lamps alone in pixels that lamps cover in part, at
   // most (path/find_lamp_pixels.h); 0: none.
   int lamp_rays = 0;
+  // path by Mis and Power, scenes without media (guiding/choose_guide.h).
+  Guiding guiding = Guiding::Off;
   // path: bounces as pbrt counts them: 0 sees emission only, 1 direct light, ...; none: no limit.
   // whitted: surfaces that a ray may meet, as the lab counts them; none: 5.
   std::optional<int> max_depth;
@@ -112,6 +118,13 @@ struct InvalidSample {
 
 enum class StopReason : std::uint8_t { Samples, Error, Time, Cancelled };
 
+// What came of RenderOptions::guiding.
+struct GuidingDone {
+  std::uint64_t training_samples = 0;
+  std::size_t cells = 0;         // of space; 0: the picture's paths were not guided
+  std::size_t guided_cells = 0;  // of them
+};
+
 struct RenderStatistics {
   RayCounts rays;
   SkippedCounts skipped;
@@ -119,6 +132,7 @@ struct RenderStatistics {
   std::optional<InvalidSample> first_invalid;
   std::string kernel;  // the instance that ran
   PathPlan plan;       // the options', or what the trial found
+  GuidingDone guiding;
   StopReason stop = StopReason::Samples;
 };
 

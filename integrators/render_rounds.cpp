@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "integrators/choose_path_plan.h"
+#include "integrators/guiding/choose_guide.h"
 #include "integrators/rounds.h"
 #include "renderer/base/parallel.h"
 #include "renderer/film/tiles.h"
@@ -85,9 +86,9 @@ class Loop {
     const auto most = static_cast<std::uint32_t>(options_.samples_per_pixel);
     std::optional<StopReason> stop;
     expect({});
-    if (options_.integrator == IntegratorKind::Path)
-      plan_ = choose_path_plan(options_, render_tile_, cancel_);
+    if (options_.integrator == IntegratorKind::Path) plan_paths();
     result.plan = plan_;
+    result.guiding = guiding_done();
     while (!stop) {
       if (pilot_samples_ > 0 && !pilot_)
         stop = render_pilot();
@@ -108,6 +109,15 @@ class Loop {
   }
 
  private:
+  void plan_paths() {
+    plan_ = choose_path_plan(options_, render_tile_, cancel_);
+    guide_ = choose_guide(options_, render_tile_, plan_, cancel_);
+  }
+  [[nodiscard]] GuidingDone guiding_done() const {
+    if (!guide_.field) return {guide_.training_samples};
+    return {guide_.training_samples, guide_.field->cells(), guide_.field->guided_cells()};
+  }
+
   // The first samples of all pixels, from random numbers of their own.
   std::optional<StopReason> render_pilot() {
     const PixelRect whole{0, 0, options_.width, options_.height};
@@ -136,7 +146,7 @@ class Loop {
   }
 
   [[nodiscard]] TilePass pass_of(const SampleRange& range) const {
-    return {{}, range, nullptr, options_.seed, plan_};
+    return {{}, range, nullptr, options_.seed, plan_, guide_.field.get(), nullptr};
   }
 
   // The picture so far, where there is a pilot.
@@ -222,6 +232,7 @@ class Loop {
   std::optional<Pilot> pilot_;
   TileCounts counts_;
   PathPlan plan_;
+  GuideChoice guide_;
   std::uint32_t done_ = 0;
   std::uint32_t error_samples_ = 0;  // a pixel, when the error was estimated
 };

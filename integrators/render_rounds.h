@@ -12,6 +12,7 @@ struct RoundsDone {
   TileCounts counts;
   StopReason stop = StopReason::Samples;
   PathPlan plan;
+  GuidingDone guiding;
   std::optional<ErrorEstimate> error;  // of the film as it is now
 };
 

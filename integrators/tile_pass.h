@@ -1,6 +1,8 @@
 // What a pass takes of the pixels of a tile.
 #pragma once
 
+#include <vector>
+
 #include "integrators/path_plan.h"
 #include "integrators/rounds.h"
 #include "renderer/film/film.h"
@@ -8,12 +10,17 @@
 
 namespace candela {
 
+class GuidingField;
+struct TrainingRecord;
+
 struct TilePass {
   PixelRect tile;
   SampleRange range;                       // of each pixel; with a density: of the mean over all
   const SampleDensity* density = nullptr;  // null: all pixels get the same
   std::uint64_t seed = 0;
-  PathPlan plan;  // of the path kernel
+  PathPlan plan;                                    // of the path kernel
+  const GuidingField* guide = nullptr;              // null: paths are not guided
+  std::vector<TrainingRecord>* training = nullptr;  // where what paths bring is kept; null: not
 
   // Half-open range of the pixel's own sample indices. Those of consecutive passes join.
   [[nodiscard]] SampleRange of_pixel(int x, int y) const {

@@ -48,6 +48,7 @@ class BlockNumbers {
   void draw_direction(const Scene& scene, const SamplerBlock& samplers, std::uint32_t bounce) {
     if (needs_lobes<F>(scene)) samplers.sample_1d(bounce, Dimension::LobeChoice, lobe_);
     samplers.sample_2d(bounce, Dimension::Direction, direction_);
+    if constexpr (F.guided) samplers.sample_1d(bounce, Dimension::GuideChoice, guide_choice_);
     if (bounce >= first_bounce_with_roulette)
       samplers.sample_1d(bounce, Dimension::Roulette, roulette_);
   }
@@ -60,7 +61,8 @@ class BlockNumbers {
             unit_point(direction_, i),
             unit_float(roulette_[i]),
             unit_float(material_[i]),
-            F.media ? free_flight_[i] : 0};
+            F.media ? free_flight_[i] : 0,
+            F.guided ? unit_float(guide_choice_[i]) : 0};
   }
 
  private:
@@ -70,7 +72,9 @@ class BlockNumbers {
   SobolPointLanes direction_{};
   SamplerLanes<std::uint32_t> roulette_{};
   SamplerLanes<std::uint32_t> material_{};
-  SamplerLanes<std::uint32_t> free_flight_;  // not even set in kernels without media
+  // Not even set in kernels without media, or guides.
+  SamplerLanes<std::uint32_t> free_flight_;
+  SamplerLanes<std::uint32_t> guide_choice_;
 };
 
 // The same for a single sample.
@@ -94,6 +98,7 @@ inline void draw_direction(const Scene& scene, const Sampler& sampler, std::uint
                            StepNumbers& numbers) {
   if (needs_lobes<F>(scene)) numbers.lobe = sampler.sample_1d(bounce, Dimension::LobeChoice);
   numbers.direction = sampler.sample_2d(bounce, Dimension::Direction);
+  if constexpr (F.guided) numbers.guide_choice = sampler.sample_1d(bounce, Dimension::GuideChoice);
   if (bounce >= first_bounce_with_roulette)
     numbers.roulette = sampler.sample_1d(bounce, Dimension::Roulette);
 }

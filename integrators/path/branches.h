@@ -28,8 +28,9 @@ template <FeatureSet F, class A>
   PathState path;
   Bsdf bsdf = bsdf_at<F.models, F.textures>(material, scene.textures, texture_point_of(point),
                                             point.is_front);
-  BsdfSample next = sample_direction<F>(context.options, numbers, bsdf, point.shading.to_local(wo));
-  const bool goes_on = scatter(point, next, ray, path);
+  const bool goes_on =
+      scatter_from<F>(context.options, numbers, guide_at<F>(context.guide, point, bsdf), point,
+                      bsdf, point.shading.to_local(wo), ray, path);
   block.paths[i] = path;
   return goes_on && set_ray(block, i, ray);
 }

@@ -16,6 +16,8 @@ namespace candela {
 
 class BackgroundPixels;
 class LampPixels;
+class GuidingField;
+class TrainingLog;
 
 template <class A>
 struct PathContext {
@@ -29,6 +31,9 @@ struct PathContext {
   const LampPixels* lamps = nullptr;             // null: there are none
   float inverse_roulette_threshold = 1;          // of the pass (path_plan.h)
   std::uint32_t lamp_rays = 0;  // of the pixel; 0: paths' camera rays count what lamps they meet
+  // Of the pass, for kernels with guiding only; null: there is none.
+  const GuidingField* guide = nullptr;
+  TrainingLog* training = nullptr;
 };
 
 template <class A>

@@ -16,6 +16,7 @@ struct FeatureSet {
   bool spheres = false;
   bool media = false;
   bool strategies = false;  // RenderOptions' sampling and heuristic count; else Mis by Power
+  bool guided = false;      // directions may be guided (guide.h)
   ModelSet models = all_models;
 
   [[nodiscard]] constexpr FeatureSet with_models(ModelSet others) const {
@@ -53,6 +54,9 @@ inline constexpr FeatureSet media_features{.spheres = true, .media = true};
 
 // For comparisons of estimators.
 inline constexpr FeatureSet strategy_features{.spheres = true, .media = true, .strategies = true};
+
+// Where a trial says that guiding pays. Scenes with media are not guided.
+inline constexpr FeatureSet guided_features{.spheres = true, .guided = true};
 
 // Cornell boxes and the like: triangles, area lights, opaque untextured surfaces.
 inline constexpr FeatureSet plain_features{

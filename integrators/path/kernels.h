@@ -39,6 +39,11 @@ extern template TileCounts render_tile<strategy_features>(const PathContext<Embr
 extern template TileCounts render_tile<strategy_features>(const PathContext<BvhAccel>&,
                                                           const TilePass&, Film&);
 
+extern template TileCounts render_tile<guided_features>(const PathContext<EmbreeAccel>&,
+                                                        const TilePass&, Film&);
+extern template TileCounts render_tile<guided_features>(const PathContext<BvhAccel>&,
+                                                        const TilePass&, Film&);
+
 template <class A>
 struct PathKernel {
   std::string_view name;

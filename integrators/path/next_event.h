@@ -3,6 +3,7 @@
 
 #include "integrators/path/context.h"
 #include "integrators/path/feature_set.h"
+#include "integrators/path/guide.h"
 #include "integrators/path/media_beside.h"
 #include "integrators/path/shadow_walk.h"
 #include "integrators/path/strategy.h"
@@ -35,15 +36,16 @@ struct DirectLight {
 template <FeatureSet F, class Radiance>
 [[nodiscard]] inline Rgb unshadowed_contribution(const RenderOptions& options,
                                                  const SurfacePoint& point, const Bsdf& bsdf,
-                                                 const Vec3f& wo_local, const Vec3f& wi,
-                                                 float light_pdf, bool is_delta, float choice,
-                                                 const Radiance& radiance) {
+                                                 const Guide<F>& guide, const Vec3f& wo_local,
+                                                 const Vec3f& wi, float light_pdf, bool is_delta,
+                                                 float choice, const Radiance& radiance) {
   Vec3f wi_local = point.shading.to_local(wi);
   if (!is_consistent(point, wi, wi_local)) return Rgb(0);
   BsdfEvaluation f = evaluate_bsdf<F.models>(bsdf, wo_local, wi_local);
   if (F.environment && is_black(f.value)) return Rgb(0);
   const float pdf = light_pdf * choice;
-  const float weight = is_delta ? 1.0f : light_sample_weight<F>(options, pdf, f.pdf);
+  const float weight =
+      is_delta ? 1.0f : light_sample_weight<F>(options, pdf, path_pdf<F>(guide, wi, f.pdf));
   return f.value * radiance() * (weight / pdf);
 }
 
@@ -51,7 +53,8 @@ template <FeatureSet F, class Radiance>
 template <FeatureSet F, class A>
 [[nodiscard]] inline DirectLight sample_sky(const PathContext<A>& context, Vec2f u, float choice,
                                             const SurfacePoint& point, const Bsdf& bsdf,
-                                            const Vec3f& wo_local, TileCounts& counts) {
+                                            const Guide<F>& guide, const Vec3f& wo_local,
+                                            TileCounts& counts) {
   const Environment& sky = *context.scene.environment;
   EnvironmentSample sample = sample_environment(sky, u);
   if (!(sample.pdf > 0)) return {};
@@ -59,7 +62,7 @@ template <FeatureSet F, class A>
     return environment_radiance(sky, context.scene.textures, sample.direction);
   };
   Rgb contribution =
-      unshadowed_contribution<F>(context.options, point, bsdf, wo_local, sample.direction,
+      unshadowed_contribution<F>(context.options, point, bsdf, guide, wo_local, sample.direction,
                                  sample.pdf, false, choice, radiance);
   if (is_black(contribution)) {
     ++counts.skipped.shadow_rays;
@@ -72,18 +75,19 @@ template <FeatureSet F, class A>
 [[nodiscard]] inline DirectLight sample_direct_light(const PathContext<A>& context,
                                                      std::uint32_t index, Vec2f u, float choice,
                                                      const SurfacePoint& point, const Bsdf& bsdf,
-                                                     const Vec3f& wo_local, TileCounts& counts) {
+                                                     const Guide<F>& guide, const Vec3f& wo_local,
+                                                     TileCounts& counts) {
   const Scene& scene = context.scene;
   constexpr LightKindSet sky = light_kind_bit(LightKind::Environment);
   if constexpr ((F.light_kinds() & sky) != 0) {
     if (scene.lights[index].kind == LightKind::Environment)
-      return sample_sky<F>(context, u, choice, point, bsdf, wo_local, counts);
+      return sample_sky<F>(context, u, choice, point, bsdf, guide, wo_local, counts);
   }
   LightSample light =
       sample_light<(F.light_kinds() & ~sky)>(light_tables(scene), scene.lights[index], point, u);
   if (!light.is_valid()) return {};
   Rgb contribution =
-      unshadowed_contribution<F>(context.options, point, bsdf, wo_local, light.wi, light.pdf,
+      unshadowed_contribution<F>(context.options, point, bsdf, guide, wo_local, light.wi, light.pdf,
                                  light.is_delta, choice, [&] { return light.radiance; });
   if (is_black(contribution)) {
     ++counts.skipped.shadow_rays;
@@ -105,12 +109,13 @@ template <FeatureSet F, class A>
 template <FeatureSet F, class A>
 [[nodiscard]] inline DirectLight picked_light(const PathContext<A>& context, std::uint32_t choice,
                                               Vec2f u, const SurfacePoint& point, const Bsdf& bsdf,
-                                              const Vec3f& wo_local, TileCounts& counts) {
+                                              const Guide<F>& guide, const Vec3f& wo_local,
+                                              TileCounts& counts) {
   const LightSampler& lights = context.scene.light_sampler;
   if (!lights.has_table()) return {};
   LightPick pick = pick_light(lights, choice, u);
-  return sample_direct_light<F>(context, pick.light, u, pick.probability, point, bsdf, wo_local,
-                                counts);
+  return sample_direct_light<F>(context, pick.light, u, pick.probability, point, bsdf, guide,
+                                wo_local, counts);
 }
 
 template <class A>
@@ -132,14 +137,15 @@ template <class A>
 // The lights that are sampled at every hit.
 template <FeatureSet F, class A>
 [[nodiscard]] inline Rgb light_from_always(const PathContext<A>& context, const SurfacePoint& point,
-                                           const Bsdf& bsdf, const Vec3f& wo_local,
+                                           const Bsdf& bsdf, const Guide<F>& guide,
+                                           const Vec3f& wo_local,
                                            [[maybe_unused]] MediaBeside<F> media,
                                            TileCounts& counts) {
   Rgb sum(0);
   if constexpr (F.delta_lights) {
     for (const std::uint32_t index : context.scene.light_sampler.always()) {
       DirectLight light =
-          sample_direct_light<F>(context, index, Vec2f(0), 1, point, bsdf, wo_local, counts);
+          sample_direct_light<F>(context, index, Vec2f(0), 1, point, bsdf, guide, wo_local, counts);
       if constexpr (F.media)
         sum += shadowed_in(context, light, medium_towards(media, point, light.shadow_ray.direction),
                            counts);

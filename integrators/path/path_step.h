@@ -6,6 +6,7 @@
 #include "integrators/first_hit.h"
 #include "integrators/path/context.h"
 #include "integrators/path/feature_set.h"
+#include "integrators/path/guide.h"
 #include "integrators/path/next_event.h"
 #include "renderer/light/environment.h"
 #include "renderer/material/bsdf_at.h"
@@ -19,8 +20,10 @@ namespace candela {
 struct PathState {
   Rgb throughput{1};
   Rgb radiance{0};
-  float bsdf_pdf = 0;         // solid angle, of the direction of its ray
-  float eta_squared = 1;      // what refraction multiplied the throughput by: no loss of light
+  float bsdf_pdf = 0;  // solid angle, of the direction of its ray; with a guide, of both
+  // Roulette goes by the throughput times this: what refraction and guides take of the throughput
+  // is no loss of light.
+  float roulette_scale = 1;
   Vec3f receiving_normal{0};  // where it was scattered, see SurfacePoint
   bool is_delta = true;       // camera rays and delta lobes: only this strategy finds the light
 };
@@ -34,6 +37,7 @@ struct StepNumbers {
   float roulette = 0;
   float material = 0;
   std::uint32_t free_flight = 0;
+  float guide_choice = 0;
 };
 
 // Light that the path met; `light_pdf` is the light sampler's density of its direction, 0 where it
@@ -199,25 +203,43 @@ template <FeatureSet F>
   path.bsdf_pdf = sample.pdf;
   path.is_delta = sample.is_delta;
   path.receiving_normal = point.receiving_normal;
-  path.eta_squared *= sample.eta * sample.eta;
+  path.roulette_scale *= sample.eta * sample.eta;
   ray = spawn_ray(point, wi);
   return true;
 }
 
 // Russian roulette: false ends the path, else survivors stand for the ended. The eta^2 of
 // refraction is taken out, since it comes back when the path leaves the glass [Pharr23,
-// section 14.5.4]. The survival probability stays below 1 so that paths end in closed white scenes
-// too, by little: light that leaves a trap (total reflection) in shares smaller than what roulette
-// takes would have no variance. `inverse_threshold`: see PathPlan.
+// section 14.5.4]; so is what a guide takes of the throughput where it sends most paths: it ends
+// none of them sooner than the BSDF would. The survival probability stays below 1 so that paths end
+// in closed white scenes too, by little: light that leaves a trap (total reflection) in shares
+// smaller than what roulette takes would have no variance. `inverse_threshold`: see PathPlan.
 inline constexpr std::uint32_t first_bounce_with_roulette = 2;
 [[nodiscard]] inline bool survives_roulette(float u, std::uint32_t bounce, float inverse_threshold,
                                             PathState& path, float highest_survival = 0.998f) {
   if (bounce < first_bounce_with_roulette) return true;
   const float survival = std::min(
-      max_component(path.throughput) * path.eta_squared * inverse_threshold, highest_survival);
+      max_component(path.throughput) * path.roulette_scale * inverse_threshold, highest_survival);
   if (!(u < survival)) return false;
   path.throughput /= survival;
   return true;
+}
+
+// Continues the path from a surface; false where it ends.
+template <FeatureSet F>
+[[nodiscard]] inline bool scatter_from(const RenderOptions& options, const StepNumbers& numbers,
+                                       [[maybe_unused]] const Guide<F>& guide,
+                                       const SurfacePoint& point, const Bsdf& bsdf,
+                                       const Vec3f& wo_local, Ray& ray, PathState& path) {
+  if constexpr (F.guided) {
+    if (guide.targets.is_known()) {
+      const GuidedSample guided = sample_with_guide<F.models>(
+          guide, point, bsdf, wo_local, numbers.guide_choice, numbers.lobe, numbers.direction);
+      path.roulette_scale *= guided.density_ratio;
+      return scatter(point, guided.sample, ray, path);
+    }
+  }
+  return scatter(point, sample_direction<F>(options, numbers, bsdf, wo_local), ray, path);
 }
 
 // Adds the light that reaches the surface straight from lights and continues the path; false where
@@ -231,16 +253,16 @@ template <FeatureSet F, class A>
   Bsdf bsdf = bsdf_at<F.models, F.textures>(material, context.scene.textures,
                                             texture_point_of(point), point.is_front);
   Vec3f wo_local = point.shading.to_local(wo);
+  const Guide<F> guide = guide_at<F>(context.guide, point, bsdf);
   if (!is_only_delta<F.models>(bsdf) &&
       (!F.strategies || samples_lights(context.options.sampling))) {
-    path.radiance +=
-        path.throughput * light_from_always<F>(context, point, bsdf, wo_local, media, counts);
-    picked = picked_light<F>(context, numbers.light_choice, numbers.light_point, point, bsdf,
+    path.radiance += path.throughput *
+                     light_from_always<F>(context, point, bsdf, guide, wo_local, media, counts);
+    picked = picked_light<F>(context, numbers.light_choice, numbers.light_point, point, bsdf, guide,
                              wo_local, counts);
     picked.contribution *= path.throughput;
   }
-  BsdfSample next = sample_direction<F>(context.options, numbers, bsdf, wo_local);
-  return scatter(point, next, ray, path) &&
+  return scatter_from<F>(context.options, numbers, guide, point, bsdf, wo_local, ray, path) &&
          survives_roulette(numbers.roulette, bounce, context.inverse_roulette_threshold, path);
 }
 

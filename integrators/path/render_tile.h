@@ -34,6 +34,9 @@ inline void render_block(const PathContext<A>& context, const PixelSampler& pixe
   if (context.lamp_rays > 0) add_seen_lamps<F>(context, pixel, x, y, base, lanes, block, counts);
   for_each_lane(lanes, [&](std::uint32_t i) {
     block.samples[i].radiance = block.paths[i].radiance;
+    if constexpr (F.guided) {
+      if (context.training != nullptr) context.training->end(i, block.paths[i].radiance);
+    }
     add_or_count(block.samples[i], x, y, base + i, context.options.clamp, film, counts);
   });
 }
@@ -67,11 +70,20 @@ inline void add_background(const BackgroundPixels& background, const SampleRange
   counts.skipped.samples += count;
 }
 
+struct NoTrainingLog {};
+template <FeatureSet F>
+using TrainingLogOf = std::conditional_t<F.guided, TrainingLog, NoTrainingLog>;
+
 // The samples of a pass, in order.
 template <FeatureSet F, class A>
 TileCounts render_tile(const PathContext<A>& of_render, const TilePass& pass, Film& film) {
   PathContext<A> context = of_render;
   context.inverse_roulette_threshold = 1 / pass.plan.roulette_threshold;
+  context.guide = pass.guide;
+  TrainingLogOf<F> training;
+  if constexpr (F.guided) {
+    if (pass.training != nullptr) context.training = &training;
+  }
   const PixelRect& tile = pass.tile;
   TileCounts counts;
   PathBlock block;
@@ -92,6 +104,9 @@ TileCounts render_tile(const PathContext<A>& of_render, const TilePass& pass, Fi
                         block, film, counts);
       film.add_cost(x, y, static_cast<std::uint32_t>(ray_cost(counts.rays) - rays_before));
     }
+  }
+  if constexpr (F.guided) {
+    if (pass.training != nullptr) *pass.training = std::move(training.records());
   }
   return counts;
 }

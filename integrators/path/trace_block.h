@@ -2,6 +2,7 @@
 // then each path takes its step.
 #pragma once
 
+#include "integrators/guiding/training_log.h"
 #include "integrators/path/branches.h"
 #include "integrators/path/media_step.h"
 
@@ -51,6 +52,12 @@ inline void step_lane(const PathContext<A>& context, const StepNumbers& numbers,
     block.shadow_rays[i] = picked.shadow_ray;
     block.unshadowed[i] = picked.contribution;
     after.shadow_rays |= 1u << i;
+  }
+  if constexpr (F.guided) {
+    if (context.training != nullptr && goes_on && !path.is_delta)
+      context.training->leave(i, ray, path.receiving_normal, path.bsdf_pdf,
+                              path.bsdf_pdf * block.paths[i].roulette_scale / path.roulette_scale,
+                              block.paths[i].throughput);
   }
   block.paths[i] = path;
   if (goes_on && set_ray(block, i, ray)) after.going_on |= 1u << i;
@@ -135,10 +142,19 @@ template <FeatureSet F, class A>
                                          const BounceSamplers& samplers, LaneMask alive,
                                          std::uint32_t bounce, const HitBlock& hits,
                                          PathBlock& block, TileCounts& counts) {
+  if constexpr (F.guided) {
+    if (context.training != nullptr)
+      for_each_lane(alive, [&](std::uint32_t i) { context.training->meet(i, hits[i].t); });
+  }
   alive = end_in_environment<F>(context, alive, bounce, hits, block);
   if (alive == 0) return 0;
   const LanesAfterStep after = step_lanes<F>(context, samplers, alive, bounce, hits, block, counts);
   if (after.shadow_rays != 0) trace_shadow_rays<F>(context, after.shadow_rays, block, counts);
+  if constexpr (F.guided) {
+    if (context.training != nullptr)
+      for_each_lane(after.going_on,
+                    [&](std::uint32_t i) { context.training->had(i, block.paths[i].radiance); });
+  }
   return after.going_on;
 }
 

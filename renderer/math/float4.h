@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -78,6 +79,14 @@ inline void store_aligned(float* address, Float4 v) {
   return _mm_max_ps(a, b);
 #else
   return a > b ? a : b;
+#endif
+}
+
+[[nodiscard]] inline Float4 square_root(Float4 v) {
+#if defined(__SSE2__)
+  return _mm_sqrt_ps(v);
+#else
+  return {std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
 #endif
 }
 

@@ -22,6 +22,8 @@ enum class Dimension : std::uint8_t {
   // once a camera ray that looks for lamps alone (bounce 0)
   LampFilter,  // 2D
   LampLens,    // 2D
+  // once a bounce, where paths are guided
+  GuideChoice,  // 1D: whether the direction is the guide's or the BSDF's
 };
 
 }  // namespace candela

@@ -1,4 +1,6 @@
 // --sampling, --heuristic, --fresnel and --geometry on the command line.
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/tools/refusals.h"
@@ -18,16 +20,32 @@ TEST(Errors_StrategyOptions, AreRefusedInSentences) {
                  "--heuristic weights the strategies of path with --sampling mis");
   expect_refused({cornell_box, "--ray-limit", "--sampling", "bsdf"}, 2,
                  "not with --sampling or --heuristic");
+  expect_refused({cornell_box, "--guiding", "on", "--sampling", "light"}, 2,
+                 "--guiding is for --sampling mis --heuristic power");
+  expect_refused({cornell_box, "--guiding", "auto", "--ray-limit"}, 2, "not with --guiding");
+  expect_refused({cornell_box, "--guiding", "on", "--integrator", "report"}, 2,
+                 "--guiding is for path, this is report");
 }
 
 nlohmann::json stats_of(std::vector<std::string> words) {
   const std::string folder = fresh_folder("strategy_stats");
   words.insert(words.begin(), {"render", cornell_box});
-  words.insert(words.end(), {"--size", "8x8", "--spp", "4", "-o", folder + "/a.exr", "--stats",
+  if (std::find(words.begin(), words.end(), "--spp") == words.end())
+    words.insert(words.end(), {"--spp", "4"});
+  words.insert(words.end(), {"--size", "8x8", "-o", folder + "/a.exr", "--stats",
                              folder + "/a.json"});
   const ProgramResult result = run_candela(words);
   EXPECT_EQ(result.exit_code, 0) << result.error;
   return nlohmann::json::parse(file_text(folder + "/a.json"));
+}
+
+TEST(Unit_StrategyOptions, StatsTellOfGuides) {
+  EXPECT_TRUE(stats_of({})["guiding"].is_null());
+  EXPECT_EQ(stats_of({"--guiding", "on"})["guiding"]["cells"], 0) << "too few samples";
+  const auto guided = stats_of({"--guiding", "on", "--spp", "2000"});
+  EXPECT_EQ(guided["guiding"]["training_samples"], 12800);
+  EXPECT_GE(guided["guiding"]["cells"], guided["guiding"]["guided_cells"]);
+  EXPECT_EQ(guided["kernel"], guided["guiding"]["cells"] > 0 ? "path/guided" : "path/plain");
 }
 
 TEST(Unit_StrategyOptions, StatsTellTheStrategy) {

@@ -21,6 +21,8 @@ CURVES = {
     "path, cosine": {"sampling": "cosine"},
     "path, uniform": {"sampling": "uniform"},
     "path, no splitting": {"splitting": 1},
+    "path, guided": {"guiding": "on"},
+    "path, guided by a trial": {"guiding": "auto"},
     "path, 1 replicate": {"replicates": 1},
     "path, plain random numbers": {"sampler": "independent"},
     "path, not robust": {"robust": "off"},

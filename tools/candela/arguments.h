@@ -60,6 +60,7 @@ struct RenderArguments {
   std::optional<bool> adaptive;
   std::optional<SplittingChoice> splitting;
   std::optional<RouletteChoice> roulette;
+  std::optional<Guiding> guiding;
   std::optional<double> clamp;
   std::optional<Size> size;
   double scale = 1.0;  // of the size

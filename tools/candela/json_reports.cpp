@@ -36,6 +36,14 @@ Json crop_json(const RenderOptions& options) {
   return Json::array({crop.x0, crop.y0, crop.x1, crop.y1});
 }
 
+Json guiding_json(const RenderReport& report) {
+  if (report.options.guiding == Guiding::Off) return nullptr;
+  const GuidingDone& done = report.statistics.guiding;
+  return {{"training_samples", done.training_samples},
+          {"cells", done.cells},
+          {"guided_cells", done.guided_cells}};
+}
+
 template <class Value>
 Json or_null(const std::optional<Value>& value) {
   return value ? Json(*value) : Json(nullptr);
@@ -72,6 +80,7 @@ void add_options(Json& json, const RenderReport& report) {
   json["adaptive"] = options.adaptive;
   json["splitting"] = report.statistics.plan.splitting;
   json["roulette"] = report.statistics.plan.roulette_threshold;
+  json["guiding"] = guiding_json(report);
   json["biased"] = biases_of(options);
   json["max_depth"] = or_null(options.max_depth);
   if (is_lab_shading(options.integrator)) {

@@ -26,6 +26,8 @@ constexpr Choice<SamplingStrategy> samplings[] = {
     {name_of(SamplingStrategy::Mis), SamplingStrategy::Mis}};
 constexpr Choice<Heuristic> heuristics[] = {{"balance", Heuristic::Balance},
                                             {"power", Heuristic::Power}};
+constexpr Choice<Guiding> guidings[] = {
+    {"off", Guiding::Off}, {"auto", Guiding::Auto}, {"on", Guiding::On}};
 constexpr Choice<SamplerKind> samplers[] = {{"sobol", SamplerKind::Sobol},
                                             {"independent", SamplerKind::Independent}};
 constexpr Choice<LightSampling> light_samplings[] = {{"triangles", LightSampling::Triangles},
@@ -105,6 +107,9 @@ std::span<const Choice<Heuristic>> heuristic_choices() {
 }
 std::span<const Choice<SamplerKind>> sampler_choices() {
   return samplers;
+}
+std::span<const Choice<Guiding>> guiding_choices() {
+  return guidings;
 }
 std::span<const Choice<LightSampling>> light_sampling_choices() {
   return light_samplings;

@@ -23,6 +23,7 @@ struct Choice {
 [[nodiscard]] std::span<const Choice<SamplingStrategy>> sampling_choices();
 [[nodiscard]] std::span<const Choice<Heuristic>> heuristic_choices();
 [[nodiscard]] std::span<const Choice<SamplerKind>> sampler_choices();
+[[nodiscard]] std::span<const Choice<Guiding>> guiding_choices();
 [[nodiscard]] std::span<const Choice<LightSampling>> light_sampling_choices();
 [[nodiscard]] std::span<const Choice<description::FresnelModel>> fresnel_choices();
 [[nodiscard]] std::span<const Choice<description::GeometryModel>> geometry_choices();

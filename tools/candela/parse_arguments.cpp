@@ -122,6 +122,9 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
             "Paths that go on from the first hit of a camera ray [auto: what a trial finds best]");
   add_value(command, "--roulette", "X|auto", render.roulette, parse_roulette,
             "Throughput from which on no path is ended at random [auto: 1 or .5, by a trial]");
+  add_choice(command, "--guiding", "guiding", render.guiding, guiding_choices(),
+             "Whether paths follow what others learned of the light; auto: where a trial says that "
+             "it pays [off]");
   add_value(command, "--clamp", "X", render.clamp, parse_positive_number,
             "Dim samples to X in their largest channel: less noise, less light (biased)");
   add_value(command, "--size", "WxH", render.size, parse_size,

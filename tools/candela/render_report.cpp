@@ -42,6 +42,11 @@ std::string balance_text(const RenderOptions& options) {
   return fmt::format(" white_balance={}", *options.white_balance_kelvins);
 }
 
+std::string guiding_text(const RenderOptions& options) {
+  if (options.guiding == Guiding::Off) return "";
+  return fmt::format(" guiding={}", name_of(options.guiding, guiding_choices()));
+}
+
 // Everything that decides the pixels, in one line.
 std::string options_text(const RenderReport& report) {
   const RenderOptions& options = report.options;
@@ -49,13 +54,13 @@ std::string options_text(const RenderReport& report) {
   const PixelRect crop = options.crop.value_or(whole);
   return fmt::format(
       "size={}x{} crop={},{},{},{} camera={} max_depth={} filter={} transparent={} accel={} "
-      "robust={} replicates={} adaptive={} splitting={} roulette={}{}{}{}",
+      "robust={} replicates={} adaptive={} splitting={} roulette={}{}{}{}{}",
       options.width, options.height, crop.x0, crop.y0, crop.x1, crop.y1, options.camera,
       depth_text(options.max_depth), name_of(options.filter, filter_choices()),
       options.transparent ? "yes" : "no", name_of(report.accelerator, accelerator_choices()),
       report.is_robust ? "on" : "off", report.replicates, options.adaptive ? "on" : "off",
       report.statistics.plan.splitting, report.statistics.plan.roulette_threshold,
-      lab_text(options), strategy_text(options), balance_text(options));
+      guiding_text(options), lab_text(options), strategy_text(options), balance_text(options));
 }
 
 }  // namespace

@@ -122,6 +122,7 @@ void refuse_what_only_path_does(const RenderArguments& arguments, const RenderOp
   refuse(options.adaptive, "--adaptive");
   refuse(arguments.splitting.has_value(), "--splitting");
   refuse(arguments.roulette.has_value(), "--roulette");
+  refuse(arguments.guiding.has_value(), "--guiding");
   refuse(arguments.sampler.has_value(), "--sampler");
   refuse(arguments.samples_constant_sky.has_value(), "--sky-samples");
   refuse(arguments.lamp_rays.has_value(), "--lamp-rays");
@@ -163,6 +164,7 @@ void settle_stop_rules(const RenderArguments& arguments, RenderOptions& options)
   if (arguments.splitting) options.splitting = arguments.splitting->paths;
   options.roulette_threshold.reset();
   if (arguments.roulette) options.roulette_threshold = arguments.roulette->threshold;
+  options.guiding = arguments.guiding.value_or(options.guiding);
   options.use_general_kernel = arguments.uses_general_kernel;
   if (arguments.error_goal) options.target_relmse = *arguments.error_goal * *arguments.error_goal;
   if (arguments.relmse_goal)
@@ -259,6 +261,15 @@ void refuse_sampling(const RenderArguments& arguments, const RenderOptions& opti
                   ExitCode::Usage};
 }
 
+void refuse_guiding(const RenderArguments& arguments) {
+  if (arguments.guiding.value_or(Guiding::Off) == Guiding::Off) return;
+  if (arguments.sampling.value_or(SamplingStrategy::Mis) != SamplingStrategy::Mis ||
+      arguments.heuristic == Heuristic::Balance)
+    throw Refusal{"--guiding is for --sampling mis --heuristic power", ExitCode::Usage};
+  if (arguments.measures_ray_limit)
+    throw Refusal{"--ray-limit measures the default kernels: not with --guiding", ExitCode::Usage};
+}
+
 // What the chosen integrator has no use for.
 void refuse_what_does_not_fit(const RenderArguments& arguments, const RenderOptions& options) {
   const std::string_view name = integrator_name(options);
@@ -324,6 +335,7 @@ RenderSettings settled(const RenderArguments& arguments,
   options.light_sampling = arguments.light_sampling.value_or(options.light_sampling);
   refuse_what_does_not_fit(arguments, options);
   refuse_sampling(arguments, options);
+  refuse_guiding(arguments);
   if (is_lab_shading(options.integrator)) {
     options.filter = FilterKind::Box;
     options.filter_radius.reset();

@@ -1,0 +1,104 @@
+#include "integrators/guiding/choose_guide.h"
+
+#include <algorithm>
+
+#include "integrators/guiding/training.h"
+#include "integrators/trial.h"
+#include "renderer/base/parallel.h"
+#include "renderer/sampling/hash.h"
+
+namespace candela {
+namespace {
+
+constexpr int tile_size = 2;
+
+// Camera samples of the picture; where other rules than their number end it, what it has at least.
+double picture_samples(const RenderOptions& options) {
+  constexpr int surely = 128;  // a pixel
+  const bool is_open = options.target_relmse || options.time_limit_seconds;
+  const int samples =
+      is_open ? std::min(options.samples_per_pixel, surely) : options.samples_per_pixel;
+  return static_cast<double>(options.width) * options.height * samples;
+}
+
+// Whole blocks of a share of the picture's samples; 0 where they would be too few to teach
+// anything, and not so many that their records would fill the memory.
+std::uint64_t training_samples(const RenderOptions& options, double share) {
+  constexpr double fewest = 1 << 13;
+  constexpr double most = 1 << 19;
+  const double samples = std::min(share * picture_samples(options), most);
+  return samples < fewest ? 0 : static_cast<std::uint64_t>(samples);
+}
+
+// A tile with and without the guide.
+struct Pair {
+  Trial plain;
+  Trial guided;
+
+  [[nodiscard]] double mean() const { return (plain.mean + guided.mean) / 2; }
+};
+
+std::vector<Pair> run_pairs(const RenderOptions& options, const TileFunction& render_tile,
+                            const PathPlan& plan, const GuidingField& field,
+                            const CancelFlag* cancel) {
+  constexpr double share = 0.01;
+  constexpr double most = 512;
+  constexpr double samples_a_tile = 2.0 * tile_size * tile_size * trial_samples;
+  const std::uint64_t seed = mix_bits(options.seed + 4);  // none that the picture or training uses
+  std::vector<Pair> pairs(
+      static_cast<std::size_t>(std::min(share * picture_samples(options) / samples_a_tile, most)));
+  parallel_for(pairs.size(), [&](std::size_t i) {
+    if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return;
+    TilePass pass;
+    pass.tile = trial_tile(options, tile_size, seed, static_cast<std::uint32_t>(i));
+    pass.range = {0, trial_samples};
+    pass.seed = seed;
+    pass.plan = plan;
+    pairs[i].plain = run_trial(pass, options, render_tile);
+    pass.guide = &field;
+    pairs[i].guided = run_trial(pass, options, render_tile);
+  });
+  return pairs;
+}
+
+// What a given error costs.
+double effort(const std::vector<Pair>& pairs, double picture_mean, Trial Pair::*trial) {
+  double cost = 0;
+  std::vector<double> errors;
+  for (const Pair& pair : pairs) {
+    cost += (pair.*trial).cost;
+    errors.push_back((pair.*trial).variance * relative_weight(pair.mean(), picture_mean));
+  }
+  return cost * trimmed_sum(std::move(errors));
+}
+
+bool pays(const std::vector<Pair>& pairs) {
+  constexpr double guided_bounce = 1.3;  // what it costs, in others (docs/performance.md)
+  constexpr double least_gain = 1.2;     // training takes time, too, and trials are noisy
+  double picture_mean = 0;
+  for (const Pair& pair : pairs) picture_mean += pair.mean() / static_cast<double>(pairs.size());
+  if (!(picture_mean > 0)) return false;
+  return effort(pairs, picture_mean, &Pair::plain) >
+         least_gain * guided_bounce * effort(pairs, picture_mean, &Pair::guided);
+}
+
+}  // namespace
+
+GuideChoice choose_guide(const RenderOptions& options, const TileFunction& render_tile,
+                         const PathPlan& plan, const CancelFlag* cancel) {
+  constexpr double first_share = 0.02, whole_share = 0.08, share_if_on = 0.1;
+  if (options.guiding == Guiding::Off) return {};
+  const bool is_on = options.guiding == Guiding::On;
+  Training training(options, render_tile, plan.roulette_threshold, cancel);
+  training.run_until(training_samples(options, is_on ? share_if_on : first_share));
+  const auto has_learned = [&] { return training.field().guided_cells() > 0; };
+  if (!is_on && has_learned()) {
+    if (!pays(run_pairs(options, render_tile, plan, training.field(), cancel)))
+      return {nullptr, training.samples()};
+    training.run_until(training_samples(options, whole_share));
+  }
+  if (!has_learned()) return {nullptr, training.samples()};
+  return {std::make_shared<const GuidingField>(training.field()), training.samples()};
+}
+
+}  // namespace candela

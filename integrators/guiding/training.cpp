@@ -1,0 +1,66 @@
+#include "integrators/guiding/training.h"
+
+#include <algorithm>
+
+#include "integrators/trial.h"
+#include "renderer/base/parallel.h"
+#include "renderer/film/film.h"
+#include "renderer/sampling/hash.h"
+
+namespace candela {
+namespace {
+
+using Records = std::vector<TrainingRecord>;
+
+// Of block `index`: a pixel and a seed of its own.
+Records run_block(const RenderOptions& options, const TileFunction& render_tile,
+                  const TilePass& settings, std::uint32_t index) {
+  Records records;
+  TilePass pass = settings;
+  pass.tile = trial_tile(options, 1, settings.seed, index);
+  pass.range = {0, whole_block};
+  pass.seed = hash_counter(settings.seed, index);
+  pass.training = &records;
+  Film film(options.width, options.height, pass.tile, 0);
+  render_tile(pass, film);
+  return records;
+}
+
+}  // namespace
+
+Training::Training(const RenderOptions& options, const TileFunction& render_tile,
+                   float roulette_threshold, const CancelFlag* cancel)
+    : options_(options), render_tile_(render_tile), cancel_(cancel) {
+  settings_.seed = mix_bits(options.seed + 3);  // none that the picture or a trial uses
+  settings_.plan.roulette_threshold = roulette_threshold;
+}
+
+std::uint64_t Training::samples() const {
+  return std::uint64_t{blocks_} * whole_block;
+}
+
+void Training::run_until(std::uint64_t samples) {
+  const auto end = static_cast<std::uint32_t>(samples / whole_block);
+  if (blocks_ == 0) iterate(end / 4);
+  while (blocks_ > 0 && 2 * blocks_ <= end) iterate(blocks_);
+}
+
+void Training::iterate(std::uint32_t blocks) {
+  constexpr std::uint32_t blocks_at_once = 32;
+  settings_.guide = field_.cells() > 0 ? &field_ : nullptr;
+  std::vector<Records> groups((blocks + blocks_at_once - 1) / blocks_at_once);
+  parallel_for(groups.size(), [&](std::size_t group) {
+    const std::uint32_t first = static_cast<std::uint32_t>(group) * blocks_at_once;
+    for (std::uint32_t i = first; i < std::min(first + blocks_at_once, blocks); ++i) {
+      if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return;
+      const Records found = run_block(options_, render_tile_, settings_, blocks_ + i);
+      groups[group].insert(groups[group].end(), found.begin(), found.end());
+    }
+  });
+  Records records;
+  for (const Records& group : groups) records.insert(records.end(), group.begin(), group.end());
+  field_ = GuidingField(records);
+  blocks_ += blocks;
+}
+
+}  // namespace candela

@@ -1,0 +1,36 @@
+// A few tiles of a picture, spread over all of it, rendered to learn what would be the best way to
+// render it. The same for any crop and threads.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "integrators/kernel.h"
+#include "integrators/render.h"
+
+namespace candela {
+
+inline constexpr std::uint32_t trial_samples = 16;  // a pixel
+
+// Sums over a tile's pixels and channels.
+struct Trial {
+  double mean = 0;
+  double variance = 0;  // of what a replicate holds, of four
+  double cost = 0;      // in bounces
+};
+
+// `pass`: with its tile, plan and seed. The film is thrown away.
+[[nodiscard]] Trial run_trial(const TilePass& pass, const RenderOptions& options,
+                              const TileFunction& render_tile);
+
+// Square but at the picture's edges, at a place that seed and index choose.
+[[nodiscard]] PixelRect trial_tile(const RenderOptions& options, int size, std::uint64_t seed,
+                                   std::uint32_t index);
+
+// What relMSE weighs a tile's variance by. Means of tiles.
+[[nodiscard]] double relative_weight(double mean, double picture_mean);
+
+// Without the noisiest tiles, where a rare bright sample would decide alone.
+[[nodiscard]] double trimmed_sum(std::vector<double> values);
+
+}  // namespace candela

@@ -1,0 +1,176 @@
+// Guided pictures: right in expectation, the same bits, less noise where light is hard to find, and
+// not guided where that does not pay.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "renderer/image/compare.h"
+#include "scene_io/load.h"
+#include "tests/scenes/description.h"
+#include "tests/scenes/render_scene.h"
+#include "tests/statistics/replicates.h"
+
+namespace candela {
+namespace {
+
+using namespace test;
+using description::SceneDescription;
+
+// Two rooms, and in the wall between them a gap; a lamp in the far one that only its walls see.
+SceneDescription rooms_with_a_gap() {
+  SceneDescription scene = empty_scene();
+  const auto white = add_material(scene, diffuse(Vec3d(0.7)));
+  const auto lamp = add_material(scene, diffuse(Vec3d(0.0)), Vec3d(60.0));
+  add_mesh(scene, inside_out(box({-1, -1, -3}, {1, 1, 1})), white);
+  add_mesh(scene, box({-1, -1, -1.05}, {0.85, 1, -1}), white);
+  add_mesh(scene, quad({-0.6, 0.95, -2.5}, {0.5, 0, 0}, {0, 0, 0.5}), lamp);
+  set_camera(scene, {0, 0, 0.9}, {0, -0.1, 0}, 80);
+  return scene;
+}
+
+// The same with whatever paths may meet.
+SceneDescription rooms_of_kinds() {
+  SceneDescription scene = rooms_with_a_gap();
+  description::CookTorranceMaterial glossy;
+  glossy.diffuse.factor = Vec3d(0.3);
+  glossy.specular.factor = Vec3d(0.5);
+  glossy.roughness.factor = 0.3;
+  add_mesh(scene, sphere({-0.4, -0.6, 0}, 0.35, 3), add_material(scene, glossy));
+  add_mesh(scene, quad({0.3, -0.95, 0.2}, {0.5, 0, -0.3}, {0, 0.9, 0}),
+           add_material(scene, description::MirrorMaterial{}));
+  add_mesh(scene, quad({-0.9, -0.9, -0.6}, {0.5, 0, 0.1}, {0, 0.8, 0}),
+           add_material(scene, description::DiffuseTransmissionMaterial{}));
+  description::DielectricMaterial glass;
+  add_mesh(scene, sphere({0.2, -0.7, -0.4}, 0.25, 3), add_material(scene, glass));
+  add_light(scene, description::PointLight{{0.3, 0.5, -2}, Vec3d(1)});
+  return scene;
+}
+
+RenderSettings guided_settings(int size, int samples, Guiding guiding, std::uint64_t seed = 1) {
+  RenderSettings settings = settings_of(size, samples, seed);
+  settings.options.guiding = guiding;
+  settings.options.roulette_threshold = 0.25f;
+  return settings;
+}
+
+// `is_hard`: paths must be guided for the test to see anything.
+statistics::Replicates replicates_of(const Scene& scene, Guiding guiding, bool is_hard,
+                                     std::uint64_t first) {
+  constexpr int size = 24;
+  statistics::Replicates replicates{
+      guiding == Guiding::On ? "guided" : "not guided", size, size, {}};
+  for (std::uint64_t i = 0; i < 16; ++i) {
+    const auto result = rendered(scene, guided_settings(size, 160, guiding, first + i));
+    if (is_hard) EXPECT_EQ(result.statistics.guiding.cells > 0, guiding == Guiding::On);
+    EXPECT_EQ(result.statistics.invalid_samples, 0u);
+    replicates.images.push_back(grey(result.film.to_image(false)));
+  }
+  return replicates;
+}
+
+void expect_same_expectation(const SceneDescription& description, bool is_hard) {
+  const Scene scene = compiled(description, guided_settings(24, 160, Guiding::On).options);
+  const auto agreement = compare_replicates(replicates_of(scene, Guiding::On, is_hard, 100),
+                                            replicates_of(scene, Guiding::Off, is_hard, 200));
+  EXPECT_TRUE(agreement.passed) << agreement.message;
+  EXPECT_NEAR(agreement.whole_ratio, 1, 0.03) << "the test sees too little";
+}
+
+TEST(Statistical_Guiding, KeepsTheExpectation) {
+  expect_same_expectation(rooms_with_a_gap(), true);
+  expect_same_expectation(rooms_of_kinds(), true);
+  SceneDescription open = small_room();
+  add_light(open, description::ConstantEnvironment{Vec3d(0.4), true});
+  expect_same_expectation(open, false);
+}
+
+TEST(Statistical_Guiding, KeepsTheExpectationOfAssets) {
+  for (const std::string name : {"cornell_box", "glass_and_metal", "cutouts"}) {
+    const auto scene =
+        load(fmt::format("{}/assets/{}/{}.yaml", CANDELA_SOURCE_DIR, name, name), {});
+    ASSERT_TRUE(scene);
+    expect_same_expectation(*scene, false);
+  }
+}
+
+// Every direction brings the same: guides are as wrong as may be, and the mean stays what it is.
+TEST(Statistical_Guiding, KeepsTheFurnace) {
+  SceneDescription scene = furnace(inside_out(box({-1, -1, -1}, {1, 1, 1})), 0.5, 0.25);
+  const auto result = rendered(scene, guided_settings(24, 256, Guiding::On));
+  EXPECT_NEAR(mean_of(result.film.to_image(false)), 0.5, 0.002);
+}
+
+double error_of(const Scene& scene, Guiding guiding, const Image& right) {
+  double sum = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed)
+    sum += compare_images(picture(scene, guided_settings(right.width, 256, guiding, seed)), right)
+               ->rel_mse;
+  return sum;
+}
+
+TEST(Statistical_Guiding, LowersTheErrorBehindAGap) {
+  const Scene scene = compiled(rooms_with_a_gap(), guided_settings(32, 256, Guiding::On).options);
+  const Image right = picture(scene, guided_settings(32, 4096, Guiding::On, 77));
+  EXPECT_GT(error_of(scene, Guiding::Off, right), 1.5 * error_of(scene, Guiding::On, right));
+}
+
+TEST(Agreement_Guiding, SameBitsOverThreadsTilesAndCrops) {
+  for (const Guiding guiding : {Guiding::On, Guiding::Auto}) {
+    RenderSettings settings = guided_settings(64, 256, guiding);
+    settings.options.crop = PixelRect{10, 0, 42, 44};
+    const Scene scene = compiled(rooms_with_a_gap(), settings.options);
+    const RenderResult result = rendered(scene, settings);
+    EXPECT_GT(result.statistics.guiding.guided_cells, 0u);
+    const Image whole = result.film.to_image(true);
+    settings.threads = 3;
+    settings.options.tile_size = 7;
+    EXPECT_EQ(picture(scene, settings).values, whole.values);
+    const PixelRect crop{13, 5, 30, 40};
+    settings.options.crop = crop;
+    expect_part(picture(scene, settings), whole, {crop.x0 - 10, crop.y0, crop.x1 - 10, crop.y1});
+  }
+}
+
+// The reference BVH teaches the same, and its pictures are guided as well.
+TEST(Agreement_Guiding, ReferenceBvhAgrees) {
+  RenderSettings settings = guided_settings(32, 128, Guiding::On);
+  const Scene scene = compiled(rooms_with_a_gap(), settings.options);
+  const Image embree = picture(scene, settings);
+  settings.accelerator = AcceleratorKind::Bvh;
+  const RenderResult bvh = rendered(scene, settings);
+  EXPECT_GT(bvh.statistics.guiding.guided_cells, 0u);
+  EXPECT_NEAR(mean_of(bvh.film.to_image(true)), mean_of(embree), 0.1 * mean_of(embree));
+}
+
+TEST(Unit_Guiding, IsChosenWhereItPays) {
+  const auto found = [](const SceneDescription& scene, RenderSettings settings) {
+    settings.options.crop = PixelRect{0, 0, 4, 4};
+    return rendered(scene, settings).statistics.guiding;
+  };
+  const GuidingDone hard = found(rooms_with_a_gap(), guided_settings(64, 256, Guiding::Auto));
+  EXPECT_GT(hard.guided_cells, 0u);
+  EXPECT_NEAR(static_cast<double>(hard.training_samples), 0.08 * 64 * 64 * 256, 256);
+  const GuidingDone easy = found(small_room(), guided_settings(64, 256, Guiding::Auto));
+  EXPECT_EQ(easy.cells, 0u);
+  EXPECT_NEAR(static_cast<double>(easy.training_samples), 0.02 * 64 * 64 * 256, 64);
+  EXPECT_EQ(found(rooms_with_a_gap(), guided_settings(16, 64, Guiding::Auto)).training_samples, 0u)
+      << "too few samples";
+  EXPECT_EQ(found(rooms_with_a_gap(), guided_settings(64, 256, Guiding::Off)).training_samples, 0u);
+}
+
+// Media are not guided, nor are strategies for comparisons; and where nothing is guided the picture
+// keeps its bits.
+TEST(Unit_Guiding, LeavesOtherPicturesAlone) {
+  SceneDescription foggy = rooms_with_a_gap();
+  const auto fog = add_medium(foggy, Vec3d(0.1), Vec3d(0.1));
+  foggy.cameras[0].medium = fog;
+  RenderSettings media = guided_settings(32, 128, Guiding::On);
+  EXPECT_EQ(rendered(foggy, media).statistics.guiding.training_samples, 0u);
+  media.options.sampling = SamplingStrategy::Light;
+  EXPECT_EQ(rendered(rooms_with_a_gap(), media).statistics.guiding.training_samples, 0u);
+  const Image easy = picture(compiled(small_room(), {}), guided_settings(64, 128, Guiding::Auto));
+  EXPECT_EQ(picture(compiled(small_room(), {}), guided_settings(64, 128, Guiding::Off)).values,
+            easy.values);
+}
+
+}  // namespace
+}  // namespace candela
