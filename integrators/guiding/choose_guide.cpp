@@ -73,8 +73,8 @@ double effort(const std::vector<Pair>& pairs, double picture_mean, Trial Pair::*
 }
 
 bool pays(const std::vector<Pair>& pairs) {
-  constexpr double guided_bounce = 1.3;  // what it costs, in others (docs/performance.md)
-  constexpr double least_gain = 1.2;     // training takes time, too, and trials are noisy
+  constexpr double guided_bounce = 1.2;  // what it costs, in others
+  constexpr double least_gain = 1.1;     // training takes time, too, and trials are noisy
   double picture_mean = 0;
   for (const Pair& pair : pairs) picture_mean += pair.mean() / static_cast<double>(pairs.size());
   if (!(picture_mean > 0)) return false;

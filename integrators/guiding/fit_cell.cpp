@@ -45,7 +45,7 @@ float best_share(std::span<const TrainingRecord> records) {
 
 }  // namespace
 
-TargetMixture fit_cell(std::span<TrainingRecord> records) {
+TargetMixture fit_cell(std::span<const TrainingRecord> records) {
   const float share = best_share(records);
   TargetMixture mixture = fit_targets(records);
   mixture.share = share;

@@ -9,8 +9,7 @@ namespace candela {
 
 // The mixture, and which share of the paths should follow it: of a few the one that would have made
 // the mean square of what they bring least [Rath20, section 4]. Each half of the records judges a
-// mixture that the other half taught, since a mixture flatters its own. `records`, not empty, are
-// reordered.
-[[nodiscard]] TargetMixture fit_cell(std::span<TrainingRecord> records);
+// mixture that the other half taught, since a mixture flatters its own. `records` are not empty.
+[[nodiscard]] TargetMixture fit_cell(std::span<const TrainingRecord> records);
 
 }  // namespace candela

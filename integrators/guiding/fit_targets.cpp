@@ -9,22 +9,23 @@ namespace {
 constexpr std::size_t fewest_records = 4;   // of a cluster
 constexpr double narrowest_radians = 0.03;  // finer directions are not to be had from so few
 
-using Records = std::span<TrainingRecord>;
-
+// A record as seen from the cell's middle.
 struct Sight {
-  Vec3d direction;  // unit
-  double distance;
+  Vec3f direction;  // unit
+  float nearness;   // inverse of the distance
+  float weight;
 };
+using Sights = std::span<Sight>;
 
-Sight see(const Vec3d& from, const TrainingRecord& record) {
-  const Vec3d away = Vec3d(record.target) - from;
-  const double distance = std::sqrt(dot(away, away)) + 1e-9;
-  return {away / distance, distance};
+Sight see(const Vec3f& from, const TrainingRecord& record) {
+  const Vec3f away = record.target - from;
+  const float nearness = 1 / (std::sqrt(dot(away, away)) + 1e-9f);
+  return {away * nearness, nearness, record.weight};
 }
 
 // Records whose light came from about the same place.
 struct Cluster {
-  Records records;
+  Sights sights;
   double weight = 0;
   Vec3d target{0};
   double distance = 0;  // of it
@@ -39,16 +40,17 @@ int largest_axis(const Vec3d& v) {
 }
 
 // Means are by weight, that of distances by their inverse: of angles that they make.
-Cluster cluster_of(Records records, const Vec3d& from) {
-  Cluster cluster{.records = records};
+Cluster cluster_of(Sights sights, const Vec3d& from) {
+  Cluster cluster{.sights = sights};
   Vec3d sum(0), squares(0);
   double nearness = 0;
-  for (const TrainingRecord& record : records) {
-    const Sight seen = see(from, record);
-    cluster.weight += record.weight;
-    sum += seen.direction * double{record.weight};
-    squares += seen.direction * seen.direction * double{record.weight};
-    nearness += record.weight / seen.distance;
+  for (const Sight& sight : sights) {
+    const Vec3d direction(sight.direction);
+    const double weight = sight.weight;
+    cluster.weight += weight;
+    sum += direction * weight;
+    squares += direction * direction * weight;
+    nearness += sight.nearness * weight;
   }
   const Vec3d mean = sum / cluster.weight;
   const Vec3d variance = squares / cluster.weight - mean * mean;
@@ -66,35 +68,34 @@ std::vector<Cluster>::iterator widest(std::vector<Cluster>& clusters) {
   double most = 0;
   for (auto cluster = clusters.begin(); cluster != clusters.end(); ++cluster) {
     const double width = cluster->weight * cluster->angle2;
-    if (cluster->records.size() < 2 * fewest_records || !(width > most)) continue;
+    if (cluster->sights.size() < 2 * fewest_records || !(width > most)) continue;
     most = width;
     found = cluster;
   }
   return found;
 }
 
-std::vector<Cluster> clusters_of(Records records, const Vec3d& from) {
-  std::vector<Cluster> clusters{cluster_of(records, from)};
+std::vector<Cluster> clusters_of(Sights sights, const Vec3d& from) {
+  std::vector<Cluster> clusters{cluster_of(sights, from)};
   while (clusters.size() < mixture_size) {
     const auto wide = widest(clusters);
     if (wide == clusters.end()) break;
     const Cluster whole = *wide;
     const auto upper = std::partition(
-        whole.records.begin(), whole.records.end(), [&](const TrainingRecord& record) {
-          return see(from, record).direction[whole.axis] < whole.middle;
-        });
-    const auto count = static_cast<std::size_t>(upper - whole.records.begin());
-    if (count == 0 || count == whole.records.size()) {  // by rounding
+        whole.sights.begin(), whole.sights.end(),
+        [&](const Sight& sight) { return sight.direction[whole.axis] < whole.middle; });
+    const auto count = static_cast<std::size_t>(upper - whole.sights.begin());
+    if (count == 0 || count == whole.sights.size()) {  // by rounding
       wide->angle2 = 0;
       continue;
     }
-    *wide = cluster_of(whole.records.first(count), from);
-    clusters.push_back(cluster_of(whole.records.subspan(count), from));
+    *wide = cluster_of(whole.sights.first(count), from);
+    clusters.push_back(cluster_of(whole.sights.subspan(count), from));
   }
   return clusters;
 }
 
-Vec3d middle_of(Records records) {
+Vec3d middle_of(std::span<const TrainingRecord> records) {
   Vec3d sum(0);
   for (const TrainingRecord& record : records) sum += Vec3d(record.position);
   return sum / static_cast<double>(records.size());
@@ -102,8 +103,12 @@ Vec3d middle_of(Records records) {
 
 }  // namespace
 
-TargetMixture fit_targets(std::span<TrainingRecord> records) {
-  const std::vector<Cluster> clusters = clusters_of(records, middle_of(records));
+TargetMixture fit_targets(std::span<const TrainingRecord> records) {
+  const Vec3d from = middle_of(records);
+  std::vector<Sight> sights;
+  sights.reserve(records.size());
+  for (const TrainingRecord& record : records) sights.push_back(see(Vec3f(from), record));
+  const std::vector<Cluster> clusters = clusters_of(sights, from);
   double total = 0;
   for (const Cluster& cluster : clusters) total += cluster.weight;
   TargetMixture mixture;

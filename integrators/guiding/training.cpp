@@ -12,6 +12,20 @@ namespace {
 
 using Records = std::vector<TrainingRecord>;
 
+// As many as are of use, evenly: in bright scenes nearly all paths bring light.
+Records thinned(const std::vector<Records>& groups) {
+  constexpr std::size_t most = 1 << 17;
+  std::size_t count = 0;
+  for (const Records& group : groups) count += group.size();
+  const std::size_t step = (count + most - 1) / most;
+  Records kept;
+  std::size_t i = 0;
+  for (const Records& group : groups)
+    for (const TrainingRecord& record : group)
+      if (i++ % step == 0) kept.push_back(record);
+  return kept;
+}
+
 // Of block `index`: a pixel and a seed of its own.
 Records run_block(const RenderOptions& options, const TileFunction& render_tile,
                   const TilePass& settings, std::uint32_t index) {
@@ -57,9 +71,7 @@ void Training::iterate(std::uint32_t blocks) {
       groups[group].insert(groups[group].end(), found.begin(), found.end());
     }
   });
-  Records records;
-  for (const Records& group : groups) records.insert(records.end(), group.begin(), group.end());
-  field_ = GuidingField(records);
+  field_ = GuidingField(thinned(groups));
   blocks_ += blocks;
 }
 
