@@ -44,7 +44,7 @@ std::vector<Pair> run_pairs(const RenderOptions& options, const TileFunction& re
   constexpr double share = 0.01;
   constexpr double most = 512;
   constexpr double samples_a_tile = 2.0 * tile_size * tile_size * trial_samples;
-  const std::uint64_t seed = mix_bits(options.seed + 4);  // none that the picture or training uses
+  const std::uint64_t seed = mix_bits(options.seed + 5);  // none that the picture or training uses
   std::vector<Pair> pairs(
       static_cast<std::size_t>(std::min(share * picture_samples(options) / samples_a_tile, most)));
   parallel_for(pairs.size(), [&](std::size_t i) {

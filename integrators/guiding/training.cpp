@@ -45,7 +45,7 @@ Records run_block(const RenderOptions& options, const TileFunction& render_tile,
 Training::Training(const RenderOptions& options, const TileFunction& render_tile,
                    float roulette_threshold, const CancelFlag* cancel)
     : options_(options), render_tile_(render_tile), cancel_(cancel) {
-  settings_.seed = mix_bits(options.seed + 3);  // none that the picture or a trial uses
+  settings_.seed = mix_bits(options.seed + 4);  // none that the picture or a trial uses
   settings_.plan.roulette_threshold = roulette_threshold;
 }
 

@@ -53,6 +53,8 @@ SceneDescription room_with_a_panel() {
   SceneDescription scene = furnace(inside_out(box({-1, -1, -1}, {1, 1, 1})), 0.3, 0);
   add_mesh(scene, quad({-0.95, -0.4, -0.8}, {0, 0.8, 0}, {0, 0, 0.8}),
            add_material(scene, diffuse(Vec3d(0.0)), Vec3d(5.0)));
+  add_mesh(scene, quad({-1, -0.9, 1}, {2, 0, 0}, {0, 0, -2}),
+           add_material(scene, description::CoatedDiffuseMaterial{}));  // mirrors it, too
   set_camera(scene, {0.9, 0, 0.9}, {-0.5, -0.5, -0.5}, 70);
   return scene;
 }
