@@ -31,12 +31,14 @@ inline void render_block(const PathContext<A>& context, const PixelSampler& pixe
   if (F.media && context.scene.features.media) splitting = 1;
   trace_block<F>(context, samplers, Branches(pixel, base, splitting), alive, lanes == all_lanes,
                  block, counts);
+  if constexpr (F.guided) {
+    if (context.training != nullptr)
+      for_each_lane(lanes,
+                    [&](std::uint32_t i) { context.training->end(i, block.paths[i].radiance); });
+  }
   if (context.lamp_rays > 0) add_seen_lamps<F>(context, pixel, x, y, base, lanes, block, counts);
   for_each_lane(lanes, [&](std::uint32_t i) {
     block.samples[i].radiance = block.paths[i].radiance;
-    if constexpr (F.guided) {
-      if (context.training != nullptr) context.training->end(i, block.paths[i].radiance);
-    }
     add_or_count(block.samples[i], x, y, base + i, context.options.clamp, film, counts);
   });
 }
