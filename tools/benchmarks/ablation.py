@@ -37,6 +37,7 @@ TECHNIQUES = (  # a row is a line
     Technique("adaptive sampling", {"adaptive": "off"}),
     Technique("splitting at the first hit", {"splitting": 1}),
     Technique("roulette by a trial (off: at any throughput)", {"roulette": 1}),
+    Technique("no path guiding (off: everywhere)", {"guiding": "on"}),
     Technique("no path guiding (off: where a trial says that it pays)", {"guiding": "auto"}),
     Technique("Sobol points (off: plain random numbers)", {"sampler": "independent"}),
     Technique("no light samples for a constant sky", {"sky_samples": "on"}),
