@@ -3,6 +3,6 @@
 namespace candela {
 
 template TileCounts render_tile<guided_features>(const PathContext<BvhAccel>&, const TilePass&,
-                                                  Film&);
+                                                 Film&);
 
 }  // namespace candela
