@@ -32,8 +32,8 @@ nlohmann::json stats_of(std::vector<std::string> words) {
   words.insert(words.begin(), {"render", cornell_box});
   if (std::find(words.begin(), words.end(), "--spp") == words.end())
     words.insert(words.end(), {"--spp", "4"});
-  words.insert(words.end(), {"--size", "8x8", "-o", folder + "/a.exr", "--stats",
-                             folder + "/a.json"});
+  words.insert(words.end(),
+               {"--size", "8x8", "-o", folder + "/a.exr", "--stats", folder + "/a.json"});
   const ProgramResult result = run_candela(words);
   EXPECT_EQ(result.exit_code, 0) << result.error;
   return nlohmann::json::parse(file_text(folder + "/a.json"));
