@@ -1,8 +1,6 @@
 #include "integrators/background_pixels.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "integrators/path/context.h"
 #include "integrators/pixel_cover.h"

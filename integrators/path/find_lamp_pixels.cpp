@@ -19,9 +19,8 @@ constexpr double cost_of_sample = 20;
 std::uint32_t affordable_rays(double lamp_pixels, const RenderOptions& options) {
   constexpr double share = 0.03;
   const double affordable = share * cost_of_sample * pixel_count(options) / lamp_pixels;
-  const auto most = static_cast<double>(options.lamp_rays);
   for (std::uint32_t rays = static_cast<std::uint32_t>(options.lamp_rays); rays > 1; rays /= 2)
-    if (rays <= std::min(affordable, most)) return rays;
+    if (rays <= affordable) return rays;
   return 0;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -11,18 +10,6 @@
 #include "renderer/sampling/bilinear.h"
 
 namespace candela {
-
-namespace cosine_warp_detail {
-
-[[nodiscard]] inline Float4 square_root(Float4 x) {
-#if defined(__SSE2__)
-  return _mm_sqrt_ps(x);
-#else
-  return Float4{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
-#endif
-}
-
-}  // namespace cosine_warp_detail
 
 // The corners as the receiver sees them, in the order of BilinearDensity's weights.
 struct CornerLanes {
@@ -41,8 +28,8 @@ struct CornerLanes {
   const Float4 z = corners.z;
   const Float4 height = x * normal.x + y * normal.y + z * normal.z;
   const Float4 distance2 = x * x + y * y + z * z;  // 0 where the receiver touches a corner
-  const Float4 cosine = height / cosine_warp_detail::square_root(
-                                     max(distance2, broadcast(std::numeric_limits<float>::min())));
+  const Float4 cosine =
+      height / square_root(max(distance2, broadcast(std::numeric_limits<float>::min())));
   const float most = std::max(std::max(cosine[0], cosine[1]), std::max(cosine[2], cosine[3]));
   if (!(most > 0)) return std::nullopt;
   const float least = std::max(least_weight, least_share * most);
