@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/floating_point_traps.h"
+#include "renderer/base/large_pages.h"
 #include "renderer/image/guard.h"
 #include "renderer/image/image_format.h"
 #include "renderer/image/openimageio_setup.h"
@@ -150,16 +151,27 @@ void warn_of_inks(const OpenImage& image, Diagnostics& diagnostics) {
   }
 }
 
-bool read_rows(OpenImage& image, const ImageHeader& header, std::byte* out) {
+bool read_band(OpenImage& image, const ImageHeader& header, int row, int end, std::byte* out) {
+  const ImageSpec& spec = image.spec;
   const TypeDesc type = type_desc_of(header.sample_type);
   const int channels = static_cast<int>(header.channels.size());
-  if (image.spec.tile_width > 0) return image.input->read_image(0, 0, 0, channels, type, out);
+  const bool is_native =
+      channels == spec.nchannels && type == spec.format && spec.channelformats.empty();
+  // Else through memory of the reader's own, and a conversion that would convert nothing.
+  if (is_native)
+    return image.input->read_native_scanlines(0, 0, spec.y + row, spec.y + end, 0, out);
+  return image.input->read_scanlines(0, 0, spec.y + row, spec.y + end, 0, 0, channels, type, out);
+}
+
+bool read_rows(OpenImage& image, const ImageHeader& header, std::byte* out) {
+  if (image.spec.tile_width > 0)
+    return image.input->read_image(0, 0, 0, static_cast<int>(header.channels.size()),
+                                   type_desc_of(header.sample_type), out);
   const std::size_t row_bytes =
       header.sample_count() / static_cast<std::size_t>(header.height) * size_of(header.sample_type);
   for (int row = 0; row < header.height; row += band_rows) {
     const int end = std::min(row + band_rows, header.height);
-    if (!image.input->read_scanlines(0, 0, image.spec.y + row, image.spec.y + end, 0, 0, channels,
-                                     type, out + static_cast<std::size_t>(row) * row_bytes))
+    if (!read_band(image, header, row, end, out + static_cast<std::size_t>(row) * row_bytes))
       return false;
   }
   return true;
@@ -256,6 +268,7 @@ std::size_t file_limit(const DecodeLimits& limits) {
 std::unique_ptr<std::byte[]> allocate_samples(const ImageHeader& header) {
   const std::size_t bytes = header.sample_count() * size_of(header.sample_type);
   auto samples = std::make_unique_for_overwrite<std::byte[]>(bytes + sizeof(float));
+  advise_large_pages(samples.get(), bytes);
   std::memset(samples.get() + bytes, 0, sizeof(float));
   return samples;
 }
