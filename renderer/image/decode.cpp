@@ -15,6 +15,7 @@
 #include "renderer/base/large_pages.h"
 #include "renderer/image/guard.h"
 #include "renderer/image/image_format.h"
+#include "renderer/image/jpeg_header.h"
 #include "renderer/image/openimageio_setup.h"
 #include "renderer/image/sample_type.h"
 #include "renderer/image/tga.h"
@@ -218,14 +219,18 @@ Result<T> named(const std::string& name, Result<T> result) {
   return result;
 }
 
+Result<ImageHeader> within(const DecodeLimits& limits, ImageHeader header) {
+  const Diagnostics found =
+      check_size(header.width, header.height, static_cast<double>(header.channels.size()),
+                 header.sample_type, limits);
+  if (found.has_errors()) return found;
+  return header;
+}
+
 Result<ImageHeader> checked_tga_header(const Bytes& bytes, const DecodeLimits& limits) {
   Result<ImageHeader> header = decode_tga_header(bytes);
   if (!header) return header;
-  Diagnostics found =
-      check_size(header->width, header->height, static_cast<double>(header->channels.size()),
-                 header->sample_type, limits);
-  if (found.has_errors()) return found;
-  return header;
+  return within(limits, std::move(*header));
 }
 
 Result<DecodedImage> checked_tga(const Bytes& bytes, const DecodeLimits& limits) {
@@ -234,10 +239,10 @@ Result<DecodedImage> checked_tga(const Bytes& bytes, const DecodeLimits& limits)
   return decode_tga(bytes);
 }
 
-// Recognises, guards and hands on to `decode_tga_file` or, opened, to `decode_other`.
+// Recognises, guards and hands on to `decode_tga_file` or, with the format, to `decode_other`.
 template <class T, class DecodeTga, class DecodeOther>
-Result<T> dispatch(const std::string& name, Bytes bytes, const DecodeLimits& limits,
-                   DecodeTga&& decode_tga_file, DecodeOther&& decode_other) {
+Result<T> dispatch(const std::string& name, Bytes bytes, DecodeTga&& decode_tga_file,
+                   DecodeOther&& decode_other) {
   if (!format_of_extension(name))
     return failure(fmt::format("'{}' has no extension of an image; expected one of {}", name,
                                readable_extensions));
@@ -247,15 +252,31 @@ Result<T> dispatch(const std::string& name, Bytes bytes, const DecodeLimits& lim
     if (*format == ImageFormat::Tga) return named(name, decode_tga_file(bytes));
     Result<Bytes> guarded = guard_image(*format, std::move(bytes));
     if (!guarded) return named(name, guarded.diagnostics);
-    const FloatingPointTraps traps(Traps::Off);
-    Result<OpenImage> image = open_image(*format, std::move(*guarded), limits);
-    if (!image) return named(name, image.diagnostics);
-    return named(name, Result<T>(decode_other(*image)));
+    return named(name, decode_other(*format, std::move(*guarded)));
   } catch (const std::bad_alloc&) {
     return failure(fmt::format("'{}' needs more memory than there is", name));
   } catch (const std::exception& exception) {
     return failure(fmt::format("'{}' cannot be decoded: {}", name, exception.what()));
   }
+}
+
+Result<ImageHeader> other_header(ImageFormat format, Bytes bytes, const DecodeLimits& limits) {
+  auto plain = format == ImageFormat::Jpeg ? plain_jpeg_header(bytes) : std::nullopt;
+  if (plain) {
+    plain->channels.resize(std::min(plain->channels.size(), limits.max_channels));
+    return within(limits, std::move(*plain));
+  }
+  const FloatingPointTraps traps(Traps::Off);
+  Result<OpenImage> image = open_image(format, std::move(bytes), limits);
+  if (!image) return image.diagnostics;
+  return header_of(*image, limits);
+}
+
+Result<DecodedImage> decode_other(ImageFormat format, Bytes bytes, const DecodeLimits& limits) {
+  const FloatingPointTraps traps(Traps::Off);
+  Result<OpenImage> image = open_image(format, std::move(bytes), limits);
+  if (!image) return image.diagnostics;
+  return decode_open_image(*image, limits);
 }
 
 std::size_t file_limit(const DecodeLimits& limits) {
@@ -276,16 +297,19 @@ std::unique_ptr<std::byte[]> allocate_samples(const ImageHeader& header) {
 Result<ImageHeader> decode_header(const std::string& name, Bytes bytes,
                                   const DecodeLimits& limits) {
   return dispatch<ImageHeader>(
-      name, std::move(bytes), limits,
-      [&](const Bytes& tga) { return checked_tga_header(tga, limits); },
-      [&](const OpenImage& image) { return header_of(image, limits); });
+      name, std::move(bytes), [&](const Bytes& tga) { return checked_tga_header(tga, limits); },
+      [&](ImageFormat format, Bytes other) {
+        return other_header(format, std::move(other), limits);
+      });
 }
 
 Result<DecodedImage> decode_image(const std::string& name, Bytes bytes,
                                   const DecodeLimits& limits) {
   return dispatch<DecodedImage>(
-      name, std::move(bytes), limits, [&](const Bytes& tga) { return checked_tga(tga, limits); },
-      [&](OpenImage& image) { return decode_open_image(image, limits); });
+      name, std::move(bytes), [&](const Bytes& tga) { return checked_tga(tga, limits); },
+      [&](ImageFormat format, Bytes other) {
+        return decode_other(format, std::move(other), limits);
+      });
 }
 
 Result<ImageHeader> read_image_header(const std::string& path, const DecodeLimits& limits) {

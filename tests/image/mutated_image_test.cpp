@@ -145,12 +145,26 @@ std::map<std::string, crafted::Bytes> sample_files() {
   return files;
 }
 
+// Headers are read without a decoder where that is possible: they say what is decoded all the same.
+void expect_header_of(const std::string& name, const crafted::Bytes& bytes,
+                      const DecodeLimits& limits, const ImageHeader& decoded) {
+  const Result<ImageHeader> header = decode_header(name, bytes, limits);
+  ASSERT_TRUE(header) << name;
+  EXPECT_EQ(header->width, decoded.width) << name;
+  EXPECT_EQ(header->height, decoded.height) << name;
+  EXPECT_EQ(header->channels, decoded.channels) << name;
+  EXPECT_EQ(header->sample_type, decoded.sample_type) << name;
+  EXPECT_EQ(header->alpha_channel, decoded.alpha_channel) << name;
+  EXPECT_EQ(header->alpha_is_straight, decoded.alpha_is_straight) << name;
+}
+
 void expect_sentence_or_picture(const std::string& name, const crafted::Bytes& bytes) {
   DecodeLimits limits;
   limits.max_bytes = std::size_t{64} << 20;
   const Result<DecodedImage> image = decode_image(name, bytes, limits);
   if (image) {
     EXPECT_GT(image->header.sample_count(), 0u);
+    expect_header_of(name, bytes, limits, image->header);
     return;
   }
   ASSERT_EQ(image.diagnostics.error_count(), 1u);
