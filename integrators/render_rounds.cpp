@@ -7,7 +7,6 @@
 #include "integrators/rounds.h"
 #include "renderer/base/parallel.h"
 #include "renderer/film/tiles.h"
-#include "renderer/sampling/hash.h"
 
 namespace candela {
 namespace {
@@ -45,28 +44,21 @@ class TimeBudget {
 };
 
 // Samples a pixel of the pilot; 0: there is none. Four a replicate are the fewest that tell noise
-// from structure, and they should not be most of the picture.
+// from structure; a quarter of all, where it is known how many those are, leaves enough to deal
+// out.
 std::uint32_t pilot_samples(const RenderOptions& options, const Film& film) {
+  constexpr std::uint32_t share = 4;
+  constexpr std::uint32_t most_blocks = 4;
   const std::uint32_t replicates = film.replicates();
-  const std::uint32_t samples =
+  const std::uint32_t fewest =
       std::max((whole_block + replicates - 1) / replicates, 4u) * replicates;
-  const bool is_worth_it = static_cast<std::uint32_t>(options.samples_per_pixel) >= 8 * samples;
-  return options.adaptive && replicates > 1 && is_worth_it ? samples : 0;
+  const bool is_picture = options.width > 1 && options.height > 1;
+  const std::uint32_t blocks =
+      static_cast<std::uint32_t>(options.samples_per_pixel) / (share * fewest);
+  if (!options.adaptive || replicates < 2 || !is_picture || blocks == 0) return 0;
+  const bool may_end_early = options.target_relmse || options.time_limit_seconds;
+  return may_end_early ? fewest : std::min(blocks, most_blocks) * fewest;
 }
-
-// Of the pilot in each pixel, where `all` samples a pixel are there with it. Fixed beforehand:
-// weights that a pixel's own samples decide would be biased. By counts, as if the samples that the
-// pilot deals out were worth this many of its own.
-double pilot_weight(double pilot_samples, double all) {
-  constexpr double worth = 1.5;
-  return pilot_samples / (pilot_samples + worth * (all - pilot_samples));
-}
-
-// What is known before the rest of the samples is dealt out.
-struct Pilot {
-  Film film;  // of the whole picture, whatever the crop
-  SampleDensity density;
-};
 
 class Loop {
  public:
@@ -90,19 +82,18 @@ class Loop {
     result.plan = plan_;
     result.guiding = guiding_done();
     while (!stop) {
-      if (pilot_samples_ > 0 && !pilot_)
+      if (pilot_samples_ > 0 && done_ == 0)
         stop = render_pilot();
       else
         stop = render_round(round_end(done_, film_.replicates(), most, goal(result.error)),
                             result.error);
       if (!stop && done_ == most) stop = StopReason::Samples;
-      if (stop || options_.target_relmse || progress_) result.error = error_so_far();
+      if (stop || options_.target_relmse || progress_) result.error = estimate_error(film_);
       if (reaches_goal(result.error) && stop != StopReason::Cancelled) stop = StopReason::Error;
       error_samples_ = done_;
       if (progress_ && result.error) progress_->state_error(result.error->rmse);
       expect(result.error);
     }
-    if (pilot_) film_ = with_pilot();
     result.stop = *stop;
     result.counts = counts_;
     return result;
@@ -118,16 +109,16 @@ class Loop {
     return {guide_.training_samples, guide_.field->cells(), guide_.field->guided_cells()};
   }
 
-  // The first samples of all pixels, from random numbers of their own.
+  // The first samples of all pixels of the picture, whatever the crop.
   std::optional<StopReason> render_pilot() {
     const PixelRect whole{0, 0, options_.width, options_.height};
-    Film film(options_.width, options_.height, whole, film_.aovs(), film_.replicates(),
-              film_balance(options_));
+    Film pilot(options_.width, options_.height, whole, film_.aovs(), film_.replicates(),
+               film_balance(options_));
     const auto stop = render_passes(pilot_samples_, {}, [&](const SampleRange& range) {
-      render_pass(tiles_of(whole, options_.tile_size), pass_of(range), film);
+      render_pass(tiles_of(whole, options_.tile_size), pass_of(range), pilot);
     });
-    pilot_.emplace(Pilot{std::move(film), {}});
-    if (!stop) pilot_->density = SampleDensity(pilot_->film);
+    film_ = pilot.cropped(film_.crop());
+    if (!stop) density_.emplace(pilot);
     return stop;
   }
 
@@ -136,25 +127,13 @@ class Loop {
                                          const std::optional<ErrorEstimate>& error) {
     return render_passes(end, error, [&](const SampleRange& range) {
       TilePass pass = pass_of(range);
-      if (pilot_) {
-        pass.range = {range.first - pilot_samples_, range.end - pilot_samples_};
-        pass.density = &pilot_->density;
-        pass.seed = mix_bits(options_.seed + 1);
-      }
+      if (density_) pass.density = &*density_;
       render_pass(tiles_, pass, film_);
     });
   }
 
   [[nodiscard]] TilePass pass_of(const SampleRange& range) const {
     return {{}, range, nullptr, options_.seed, plan_, guide_.field.get(), nullptr};
-  }
-
-  // The picture so far, where there is a pilot.
-  [[nodiscard]] Film with_pilot() const {
-    return film_.with_pilot(pilot_->film, pilot_weight(pilot_samples_, done_));
-  }
-  [[nodiscard]] std::optional<ErrorEstimate> error_so_far() const {
-    return pilot_ ? estimate_error(with_pilot()) : estimate_error(film_);
   }
 
   // `render`: what renders a range of samples a pixel.
@@ -229,7 +208,7 @@ class Loop {
   TimeBudget budget_;
   std::vector<PixelRect> tiles_;
   std::uint32_t pilot_samples_;
-  std::optional<Pilot> pilot_;
+  std::optional<SampleDensity> density_;  // once the pilot is there
   TileCounts counts_;
   PathPlan plan_;
   GuideChoice guide_;

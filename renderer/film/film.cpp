@@ -53,49 +53,18 @@ void Film::add_invalid(int x, int y) {
   ++pixels_[index(x, y)].samples;
 }
 
-// As one with the pilot's pixel `p`.
-void Film::mix_pixel(std::size_t i, const Film& pilot, std::size_t p, double pilot_weight) {
-  Pixel& pixel = pixels_[i];
-  const Pixel& before = pilot.pixels_[p];
-  const bool is_own = pixel.samples >= replicates_;  // else some replicate has no mean
-  const double weight = is_own ? pilot_weight : 1;
-  const std::uint32_t own_samples = is_own ? pixel.samples : 0;
-  const std::uint32_t samples = own_samples + before.samples;
-  const auto of_replicate = [this](std::uint32_t count, std::uint32_t r) {
-    return static_cast<double>((count + replicates_ - 1 - r) / replicates_);
-  };
-  for (std::uint32_t r = 0; r < replicates_; ++r) {
-    Vec3d& sum = sums_[i * replicates_ + r];
-    const Vec3d own = is_own ? sum / of_replicate(own_samples, r) : Vec3d(0.0);
-    const Vec3d pilots =
-        pilot.sums_[p * replicates_ + r] / std::max(of_replicate(before.samples, r), 1.0);
-    sum = (own * (1 - weight) + pilots * weight) * of_replicate(samples, r);
-  }
-  const double own_alpha = is_own ? pixel.alpha / own_samples : 0;
-  pixel.alpha = (own_alpha * (1 - weight) + before.alpha / before.samples * weight) * samples;
-  pixel.samples = samples;
-  pixel.cost += before.cost;
+void Film::take_pixel(std::size_t i, const Film& other, std::size_t from) {
+  pixels_[i] = other.pixels_[from];
+  for (std::uint32_t r = 0; r < replicates_; ++r)
+    sums_[i * replicates_ + r] = other.sums_[from * replicates_ + r];
+  if (!aov_pixels_.empty() && !other.aov_pixels_.empty()) aov_pixels_[i] = other.aov_pixels_[from];
 }
 
-Film Film::with_pilot(const Film& pilot, double pilot_weight) const {
-  Film mixed = *this;
-  for (int y = crop_.y0; y < crop_.y1; ++y)
-    for (int x = crop_.x0; x < crop_.x1; ++x) {
-      const std::size_t i = index(x, y);
-      const std::size_t p = pilot.index(x, y);
-      if (pilot.pixels_[p].samples == 0) continue;
-      mixed.mix_pixel(i, pilot, p, pilot_weight);
-      if (mixed.aov_pixels_.empty()) continue;
-      AovPixel& aov = mixed.aov_pixels_[i];
-      const AovPixel& before = pilot.aov_pixels_[p];
-      aov.albedo += before.albedo;
-      aov.normal += before.normal;
-      aov.position += before.position;
-      aov.depth += before.depth;
-      aov.hits += before.hits;
-      aov.material = before.material;
-    }
-  return mixed;
+Film Film::cropped(const PixelRect& crop) const {
+  Film part(full_width_, full_height_, crop, aovs_, replicates_, balance_);
+  for (int y = crop.y0; y < crop.y1; ++y)
+    for (int x = crop.x0; x < crop.x1; ++x) part.take_pixel(part.index(x, y), *this, index(x, y));
+  return part;
 }
 
 std::uint32_t Film::min_samples() const {

@@ -71,11 +71,11 @@ class Film {
   // What the pixel's samples took, in rays or the like: sample_density.h weighs it.
   void add_cost(int x, int y, std::uint32_t cost) { pixels_[index(x, y)].cost += cost; }
 
-  // This film's means and those of a pilot of at least its crop, with as many replicates, as one:
-  // `pilot_weight` of the pilot's radiance and alpha in each pixel, whatever the counts, so that
-  // counts that the pilot decides bring no bias. First hits are pooled. Pixels without a sample in
-  // each replicate here are the pilot's.
-  [[nodiscard]] Film with_pilot(const Film& pilot, double pilot_weight) const;
+  // The part of this film that lies in `crop`, which it covers.
+  [[nodiscard]] Film cropped(const PixelRect& crop) const;
+  // Pixel i becomes as pixel `from` of a film with as many replicates; without its layers where
+  // either has none.
+  void take_pixel(std::size_t i, const Film& other, std::size_t from);
 
   [[nodiscard]] const PixelRect& crop() const { return crop_; }
   [[nodiscard]] int full_width() const { return full_width_; }
@@ -121,7 +121,6 @@ class Film {
     std::uint32_t hits = 0;
     std::uint32_t material = 0;  // + 1; 0: none
   };
-  void mix_pixel(std::size_t i, const Film& pilot, std::size_t p, double pilot_weight);
 
   int full_width_ = 0;
   int full_height_ = 0;

@@ -3,8 +3,14 @@
 // relMSE falls fastest for the same work if a pixel's samples are proportional to the root of its
 // part of relMSE over what a sample costs there (Neyman's allocation). A pilot of few samples knows
 // that part roughly, so it is smoothed, and some samples go to all pixels alike.
+//
+// The pilot's samples stay in the picture, and those that follow continue its sequences. That is
+// unbiased since no pixel's own samples have a say in how many it gets: pixels are coloured as a
+// chessboard, and what is dealt out to one colour is decided by the pilot's pixels of the other
+// alone, which have random numbers of their own.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "renderer/film/film.h"
@@ -14,22 +20,34 @@ namespace candela {
 class SampleDensity {
  public:
   SampleDensity() = default;  // of no picture: not to be asked
-  // From the pilot of a whole picture with at least two replicates a pixel.
+  // From the pilot of a whole picture, of at least two pixels a side, with at least two replicates
+  // and the same number of samples in every pixel.
   explicit SampleDensity(const Film& pilot);
 
-  // Relative to the mean over the picture, which is 1.
-  [[nodiscard]] float at(int x, int y) const {
-    return values_[static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x)];
-  }
+  // Relative to the mean over the picture, which is 1 but for what the colours differ by.
+  [[nodiscard]] float at(int x, int y) const { return values_[index(x, y)]; }
 
-  // How many of a pixel's samples belong to the first `mean` a pixel. None of none, else a multiple
-  // of the replicates, above 0, that never falls as `mean` rises.
+  // How many samples, the pilot's first, a pixel gets where the mean over the picture is `mean`, at
+  // least the pilot's: a multiple of the replicates that never falls as `mean` rises.
   [[nodiscard]] std::uint32_t samples(int x, int y, std::uint32_t mean) const;
 
  private:
+  // The values of a colour's pixels, rising, and sums of each and all above it.
+  struct Colour {
+    std::vector<double> values;
+    std::vector<double> sums;
+    // What to multiply values by so that with the pilot's samples as the least the mean is `mean`.
+    [[nodiscard]] double scale(double pilot_samples, double mean) const;
+  };
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x);
+  }
+
   std::size_t width_ = 0;
   std::uint32_t replicates_ = 1;
+  std::uint32_t pilot_samples_ = 0;
   std::vector<float> values_;
+  std::array<Colour, 2> colours_;
 };
 
 }  // namespace candela

@@ -32,23 +32,27 @@ TEST(Unit_Film, MeansAreOverEachPixelsOwnSamples) {
   EXPECT_EQ(film.max_samples(), 2u);
 }
 
-// Means are mixed by the weight, whatever the counts; replicates keep to themselves.
-TEST(Unit_Film, APilotIsMixedInByItsWeight) {
-  Film pilot(4, 4, {0, 0, 4, 4}, 0, 2);
-  Film film(4, 4, {1, 1, 3, 3}, 0, 2);
-  for (const float v : {1, 2, 3, 4}) pilot.add(1, 1, sample_of(Rgb(v)));
-  for (const float v : {10, 20}) film.add(1, 1, sample_of(Rgb(v), 0));
-  for (const float v : {5, 7}) pilot.add(2, 1, sample_of(Rgb(v)));
-  film.add(2, 1, sample_of(Rgb(100)));  // not one in each replicate: only the pilot counts
-  const Film mixed = film.with_pilot(pilot, 0.25);
-  ASSERT_EQ(mixed.crop(), film.crop());
-  EXPECT_EQ(mixed.samples(0), 6u);
-  EXPECT_DOUBLE_EQ(mixed.replicate_sum(0, 0).x, (0.75 * 10 + 0.25 * 2) * 3);
-  EXPECT_DOUBLE_EQ(mixed.replicate_sum(0, 1).x, (0.75 * 20 + 0.25 * 3) * 3);
-  EXPECT_DOUBLE_EQ(mixed.mean(0).x, 0.75 * 15 + 0.25 * 2.5);
-  EXPECT_EQ(mixed.to_image(true).pixel(0, 0)[3], 0.25f);
-  EXPECT_EQ(mixed.samples(1), 2u);
-  EXPECT_DOUBLE_EQ(mixed.mean(1).x, 6);
+TEST(Unit_Film, ACropKeepsAllThatIsKnown) {
+  Film film(4, 4, {0, 0, 4, 4}, aov_bit(Aov::Depth), 2);
+  FilmSample hit = sample_of(Rgb(3), 0.5f);
+  hit.has_hit = true;
+  hit.depth = 7;
+  film.add(2, 1, hit);
+  film.add(2, 1, sample_of(Rgb(5), 0.5f));
+  film.add(2, 1, sample_of(Rgb(7), 0.5f));
+  film.add_cost(2, 1, 11);
+  const Film part = film.cropped({1, 1, 3, 4});
+  ASSERT_EQ(part.crop(), (PixelRect{1, 1, 3, 4}));
+  EXPECT_EQ(part.full_width(), 4);
+  const std::size_t i = part.index(2, 1);
+  EXPECT_EQ(part.samples(i), 3u);
+  EXPECT_EQ(part.cost(i), 11u);
+  EXPECT_EQ(part.replicate_sum(i, 0).x, 10);
+  EXPECT_EQ(part.replicate_sum(i, 1).x, 5);
+  const Image image = part.to_image(true);
+  EXPECT_EQ(image.pixel(1, 0)[3], 0.5f);
+  EXPECT_EQ(image.pixel(1, 0)[image.channel_index("depth.Z")], 7);
+  EXPECT_EQ(part.samples(part.index(1, 1)), 0u);
 }
 
 TEST(Unit_Film, LayersAverageOverSamplesThatHit) {

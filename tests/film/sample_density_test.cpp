@@ -59,16 +59,16 @@ TEST(Unit_SampleDensity, OneFireflyDoesNotTakeAll) {
   EXPECT_GT(density.at(5, 5), 0.09f);
 }
 
-// Counts join from pass to pass: none, or a multiple of the replicates, and never fewer.
+// Counts join from pass to pass: the pilot's, or a multiple of the replicates, and never fewer.
 TEST(Unit_SampleDensity, CountsRiseWithTheMeanAndFillTheReplicates) {
   const SampleDensity density(
       pilot_of([](int x) { return 0.01 + 0.02 * x; }, [](int) { return 1u; }));
   for (int x = 0; x < size; ++x) {
-    std::uint32_t last = 0;
-    EXPECT_EQ(density.samples(x, 7, 0), 0u);
-    for (std::uint32_t mean = 1; mean < 400; ++mean) {
+    std::uint32_t last = 16;
+    EXPECT_EQ(density.samples(x, 7, 16), last);
+    for (std::uint32_t mean = 17; mean < 400; ++mean) {
       const std::uint32_t count = density.samples(x, 7, mean);
-      ASSERT_GE(count, std::max(last, 4u));
+      ASSERT_GE(count, last);
       ASSERT_EQ(count % 4, 0u);
       last = count;
     }
@@ -83,6 +83,36 @@ TEST(Unit_SampleDensity, HandsOutWhatThereIs) {
     for (int y = 0; y < size; ++y)
       for (int x = 0; x < size; ++x) sum += density.samples(x, y, mean);
     EXPECT_NEAR(sum / (size * size), mean, 0.03 * mean) << mean;
+  }
+}
+
+// Or the picture would be biased: pixels that a pilot finds dark by chance would stay dark.
+TEST(Unit_SampleDensity, NoPixelHasASayInItsOwnCount) {
+  for (const int width : {size, 63, 2, 3}) {
+    const auto pilot_with = [&](float firefly, int x, int y) {
+      const Film film =
+          pilot_of([](int at) { return 0.01 * at; }, [](int at) { return at < 9 ? 2u : 1u; });
+      Film part(width, size, {0, 0, width, size}, 0, 4);
+      for (int row = 0; row < size; ++row)
+        for (int column = 0; column < width; ++column)
+          part.take_pixel(part.index(column, row), film, film.index(column, row));
+      FilmSample sample;
+      sample.radiance = Rgb(firefly);
+      part.add(x, y, sample);
+      return part;
+    };
+    const SampleDensity quiet(pilot_with(0, width - 1, 30));
+    const SampleDensity loud(pilot_with(50, width - 1, 30));
+    std::size_t others = 0;
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < width; ++x) {
+        const bool has_its_colour = (x + y) % 2 == (width - 1 + 30) % 2;
+        const bool is_same =
+            quiet.at(x, y) == loud.at(x, y) && quiet.samples(x, y, 100) == loud.samples(x, y, 100);
+        if (has_its_colour) ASSERT_TRUE(is_same) << width << ": " << x << ' ' << y;
+        if (!has_its_colour && !is_same) ++others;
+      }
+    EXPECT_GT(others, 0u) << width;
   }
 }
 

@@ -15,8 +15,9 @@ namespace {
 using namespace test;
 
 // Pixels whose samples are exponential about 1: the few of a pilot that are small by chance look
-// as if there were no noise. One number a sample, its own for each seed. (A pilot that is pooled by
-// counts would pass: its counts are smoothed over too many pixels. Unit_Film holds the weights.)
+// as if there were no noise. One number a sample, its own for each seed. (Counts in which a pixel's
+// own samples have a say would pass: they are smoothed over too many. Unit_SampleDensity holds that
+// they have none.)
 TileCounts exponential_tile(const TilePass& pass, Film& film) {
   for (int y = pass.tile.y0; y < pass.tile.y1; ++y)
     for (int x = pass.tile.x0; x < pass.tile.x1; ++x) {
@@ -121,7 +122,7 @@ TEST(Agreement_Adaptive, CropsAreOfTheWholePicture) {
 
 // Too few samples for a pilot, or no replicates to tell its noise by: as without.
 TEST(Unit_Adaptive, StandsBackWhereAPilotIsNotWorthIt) {
-  for (const auto& [samples, replicates] : {std::pair{64, 4}, std::pair{256, 1}}) {
+  for (const auto& [samples, replicates] : {std::pair{63, 4}, std::pair{256, 1}}) {
     RenderSettings settings = settings_of(8, samples);
     settings.options.replicates = replicates;
     const Scene scene = compiled(small_room(), settings.options);
