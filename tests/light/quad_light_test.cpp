@@ -5,6 +5,7 @@
 #include "renderer/light/make_light.h"
 #include "renderer/light/sample_light.h"
 #include "tests/light/directions.h"
+#include "tests/light/finite_samples.h"
 #include "tests/statistics/distributions.h"
 
 namespace candela {
@@ -204,21 +205,7 @@ TEST(Unit_QuadLight, StaysFiniteWhereItGrazesOrTouches) {
                             {2, 0, 1e-7f},
                             {-1, -1, -1e-20f},
                             {0.5f, width / 2, 1e-4f}};
-    for (const Vec3f& p : points)
-      for (const Vec3f& normal : {Vec3f(0), Vec3f(0, 0, 1), Vec3f(1, 0, 0)})
-        for (std::uint64_t i = 0; i < 1000; ++i) {
-          SurfacePoint point = light_test::at(p);
-          point.receiving_normal = normal;
-          const Vec2f u = i == 0 ? Vec2f(0) : light_test::random_pair(i, 20);
-          const LightSample s = sample_light({}, light, point, u);
-          ASSERT_TRUE(is_finite(s.wi) && is_finite(s.radiance) && std::isfinite(s.pdf));
-          ASSERT_GE(s.pdf, 0.0f);
-          const float met = light_pdf({}, light, p, normal, {0, 0, 1}, 1);
-          ASSERT_TRUE(std::isfinite(met) && met >= 0);
-          if (!s.is_valid()) continue;
-          ASSERT_NEAR(length(s.wi), 1, 1e-6);
-          ASSERT_TRUE(is_finite(s.radiance / s.pdf));
-        }
+    light_test::expect_finite_samples(light, points);
   }
 }
 

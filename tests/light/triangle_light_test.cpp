@@ -5,6 +5,7 @@
 #include "renderer/light/make_light.h"
 #include "renderer/light/sample_light.h"
 #include "tests/light/directions.h"
+#include "tests/light/finite_samples.h"
 #include "tests/statistics/moments.h"
 
 namespace candela {
@@ -148,16 +149,7 @@ TEST(Unit_TriangleLight, StaysFiniteWhereItGrazesOrTouches) {
   const Vec3f points[] = {{0, 0, 0},     {1, 0, 0},        {0.25f, 0.25f, 0},
                           {5, 5, 0},     {2, 0, 1e-38f},   {0.3f, 0.3f, 1e-30f},
                           {2, 0, 1e-7f}, {-1, -1, -1e-20f}};
-  for (const Vec3f& p : points)
-    for (std::uint64_t i = 0; i < 10'000; ++i) {
-      const Vec2f u = i == 0 ? Vec2f(0) : light_test::random_pair(i, 20);
-      const LightSample s = sample_light({}, light, light_test::at(p), u);
-      ASSERT_TRUE(is_finite(s.wi) && is_finite(s.radiance) && std::isfinite(s.pdf));
-      ASSERT_GE(s.pdf, 0.0f);
-      if (!s.is_valid()) continue;
-      ASSERT_NEAR(length(s.wi), 1, 1e-6);
-      ASSERT_TRUE(is_finite(s.radiance / s.pdf));
-    }
+  light_test::expect_finite_samples(light, points);
   EXPECT_EQ(light_pdf({}, light, Vec3f(0), Vec3f(0), {1, 0, 0}, 2), 0.0f);  // along the plane
 }
 

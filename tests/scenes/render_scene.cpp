@@ -52,6 +52,20 @@ void expect_part(const Image& part, const Image& whole, const PixelRect& crop) {
         ASSERT_EQ(part.pixel(x - crop.x0, y - crop.y0)[c], whole.pixel(x, y)[c]);
 }
 
+void expect_same_bits_however_rendered(const Scene& scene, RenderSettings settings,
+                                       const Image& whole, const PixelRect& crop) {
+  const PixelRect rendered_before = settings.options.crop.value_or(PixelRect{});
+  settings.threads = 1;
+  EXPECT_EQ(picture(scene, settings).values, whole.values) << "one thread";
+  settings.threads = 3;
+  settings.options.tile_size = 7;
+  EXPECT_EQ(picture(scene, settings).values, whole.values) << "three threads, tiles of 7";
+  settings.options.crop = crop;
+  expect_part(picture(scene, settings), whole,
+              {crop.x0 - rendered_before.x0, crop.y0 - rendered_before.y0,
+               crop.x1 - rendered_before.x0, crop.y1 - rendered_before.y0});
+}
+
 std::vector<double> grey(const Image& image) {
   std::vector<double> values;
   for (int y = 0; y < image.height; ++y)

@@ -33,6 +33,11 @@ struct RenderSettings {
 // `part` is the crop's pixels of the picture `whole`, bit by bit.
 void expect_part(const Image& part, const Image& whole, const PixelRect& crop);
 
+// `whole`, which these settings gave, has the same bits with other threads and tiles, and its part
+// `crop`, in pixels of the full picture, rendered alone.
+void expect_same_bits_however_rendered(const Scene& scene, RenderSettings settings,
+                                       const Image& whole, const PixelRect& crop);
+
 // Each pixel's mean of R, G, B, in rows from the top.
 [[nodiscard]] std::vector<double> grey(const Image& image);
 

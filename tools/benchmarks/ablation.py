@@ -61,7 +61,8 @@ def add_arguments(parser):
     parser.add_argument("--quick", action="store_true", help="48x48, 16 spp, 3 pairs")
     parser.add_argument("--pairs", type=int, help="pictures with and without (8)")
     parser.add_argument("--size", type=int, metavar="N", help="pixels a side (96)")
-    parser.add_argument("--spp", type=int, help="samples of a picture (128: adaptive sampling's least)")
+    parser.add_argument("--spp", type=int,
+                        help="samples of a picture (128; adaptive sampling begins at 64)")
     parser.add_argument("--technique", action="append", metavar="WORDS",
                         help="only rows whose name has these words; may be given several times")
     parser.add_argument("--threads", type=int, default=1, help="(1)")

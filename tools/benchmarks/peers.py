@@ -33,7 +33,7 @@ BLENDER_SCENES = ("point_lit", "sun_lit", "environment_lit")
 # Blender's unit is the metre, the Cornell box's the millimetre.
 SCALES = {"cornell_box_diffuse": .001}
 GOALS = (1e-2, 1e-3)
-PILOTS = 128  # samples a pixel from which on candela's sampling adapts
+PILOTS = 64  # samples a pixel from which on candela's sampling adapts
 THRESHOLD = .4  # of Cycles' noise, over the root of the samples that it should about take
 MOST_ADAPTIVE = 4096
 
