@@ -45,13 +45,19 @@ def measure(candela, path, truth, size, spp, seeds):
     return {switch: list(zip(*rows)) for switch, rows in found.items()}
 
 
+def mean_of_pairs(above, below):
+    """The geometric mean of the ratios, seed by seed, and twice its standard error: a seed has one
+    plan of paths, split or not, with the switch and without."""
+    logs = [math.log(a / b) for a, b in zip(above, below)]
+    mean = math.exp(statistics.mean(logs))
+    return mean, 2 * mean * statistics.stdev(logs) / math.sqrt(len(logs))
+
+
 def row_of(name, spp, found):
     true_off, _, seconds_off = found["off"]
     true_on, stated_on, seconds_on = found["on"]
-    error_gain = statistics.mean(true_off) / statistics.mean(true_on)
-    time_ratio = statistics.median(on / off for on, off in zip(seconds_on, seconds_off))
-    spread = 2 * error_gain * math.hypot(*(statistics.stdev(t) / statistics.mean(t) /
-                                           math.sqrt(len(t)) for t in (true_off, true_on)))
+    error_gain, spread = mean_of_pairs(true_off, true_on)
+    time_ratio, _ = mean_of_pairs(seconds_on, seconds_off)
     return {"scene": name, "spp": spp, "error_gain": error_gain, "plus_minus": spread,
             "time_ratio": time_ratio, "efficiency": error_gain / time_ratio,
             "stated_over_true": statistics.mean(stated_on) / statistics.mean(true_on)}
