@@ -39,18 +39,18 @@ std::vector<double> smoothed(const std::vector<double>& values, int width, int h
   return mean_along(mean_along(values, width, height, row), height, width, column);
 }
 
-int colour_of(int x, int y) {
-  return (x + y) & 1;
+std::size_t colour_of(int x, int y) {
+  return static_cast<std::size_t>(x + y) & 1;
 }
 
 // The pixels of one colour, pushed together along rows. Where a row ends with the other colour, its
 // last pixel stands twice.
-Film pixels_of(const Film& film, int colour) {
+Film pixels_of(const Film& film, std::size_t colour) {
   const int width = (film.full_width() + 1) / 2;
   Film pixels(width, film.full_height(), {0, 0, width, film.full_height()}, 0, film.replicates());
   for (int y = 0; y < film.full_height(); ++y)
     for (int x = 0; x < width; ++x) {
-      const int wanted = 2 * x + colour_of(colour, y);
+      const int wanted = 2 * x + (colour_of(0, y) == colour ? 0 : 1);
       const int there = wanted < film.full_width() ? wanted : wanted - 2;
       pixels.take_pixel(pixels.index(x, y), film, film.index(there, y));
     }
@@ -59,7 +59,8 @@ Film pixels_of(const Film& film, int colour) {
 
 // What the pixels of one colour, as pixels_of() has them, say over all pixels: means over those of
 // 7x7.
-std::vector<double> spread(const std::vector<double>& of_colour, int colour, const Film& pilot) {
+std::vector<double> spread(const std::vector<double>& of_colour, std::size_t colour,
+                           const Film& pilot) {
   constexpr int radius = 3;
   const auto width = static_cast<std::size_t>(pilot.full_width());
   std::vector<double> values(pilot.pixel_count(), 0.0);
@@ -104,7 +105,7 @@ double heavy_tailed_share(const Film& film) {
 }
 
 // What the pixels of one colour say that all pixels should get, relative to a mean of 1.
-std::vector<double> density_by(int colour, const Film& pilot) {
+std::vector<double> density_by(std::size_t colour, const Film& pilot) {
   const Film pixels = pixels_of(pilot, colour);
   const std::vector<double> costs = spread(costs_of(pixels), colour, pilot);
   std::vector<double> roots = spread(pixel_errors(pixels), colour, pilot);
@@ -129,7 +130,8 @@ SampleDensity::SampleDensity(const Film& pilot)
   const std::array<std::vector<double>, 2> by{density_by(0, pilot), density_by(1, pilot)};
   values_.reserve(pilot.pixel_count());
   for (std::size_t i = 0; i < pilot.pixel_count(); ++i) {
-    const int colour = colour_of(static_cast<int>(i % width_), static_cast<int>(i / width_));
+    const std::size_t colour =
+        colour_of(static_cast<int>(i % width_), static_cast<int>(i / width_));
     values_.push_back(static_cast<float>(by[1 - colour][i]));
     colours_[colour].values.push_back(static_cast<double>(values_.back()));
   }

@@ -41,8 +41,8 @@ double texel_count(const Environment& map, const TextureStore& textures) {
 // Rows of `radiance(x, y)`; infinite sums count as the largest number.
 template <class Radiance>
 TexelArray texels_of(int width, int height, const Radiance& radiance) {
-  TexelArray texels{nullptr, width, height, 3, SampleType::Float};
-  texels.samples = std::make_unique_for_overwrite<std::byte[]>(texels.bytes());
+  const ImageHeader header{width, height, SampleType::Float, {"R", "G", "B"}};
+  TexelArray texels{allocate_samples(header), width, height, 3, header.sample_type};
   parallel_for(static_cast<std::size_t>(height), [&](std::size_t row) {
     for (int x = 0; x < width; ++x) {
       const Vec3d most(std::numeric_limits<float>::max());

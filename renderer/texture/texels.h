@@ -15,7 +15,7 @@
 
 namespace candela {
 
-// Rows from the top, interleaved, 1 to 4 channels: grey, grey and alpha, RGB, RGBA.
+// From allocate_samples(). Rows from the top, interleaved: grey, grey and alpha, RGB, RGBA.
 struct TexelArray {
   std::unique_ptr<std::byte[]> samples;
   int width = 1;

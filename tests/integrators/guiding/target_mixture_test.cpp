@@ -51,7 +51,8 @@ TEST(Statistical_TargetMixture, SamplesFollowTheDensity) {
 }
 
 TEST(Unit_TargetMixture, SamplesSayTheirDensity) {
-  const TargetsSeen seen(mixture_of(some_targets), Vec3f(0.2f));
+  const TargetMixture mixture = mixture_of(some_targets);
+  const TargetsSeen seen(mixture, Vec3f(0.2f));
   for (int i = 0; i < 64; ++i) {
     const float u = (static_cast<float>(i) + 0.5f) / 64;
     const GuidedDirection guided = seen.sample(u, {1 - u, 0.37f});
@@ -62,7 +63,8 @@ TEST(Unit_TargetMixture, SamplesSayTheirDensity) {
 
 // Half of a narrow distribution lies within its spread.
 TEST(Unit_TargetMixture, ATargetIsAsWideAsItSays) {
-  const TargetsSeen seen(mixture_of({{{0, 0, 10}, 0.5f, 1}}), Vec3f(0.0f));
+  const TargetMixture mixture = mixture_of({{{0, 0, 10}, 0.5f, 1}});
+  const TargetsSeen seen(mixture, Vec3f(0.0f));
   const Vec3f middle = seen.sample(0, {0.5f, 0.1f}).wi;
   EXPECT_NEAR(std::acos(middle.z), 0.05, 0.001);
 }
