@@ -158,7 +158,7 @@ bool read_band(OpenImage& image, const ImageHeader& header, int row, int end, st
   const int channels = static_cast<int>(header.channels.size());
   const bool is_native =
       channels == spec.nchannels && type == spec.format && spec.channelformats.empty();
-  // Else through memory of the reader's own, and a conversion that would convert nothing.
+  // Straight to their place: read_scanlines() takes a detour even where nothing is to be converted.
   if (is_native)
     return image.input->read_native_scanlines(0, 0, spec.y + row, spec.y + end, 0, out);
   return image.input->read_scanlines(0, 0, spec.y + row, spec.y + end, 0, 0, channels, type, out);
