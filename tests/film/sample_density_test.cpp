@@ -86,6 +86,19 @@ TEST(Unit_SampleDensity, HandsOutWhatThereIs) {
   }
 }
 
+// What pixels keep of the pilot though they need less is taken from the others.
+TEST(Unit_SampleDensity, HandsOutNoMoreWhereThePilotIsMuch) {
+  const SampleDensity density(
+      pilot_of([](int x) { return x < size / 2 ? 0.05 : 1.0; }, [](int) { return 1u; }));
+  for (const std::uint32_t mean : {24u, 40u}) {
+    double sum = 0;
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x) sum += density.samples(x, y, mean);
+    EXPECT_EQ(density.samples(5, 5, mean), 16u);
+    EXPECT_NEAR(sum / (size * size), mean, 0.05 * mean) << mean;
+  }
+}
+
 // Or the picture would be biased: pixels that a pilot finds dark by chance would stay dark.
 TEST(Unit_SampleDensity, NoPixelHasASayInItsOwnCount) {
   for (const int width : {size, 63, 2, 3}) {

@@ -21,14 +21,14 @@ void expect_finite(const Light& light, const SurfacePoint& point, const Vec2f& u
 
 }  // namespace
 
-void expect_finite_samples(const Light& light, std::span<const Vec3f> points) {
+void expect_finite_samples(const Light& light, std::span<const Vec3f> points, std::uint64_t count) {
   for (const Vec3f& p : points)
     for (const Vec3f& normal : {Vec3f(0), Vec3f(0, 0, 1), Vec3f(1, 0, 0)}) {
       SurfacePoint point = at(p);
       point.receiving_normal = normal;
       const float met = light_pdf({}, light, p, normal, {0, 0, 1}, 1);
       ASSERT_TRUE(std::isfinite(met) && met >= 0);
-      for (std::uint64_t i = 0; i < 1000; ++i) {
+      for (std::uint64_t i = 0; i < count; ++i) {
         expect_finite(light, point, i == 0 ? Vec2f(0) : random_pair(i, 20));
         if (testing::Test::HasFatalFailure()) return;
       }
