@@ -22,8 +22,8 @@ struct PixelRect {
 
 // Layers beside the picture, all from the first hit of camera rays, averaged over the samples that
 // hit (material_id: of sample 0), in file units; how many samples there are; and what is known of
-// the error: the variance of the pixel's mean, and a mask of where it cannot be trusted
-// (heavy_tails.h).
+// the error: the variance of the pixel's mean, what the truth lies within (pixel_interval.h), and a
+// mask of where neither can be trusted (heavy_tails.h).
 enum class Aov : std::uint8_t {
   Albedo,
   Normal,
@@ -32,6 +32,7 @@ enum class Aov : std::uint8_t {
   MaterialId,
   Samples,
   Variance,
+  Interval,
   HeavyTail
 };
 using AovSet = std::uint32_t;
@@ -103,8 +104,8 @@ class Film {
 
   // The means as an image of the crop's size: channels R G B, then A where `with_alpha`, then
   // layers under the names that Blender, tev and OIDN read: albedo.R .G .B, normal.X .Y .Z,
-  // depth.Z, position.X .Y .Z, material_id.V, samples.V, variance.R .G .B, heavy_tail.V. Pixels
-  // without samples are 0.
+  // depth.Z, position.X .Y .Z, material_id.V, samples.V, variance.R .G .B, interval.R .G .B,
+  // heavy_tail.V. Pixels without samples are 0.
   [[nodiscard]] Image to_image(bool with_alpha) const;
 
  private:

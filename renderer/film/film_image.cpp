@@ -3,6 +3,7 @@
 
 #include "renderer/film/film.h"
 #include "renderer/film/heavy_tails.h"
+#include "renderer/film/pixel_interval.h"
 #include "renderer/film/variance.h"
 
 namespace candela {
@@ -13,7 +14,7 @@ struct Layer {
   std::array<const char*, 3> channels;  // null: fewer than three
 };
 
-constexpr std::array<Layer, 8> layers{{
+constexpr std::array<Layer, 9> layers{{
     {Aov::Albedo, {"albedo.R", "albedo.G", "albedo.B"}},
     {Aov::Normal, {"normal.X", "normal.Y", "normal.Z"}},
     {Aov::Depth, {"depth.Z", nullptr, nullptr}},
@@ -21,6 +22,7 @@ constexpr std::array<Layer, 8> layers{{
     {Aov::MaterialId, {"material_id.V", nullptr, nullptr}},
     {Aov::Samples, {"samples.V", nullptr, nullptr}},
     {Aov::Variance, {"variance.R", "variance.G", "variance.B"}},
+    {Aov::Interval, {"interval.R", "interval.G", "interval.B"}},
     {Aov::HeavyTail, {"heavy_tail.V", nullptr, nullptr}},
 }};
 
@@ -44,8 +46,9 @@ float* put(float* out, const Vec3d& v) {
 
 Image Film::to_image(bool with_alpha) const {
   Image image(crop_.width(), crop_.height(), channel_names(aovs_, with_alpha));
-  const std::vector<bool> heavy_tails =
-      (aovs_ & aov_bit(Aov::HeavyTail)) != 0 ? heavy_tail_mask(*this) : std::vector<bool>();
+  const auto has = [&](Aov aov) { return (aovs_ & aov_bit(aov)) != 0; };
+  const auto intervals = has(Aov::Interval) ? pixel_intervals(*this) : std::vector<Vec3d>();
+  const auto heavy_tails = has(Aov::HeavyTail) ? heavy_tail_mask(*this) : std::vector<bool>();
   float* out = image.values.data();
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
     const Pixel& pixel = pixels_[i];
@@ -56,7 +59,7 @@ Image Film::to_image(bool with_alpha) const {
     const AovPixel& aov = aov_pixels_.empty() ? none : aov_pixels_[i];
     const double per_hit = aov.hits > 0 ? 1.0 / aov.hits : 0.0;
     for (const Layer& layer : layers) {
-      if ((aovs_ & aov_bit(layer.aov)) == 0) continue;
+      if (!has(layer.aov)) continue;
       switch (layer.aov) {
         case Aov::Albedo:
           out = put(out, aov.albedo * per_hit);
@@ -78,6 +81,9 @@ Image Film::to_image(bool with_alpha) const {
           break;
         case Aov::Variance:
           out = put(out, variance_of_mean(*this, i));
+          break;
+        case Aov::Interval:
+          out = put(out, intervals[i]);
           break;
         case Aov::HeavyTail:
           *out++ = heavy_tails[i] ? 1.0f : 0.0f;

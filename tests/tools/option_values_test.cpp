@@ -74,7 +74,7 @@ TEST(Unit_OptionValues, LayersAreASet) {
   EXPECT_EQ(
       reason(parse_aovs("albedo,nornal")),
       "unknown layer 'nornal', did you mean 'normal'? Known: albedo, normal, depth, position, "
-      "material_id, samples, variance, heavy_tail");
+      "material_id, samples, variance, interval, heavy_tail");
 }
 
 TEST(Unit_OptionValues, NamesReadBackAsTheirValues) {

@@ -50,7 +50,7 @@ constexpr Choice<ToneMap> tone_maps[] = {
 constexpr Choice<Aov> aovs[] = {
     {"albedo", Aov::Albedo},     {"normal", Aov::Normal},          {"depth", Aov::Depth},
     {"position", Aov::Position}, {"material_id", Aov::MaterialId}, {"samples", Aov::Samples},
-    {"variance", Aov::Variance}, {"heavy_tail", Aov::HeavyTail}};
+    {"variance", Aov::Variance}, {"interval", Aov::Interval},      {"heavy_tail", Aov::HeavyTail}};
 constexpr Choice<bool> switches[] = {{"on", true}, {"off", false}};
 constexpr Choice<bool> kernels[] = {{"special", false}, {"general", true}};
 
