@@ -18,7 +18,10 @@ ABOUT = "the stated error against the true one"
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 REFERENCE_SEEDS = (900001, 900002)
-T95_THREE_DEGREES = 3.182446305  # Student's t, 97.5 %, of four replicates
+# Samples a pixel of each seed over those of the longest picture measured with it. Adaptive pictures
+# have up to ten times the mean where they are noisiest, and light rarer than the reference's
+# samples would count as an error of those that met it.
+REFERENCE_LENGTH = 64
 
 
 def add_arguments(parser):
@@ -48,6 +51,13 @@ class Reference:
     def relmse(self, image):
         """As candela compare, without the reference's own noise."""
         return float((((image - self.image) ** 2 - self.variance) * self.weight).mean())
+
+    def noisy(self):
+        """Where rounding is not all that a picture can be wrong by, as on a constant background."""
+        import numpy
+        if not self.variance.any():
+            return numpy.ones_like(self.image, bool)
+        return self.variance > 1e-12 * self.image ** 2
 
     def own_relmse(self):
         return float((self.variance * self.weight).mean())
@@ -84,11 +94,11 @@ def safe(name):
     return name.replace("/", "_")
 
 
-def layers(render):
-    """The picture, its variance, and the mask of heavy tails."""
+def layers(render, spread="variance"):
+    """The picture, its variance (or interval), and the mask of heavy tails."""
     from exr import read_channels, stacked
     channels = read_channels(render.exr)
-    return (stacked(channels, "RGB"), stacked(channels, [f"variance.{c}" for c in "RGB"]),
+    return (stacked(channels, "RGB"), stacked(channels, [f"{spread}.{c}" for c in "RGB"]),
             channels["heavy_tail.V"] > 0)
 
 
@@ -117,26 +127,29 @@ class Picture:
     stated: float
     true: float
     interval_holds: bool
-    covered: float  # share of pixel intervals that hold the reference, outside the mask
-    covered_everywhere: float
+    covered: float  # share of pixel intervals that hold the truth, where it is noisy and not masked
+    covered_everywhere: float  # masked or not
     masked: float
 
 
 def picture(candela, scene, truth, spp, seed):
     render = candela.render(f"picture_{seed}", scene.path, png=False, integrator="path",
                             size=square(size_of(spp)), spp=spp, seed=seed, threads=1,
-                            aov="variance,heavy_tail")
-    image, variance, mask = layers(render)
-    # The image is stored as 32-bit floats: a pixel without variance is right up to their rounding.
-    reach = T95_THREE_DEGREES * (variance + truth.variance) ** .5 + 1e-6 * abs(truth.image)
+                            aov="interval,heavy_tail")
+    image, interval, mask = layers(render, "interval")
+    # The reference's own noise is normal: 1.96 standard errors.
+    reach = (interval ** 2 + 1.96 ** 2 * truth.variance) ** .5
     holds = abs(image - truth.image) <= reach
+    noisy = truth.noisy()
     error = render.stats["error"]
     true = truth.relmse(image)
     low, high = error["interval95"]
-    outside = holds[~mask]
-    return Picture(error["relmse"], true, low <= true <= high,
-                   float(outside.mean()) if outside.size else math.nan, float(holds.mean()),
-                   float(mask.mean()))
+    return Picture(error["relmse"], true, low <= true <= high, share(holds[noisy & ~mask[..., None]]),
+                   share(holds[noisy]), float(mask.mean()))
+
+
+def share(flags):
+    return float(flags.mean()) if flags.size else math.nan
 
 
 def ratio_with_range(pictures):
@@ -172,7 +185,7 @@ def cases(candela, options, counts):
         for spp in counts:
             size = size_of(spp)
             truth = reference(candela, scene, size,
-                              16 * max(n for n in counts if size_of(n) == size))
+                              REFERENCE_LENGTH * max(n for n in counts if size_of(n) == size))
             pictures = side_by_side(lambda seed: picture(candela, scene, truth, spp, seed),
                                     range(1, options.seeds + 1))
             if all(p.true == 0 and p.stated == 0 for p in pictures):
