@@ -18,7 +18,7 @@ struct TilePass {
   SampleRange range;                       // of each pixel; with a density: of the mean over all
   const SampleDensity* density = nullptr;  // null: all pixels get the same
   std::uint64_t seed = 0;
-  PathPlan plan;                                    // of the path kernel
+  PathPlan plan{};                                  // of the path kernel
   const GuidingField* guide = nullptr;              // null: paths are not guided
   std::vector<TrainingRecord>* training = nullptr;  // where what paths bring is kept; null: not
 

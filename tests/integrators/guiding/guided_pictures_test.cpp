@@ -82,7 +82,9 @@ statistics::Replicates replicates_of(const Scene& scene, Guiding guiding, bool i
       guiding == Guiding::On ? "guided" : "not guided", size, size, {}};
   for (std::uint64_t i = 0; i < 16; ++i) {
     const auto result = rendered(scene, guided_settings(size, 160, guiding, first + i));
-    if (is_hard) EXPECT_EQ(result.statistics.guiding.cells > 0, guiding == Guiding::On);
+    if (is_hard) {
+      EXPECT_EQ(result.statistics.guiding.cells > 0, guiding == Guiding::On);
+    }
     EXPECT_EQ(result.statistics.invalid_samples, 0u);
     replicates.images.push_back(grey(result.film.to_image(false)));
   }
