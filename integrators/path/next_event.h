@@ -25,20 +25,22 @@ namespace candela {
   return {scene.environment ? &*scene.environment : nullptr, &scene.textures, &scene.geometries};
 }
 
-// What a light sample brings if nothing stands in its shadow ray's way.
+// What a light sample brings if nothing stands in its shadow ray's way. A sky's radiance is looked
+// up once it is known to arrive, since what costs most is to fetch its texels: until then it is
+// missing as a factor.
 struct DirectLight {
   Rgb contribution{0};  // black: there is no ray to trace
   Ray shadow_ray;
+  bool lacks_sky = false;
 };
 
 // The contribution of one light sample, already divided by the probability `choice` of the light.
-// `radiance()`: the sample's; a sky's is asked for only where the surface sends some of it on.
-template <FeatureSet F, class Radiance>
+template <FeatureSet F>
 [[nodiscard]] inline Rgb unshadowed_contribution(const RenderOptions& options,
                                                  const SurfacePoint& point, const Bsdf& bsdf,
                                                  const Guide<F>& guide, const Vec3f& wo_local,
                                                  const Vec3f& wi, float light_pdf, bool is_delta,
-                                                 float choice, const Radiance& radiance) {
+                                                 float choice, const Rgb& radiance) {
   Vec3f wi_local = point.shading.to_local(wi);
   if (!is_consistent(point, wi, wi_local)) return Rgb(0);
   BsdfEvaluation f = evaluate_bsdf<F.models>(bsdf, wo_local, wi_local);
@@ -46,29 +48,18 @@ template <FeatureSet F, class Radiance>
   const float pdf = light_pdf * choice;
   const float weight =
       is_delta ? 1.0f : light_sample_weight<F>(options, pdf, path_pdf<F>(guide, wi, f.pdf));
-  return f.value * radiance() * (weight / pdf);
+  return f.value * radiance * (weight / pdf);
 }
 
-// Half of a sky may lie below a surface, and what costs most is to fetch its texels.
-template <FeatureSet F, class A>
-[[nodiscard]] inline DirectLight sample_sky(const PathContext<A>& context, Vec2f u, float choice,
-                                            const SurfacePoint& point, const Bsdf& bsdf,
-                                            const Guide<F>& guide, const Vec3f& wo_local,
-                                            TileCounts& counts) {
-  const Environment& sky = *context.scene.environment;
+// A direction to the sky, as if its radiance were 1.
+[[nodiscard]] inline LightSample sample_sky(const Environment& sky, const SurfacePoint& from,
+                                            Vec2f u) {
   EnvironmentSample sample = sample_environment(sky, u);
   if (!(sample.pdf > 0)) return {};
-  const auto radiance = [&] {
-    return environment_radiance(sky, context.scene.textures, sample.direction);
-  };
-  Rgb contribution =
-      unshadowed_contribution<F>(context.options, point, bsdf, guide, wo_local, sample.direction,
-                                 sample.pdf, false, choice, radiance);
-  if (is_black(contribution)) {
-    ++counts.skipped.shadow_rays;
-    return {};
-  }
-  return {contribution, spawn_ray(point, sample.direction)};
+  return {.wi = sample.direction,
+          .radiance = Rgb(1),
+          .pdf = sample.pdf,
+          .shadow_ray = spawn_ray(from, sample.direction)};
 }
 
 template <FeatureSet F, class A>
@@ -79,21 +70,20 @@ template <FeatureSet F, class A>
                                                      TileCounts& counts) {
   const Scene& scene = context.scene;
   constexpr LightKindSet sky = light_kind_bit(LightKind::Environment);
-  if constexpr ((F.light_kinds() & sky) != 0) {
-    if (scene.lights[index].kind == LightKind::Environment)
-      return sample_sky<F>(context, u, choice, point, bsdf, guide, wo_local, counts);
-  }
-  LightSample light =
-      sample_light<(F.light_kinds() & ~sky)>(light_tables(scene), scene.lights[index], point, u);
+  const bool is_sky =
+      (F.light_kinds() & sky) != 0 && scene.lights[index].kind == LightKind::Environment;
+  const LightSample light = is_sky ? sample_sky(*scene.environment, point, u)
+                                   : sample_light<(F.light_kinds() & ~sky)>(
+                                         light_tables(scene), scene.lights[index], point, u);
   if (!light.is_valid()) return {};
   Rgb contribution =
       unshadowed_contribution<F>(context.options, point, bsdf, guide, wo_local, light.wi, light.pdf,
-                                 light.is_delta, choice, [&] { return light.radiance; });
+                                 light.is_delta, choice, light.radiance);
   if (is_black(contribution)) {
     ++counts.skipped.shadow_rays;
     return {};
   }
-  return {contribution, light.shadow_ray};
+  return {contribution, light.shadow_ray, is_sky};
 }
 
 // A light by power; where the number that chose is u.x, what is left of it takes its place.

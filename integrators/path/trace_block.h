@@ -23,6 +23,7 @@ template <class A>
 // Which lanes of a block have a shadow ray, and which a ray to go on with.
 struct LanesAfterStep {
   LaneMask shadow_rays = 0;
+  LaneMask sky_rays = 0;  // of the shadow rays those whose contribution lacks the sky
   LaneMask going_on = 0;
 };
 
@@ -52,6 +53,7 @@ inline void step_lane(const PathContext<A>& context, const StepNumbers& numbers,
     block.shadow_rays[i] = picked.shadow_ray;
     block.unshadowed[i] = picked.contribution;
     after.shadow_rays |= 1u << i;
+    if (F.environment && picked.lacks_sky) after.sky_rays |= 1u << i;
   }
   if constexpr (F.guided) {
     if (context.training != nullptr && goes_on && !path.is_delta)
@@ -97,26 +99,43 @@ template <FeatureSet F, class A>
   return after;
 }
 
-// Adds what the shadow rays bring.
+// Takes from `block.unshadowed` what stands in the shadow rays' way; returns the lanes in which
+// something is left.
 template <FeatureSet F, class A>
-inline void trace_shadow_rays(const PathContext<A>& context, LaneMask lanes, PathBlock& block,
-                              TileCounts& counts) {
+[[nodiscard]] inline LaneMask trace_shadow_rays(const PathContext<A>& context, LaneMask lanes,
+                                                PathBlock& block, TileCounts& counts) {
+  LaneMask arriving = 0;
   if (F.media && context.scene.features.clear_boundaries) {
     for_each_lane(lanes, [&](std::uint32_t i) {
-      block.paths[i].radiance +=
-          block.unshadowed[i] *
+      block.unshadowed[i] *=
           light_through_boundaries(context, block.shadow_rays[i], block.shadow_media[i], counts);
+      if (!is_black(block.unshadowed[i])) arriving |= 1u << i;
     });
-    return;
+    return arriving;
   }
-  const LaneMask shaded = context.accelerator.occluded(block.shadow_rays, lanes);
-  for_each_lane(lanes & ~shaded, [&](std::uint32_t i) {
-    if constexpr (F.media)
+  arriving = lanes & ~context.accelerator.occluded(block.shadow_rays, lanes);
+  if constexpr (F.media) {
+    for_each_lane(arriving, [&](std::uint32_t i) {
       block.unshadowed[i] *= transmittance_of(optical_depth_along(
           context.scene, block.shadow_media[i], block.shadow_rays[i], block.shadow_rays[i].t_max));
-    block.paths[i].radiance += block.unshadowed[i];
-  });
+    });
+  }
   counts.rays.shadow += static_cast<std::uint64_t>(std::popcount(lanes));
+  return arriving;
+}
+
+// Adds what the shadow rays bring. Skies are looked up one right after the other, as below.
+template <FeatureSet F, class A>
+inline void add_direct_light(const PathContext<A>& context, const LanesAfterStep& after,
+                             PathBlock& block, TileCounts& counts) {
+  const LaneMask arriving = trace_shadow_rays<F>(context, after.shadow_rays, block, counts);
+  if constexpr (F.environment) {
+    for_each_lane(arriving & after.sky_rays, [&](std::uint32_t i) {
+      block.unshadowed[i] *= environment_radiance(
+          *context.scene.environment, context.scene.textures, block.shadow_rays[i].direction);
+    });
+  }
+  for_each_lane(arriving, [&](std::uint32_t i) { block.paths[i].radiance += block.unshadowed[i]; });
 }
 
 // Ends the paths whose rays left the scene, one right after the other, so that their waits for the
@@ -149,7 +168,7 @@ template <FeatureSet F, class A>
   alive = end_in_environment<F>(context, alive, bounce, hits, block);
   if (alive == 0) return 0;
   const LanesAfterStep after = step_lanes<F>(context, samplers, alive, bounce, hits, block, counts);
-  if (after.shadow_rays != 0) trace_shadow_rays<F>(context, after.shadow_rays, block, counts);
+  if (after.shadow_rays != 0) add_direct_light<F>(context, after, block, counts);
   if constexpr (F.guided) {
     if (context.training != nullptr)
       for_each_lane(after.going_on,
