@@ -9,11 +9,6 @@
 namespace candela {
 namespace {
 
-double extent_of(const Bounds3f& bounds) {
-  return static_cast<double>(
-      std::max(max_component(glm::abs(bounds.lower)), max_component(glm::abs(bounds.upper))));
-}
-
 int clamped_pixel(double place, int count) {
   return static_cast<int>(std::clamp(place, 0.0, static_cast<double>(count)));
 }
@@ -45,6 +40,7 @@ void PixelCover::add_rectangle(const FilmBounds& bounds) {
   const int y0 = clamped_pixel(std::ceil(row(bounds.upper.y) - reach_), height_);
   const int y1 = clamped_pixel(std::floor(row(bounds.lower.y) + reach_), height_);
   if (x0 >= x1 || y0 >= y1) return;
+  sum_ += static_cast<double>(x1 - x0) * (y1 - y0);
   ++corners_[corner(x0, y0)];
   --corners_[corner(x1, y0)];
   --corners_[corner(x0, y1)];

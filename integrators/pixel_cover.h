@@ -31,6 +31,8 @@ class PixelCover {
 
   // 1 where something was added.
   [[nodiscard]] PixelMask covered() const;
+  // Over all that was added, how many pixels it covers.
+  [[nodiscard]] double sum() const { return sum_; }
 
  private:
   // Rectangles are noted by their corners: sums over both axes tell how many cover a pixel.
@@ -45,6 +47,7 @@ class PixelCover {
   int height_;
   double reach_;
   std::vector<std::int32_t> corners_;
+  double sum_ = 0;
 };
 
 }  // namespace candela

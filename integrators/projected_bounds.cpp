@@ -43,8 +43,7 @@ FilmBounds Projection::perspective_bounds(std::span<const Point> points) const {
     if (std::abs(depth) <= 2 * error_.z) return everywhere();
     if (depth < 0) continue;
     const Vec2d seen = Vec2d(before) / depth;
-    const Vec2d wrong =
-        (Vec2d(error_) + glm::abs(seen) * error_.z) / (depth - error_.z) + ray_error_;
+    const Vec2d wrong = perspective_error(seen, depth);
     bounds.include(seen - wrong);
     bounds.include(seen + wrong);
     for (const Point& behind : points) {
@@ -71,6 +70,22 @@ FilmBounds Projection::bounds(std::span<const Point> points) const {
     bounds.include(Vec2d(point) + wrong);
   }
   return bounds;
+}
+
+std::optional<Vec2d> Projection::places(std::span<const Point> points,
+                                        std::vector<Vec2d>& seen) const {
+  seen.clear();
+  Vec2d wrong(Vec2d(error_) + ray_error_);
+  for (const Point& point : points) {
+    Vec2d place(point);
+    if (is_perspective_) {
+      if (!(point.z > 2 * error_.z)) return {};
+      place /= point.z;
+      wrong = glm::max(wrong, perspective_error(place, point.z));
+    }
+    seen.push_back(place);
+  }
+  return wrong;
 }
 
 }  // namespace candela

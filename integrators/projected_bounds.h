@@ -1,7 +1,9 @@
 // Where on a camera's film a set of points and all between them can be seen, at most.
 #pragma once
 
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "renderer/camera/camera.h"
 #include "renderer/math/bounds.h"
@@ -12,6 +14,12 @@ namespace candela {
 // Along the film's axes from the picture's middle, edges at -1 and 1, y upwards; may be infinite.
 // Empty where nothing is before the camera.
 using FilmBounds = Bounds<Vec2d>;
+
+// The largest coordinate, whatever its sign.
+[[nodiscard]] inline double extent_of(const Bounds3f& bounds) {
+  return static_cast<double>(
+      std::max(max_component(glm::abs(bounds.lower)), max_component(glm::abs(bounds.upper))));
+}
 
 class Projection {
  public:
@@ -26,7 +34,16 @@ class Projection {
   // Of the points' convex hull.
   [[nodiscard]] FilmBounds bounds(std::span<const Point> points) const;
 
+  // Where the points themselves are seen, and how far that may be off along each axis; none where
+  // not all of them are before the camera.
+  [[nodiscard]] std::optional<Vec2d> places(std::span<const Point> points,
+                                            std::vector<Vec2d>& seen) const;
+
  private:
+  // Of a place where a perspective camera sees a point.
+  [[nodiscard]] Vec2d perspective_error(const Vec2d& seen, double depth) const {
+    return (Vec2d(error_) + glm::abs(seen) * error_.z) / (depth - error_.z) + ray_error_;
+  }
   [[nodiscard]] static FilmBounds everywhere();
   [[nodiscard]] FilmBounds perspective_bounds(std::span<const Point> points) const;
 

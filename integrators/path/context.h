@@ -30,7 +30,9 @@ struct PathContext {
   const BackgroundPixels* background = nullptr;  // null: of no pixel it is known
   const LampPixels* lamps = nullptr;             // null: there are none
   float inverse_roulette_threshold = 1;          // of the pass (path_plan.h)
-  std::uint32_t lamp_rays = 0;  // of the pixel; 0: paths' camera rays count what lamps they meet
+  // Of the pixel: camera rays a sample that look for lamps, and where; 0: the path's own does.
+  std::uint32_t lamp_rays = 0;
+  FilterPart lamp_part{};
   // Of the pass, for kernels with guiding only; null: there is none.
   const GuidingField* guide = nullptr;
   TrainingLog* training = nullptr;

@@ -7,21 +7,32 @@ double pixel_count(const RenderOptions& options) {
   return static_cast<double>(options.width) * options.height;
 }
 
-double count_of(const PixelMask& mask) {
-  return static_cast<double>(
-      std::count_if(mask.begin(), mask.end(), [](auto m) { return m != 0; }));
-}
-
 // In rays of a packet, of which a path's ray takes some five times as long.
 constexpr double cost_of_sample = 20;
 
-// The most rays a sample that take at most a thirtieth or so of the picture's time, by twos.
-std::uint32_t affordable_rays(double lamp_pixels, const RenderOptions& options) {
-  constexpr double share = 0.03;
-  const double affordable = share * cost_of_sample * pixel_count(options) / lamp_pixels;
-  for (std::uint32_t rays = static_cast<std::uint32_t>(options.lamp_rays); rays > 1; rays /= 2)
-    if (rays <= affordable) return rays;
-  return 0;
+// How many blocks of rays a trial of so many pixels may have: a hundredth of the picture's time.
+std::uint32_t affordable_blocks(double pixels, const RenderOptions& options) {
+  constexpr double most = 4;
+  constexpr double share = 0.01;
+  const double samples = pixel_count(options) * options.samples_per_pixel;
+  return static_cast<std::uint32_t>(
+      std::min(share * cost_of_sample * samples / (pixels * block_size), most));
+}
+
+template <class Views>
+void add_lamps(const Scene& scene, Views& views) {
+  for (const GeometryHandle handle : scene.world.geometries) {
+    const Geometry& geometry = scene.geometries[handle.index];
+    if (geometry.is_emissive()) views.add(geometry);
+  }
+}
+
+// Where outlines would take long: the whole of each pixel.
+std::vector<LampView> whole_views(const PixelMask& mask) {
+  std::vector<LampView> views;
+  for (std::size_t i = 0; i < mask.size(); ++i)
+    if (mask[i] != 0) views.push_back({static_cast<std::uint32_t>(i), {}});
+  return views;
 }
 
 }  // namespace
@@ -32,40 +43,45 @@ LampTrial plan_lamp_trial(const Scene& scene, const Filter& filter, const Render
       !scene.features.area_lights || !PixelCover::has_projection(camera))
     return {};
   PixelCover cover(camera, scene.bounds, filter, options.width, options.height);
-  for (const GeometryHandle handle : scene.world.geometries) {
-    const Geometry& geometry = scene.geometries[handle.index];
-    if (geometry.is_emissive()) cover.add(geometry);
-  }
-  PixelMask mask = cover.covered();
-  const double pixels = count_of(mask);
-  if (pixels == 0) return {};
-  constexpr double most_blocks = 4;
-  constexpr double share = 0.01;  // of the picture's time, at most
-  const double samples = pixel_count(options) * options.samples_per_pixel;
-  const double affordable = share * cost_of_sample * samples / (pixels * block_size);
-  return {std::move(mask), static_cast<std::uint32_t>(std::min(affordable, most_blocks))};
+  add_lamps(scene, cover);
+  const PixelMask mask = cover.covered();
+  const auto pixels = std::count_if(mask.begin(), mask.end(), [](auto m) { return m != 0; });
+  const std::uint32_t blocks =
+      pixels == 0 ? 0 : affordable_blocks(static_cast<double>(pixels), options);
+  if (blocks == 0) return {};
+  constexpr double most_outlines = 8;  // a pixel
+  if (cover.sum() > most_outlines * pixel_count(options)) return {whole_views(mask), blocks};
+  LampViews views(camera, scene.bounds, filter, options.width, options.height);
+  add_lamps(scene, views);
+  return {views.views(), blocks};
 }
 
-LampPixels lamp_edges(const std::vector<LampCoverage>& coverage, const RenderOptions& options) {
+PixelMask lamp_edges(const std::vector<LampCoverage>& coverage, int width, int height) {
   PixelMask edges(coverage.size());
   const auto at = [&](int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(options.width) +
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(x);
   };
-  for (int y = 0; y < options.height; ++y) {
-    for (int x = 0; x < options.width; ++x) {
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
       const LampCoverage own = coverage[at(x, y)];
       bool is_edge = own == LampCoverage::Part;
-      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, options.height - 1); ++v)
-        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, options.width - 1); ++u)
+      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u)
           is_edge |= coverage[at(u, v)] != own;
       edges[at(x, y)] = is_edge ? 1 : 0;
     }
   }
-  const double count = count_of(edges);
-  const std::uint32_t rays = count > 0 ? affordable_rays(count, options) : 0;
-  if (rays == 0) return {};
-  return {std::move(edges), options.width, rays};
+  return edges;
+}
+
+std::uint32_t affordable_lamp_rays(std::size_t pixels, const RenderOptions& options) {
+  constexpr double share = 0.03;
+  const double affordable =
+      share * cost_of_sample * pixel_count(options) / static_cast<double>(pixels);
+  for (auto rays = static_cast<std::uint32_t>(options.lamp_rays); rays > 1; rays /= 2)
+    if (pixels > 0 && rays <= affordable) return rays;
+  return 0;
 }
 
 }  // namespace candela

@@ -5,6 +5,7 @@
 
 #include "integrators/lamp_pixels.h"
 #include "integrators/path/seen_lamps.h"
+#include "integrators/pixel_cover.h"
 #include "renderer/base/parallel.h"
 #include "renderer/sampling/hash.h"
 
@@ -15,13 +16,14 @@ enum class LampCoverage : std::uint8_t { None, Part, All };
 
 template <FeatureSet F, class A>
 [[nodiscard]] LampCoverage lamp_coverage(const PathContext<A>& context, const PixelSampler& pixel,
-                                         int x, int y, std::uint32_t blocks) {
+                                         const FilterPart& part, int x, int y,
+                                         std::uint32_t blocks) {
   bool any = false;
-  bool all = true;
+  bool all = part.is_whole();
   RayBlock rays;
   for (std::uint32_t block = 0; block < blocks; ++block) {
     const SamplerBlock samplers(pixel, block * block_size);
-    const LaneMask traced = aim_at_lamps<F>(context, samplers, x, y, all_lanes, rays);
+    const LaneMask traced = aim_at_lamps<F>(context, samplers, part, x, y, all_lanes, rays);
     const HitBlock hits = intersect_lanes(context.accelerator, rays, traced, 0, true);
     for_each_lane(traced, [&](std::uint32_t i) {
       const bool is_lit =
@@ -37,37 +39,49 @@ template <FeatureSet F, class A>
 // Where lamps may be seen, and how many blocks of sixteen rays look at each of these pixels; 0:
 // nowhere, or it would take too long.
 struct LampTrial {
-  PixelMask pixels;
+  std::vector<LampView> views;
   std::uint32_t blocks = 0;
 };
 [[nodiscard]] LampTrial plan_lamp_trial(const Scene& scene, const Filter& filter,
                                         const RenderOptions& options);
 
-// Pixels that are not covered like all of their neighbours: what the trial missed of a lamp's edge
-// lies beside what it found.
-[[nodiscard]] LampPixels lamp_edges(const std::vector<LampCoverage>& coverage,
-                                    const RenderOptions& options);
+// Pixels, in rows of `width`, that are not covered like all of their neighbours: what the trial
+// missed of a lamp's edge lies beside what it found.
+[[nodiscard]] PixelMask lamp_edges(const std::vector<LampCoverage>& coverage, int width,
+                                   int height);
+
+// The most rays a sample of so many pixels that take at most a thirtieth or so of the picture's
+// time, by twos; 0: more than one would take longer.
+[[nodiscard]] std::uint32_t affordable_lamp_rays(std::size_t pixels, const RenderOptions& options);
 
 // Of the whole picture, by random numbers of its own: the same for any crop and threads. None in
 // scenes with media, with filters that have negative parts, or where finding out would take long.
 template <FeatureSet F, class A>
 [[nodiscard]] LampPixels find_lamp_pixels(const PathContext<A>& context) {
   const RenderOptions& options = context.options;
-  const LampTrial trial = plan_lamp_trial(context.scene, context.filter, options);
+  LampTrial trial = plan_lamp_trial(context.scene, context.filter, options);
   if (trial.blocks == 0) return {};
   const std::uint64_t seed = mix_bits(options.seed + 3);  // none that the picture uses
-  std::vector<LampCoverage> coverage(trial.pixels.size(), LampCoverage::None);
-  const auto width = static_cast<std::size_t>(options.width);
-  parallel_for(static_cast<std::size_t>(options.height), [&](std::size_t y) {
-    for (std::size_t x = 0; x < width; ++x) {
-      if (trial.pixels[y * width + x] == 0) continue;
-      const PixelSampler pixel(seed, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
-                               1);
-      coverage[y * width + x] =
-          lamp_coverage<F>(context, pixel, static_cast<int>(x), static_cast<int>(y), trial.blocks);
+  const auto width = static_cast<std::uint32_t>(options.width);
+  std::vector<LampCoverage> coverage(
+      static_cast<std::size_t>(width) * static_cast<std::size_t>(options.height),
+      LampCoverage::None);
+  constexpr std::size_t at_once = 64;
+  parallel_for((trial.views.size() + at_once - 1) / at_once, [&](std::size_t chunk) {
+    const std::size_t end = std::min((chunk + 1) * at_once, trial.views.size());
+    for (std::size_t i = chunk * at_once; i < end; ++i) {
+      const auto& [index, part] = trial.views[i];
+      const std::uint32_t x = index % width;
+      const std::uint32_t y = index / width;
+      coverage[index] = lamp_coverage<F>(context, PixelSampler(seed, x, y, 1), part,
+                                         static_cast<int>(x), static_cast<int>(y), trial.blocks);
     }
   });
-  return lamp_edges(coverage, options);
+  const PixelMask edges = lamp_edges(coverage, options.width, options.height);
+  std::erase_if(trial.views, [&](const LampView& view) { return edges[view.index] == 0; });
+  const std::uint32_t rays = affordable_lamp_rays(trial.views.size(), options);
+  if (rays == 0) return {};
+  return {std::move(trial.views), options.width, rays};
 }
 
 }  // namespace candela

@@ -98,7 +98,7 @@ TileCounts render_tile(const PathContext<A>& of_render, const TilePass& pass, Fi
       }
       const PixelSampler pixel(pass.seed, static_cast<std::uint32_t>(x),
                                static_cast<std::uint32_t>(y), sequences_of(context.options, film));
-      if (context.lamps != nullptr) context.lamp_rays = context.lamps->rays_a_sample(x, y);
+      aim_lamp_rays(x, y, context);
       const std::uint64_t rays_before = ray_cost(counts.rays);
       for (std::uint32_t base = range.first & ~(block_size - 1); base < range.end;
            base += block_size)

@@ -1,22 +1,34 @@
 // What lamps send straight to the camera, by rays that look for nothing else (lamp_pixels.h).
 #pragma once
 
+#include "integrators/lamp_pixels.h"
 #include "integrators/path/camera_rays.h"
 #include "integrators/path/trace_block.h"
 
 namespace candela {
 
-// Rays through the lanes' places, by numbers that no path's camera ray takes; returns the lanes of
-// those that can be traced.
+// Turns the context to a pixel.
+template <class A>
+inline void aim_lamp_rays(int x, int y, PathContext<A>& context) {
+  context.lamp_rays = 0;
+  if (context.lamps == nullptr) return;
+  const LampView* view = context.lamps->find(x, y);
+  if (view == nullptr) return;
+  context.lamp_rays = context.lamps->rays_a_sample();
+  context.lamp_part = view->part;
+}
+
+// Rays through places in a part of the pixel, by numbers that no path's camera ray takes; returns
+// the lanes of those that can be traced.
 template <FeatureSet F, class A>
 [[nodiscard]] inline LaneMask aim_at_lamps(const PathContext<A>& context,
-                                           const SamplerBlock& samplers, int x, int y,
-                                           LaneMask lanes, RayBlock& rays) {
+                                           const SamplerBlock& samplers, const FilterPart& part,
+                                           int x, int y, LaneMask lanes, RayBlock& rays) {
   CameraNumbers numbers;
   numbers.draw<F>(context.camera, samplers, Dimension::LampFilter, Dimension::LampLens);
   LaneMask traceable = 0;
   for_each_lane(lanes, [&](std::uint32_t i) {
-    Vec2f place = context.filter.sample(unit_point(numbers.filter, i));
+    Vec2f place = context.filter.sample(part.number(unit_point(numbers.filter, i)));
     rays[i] = camera_ray<F>(context, place, unit_point(numbers.lens, i), x, y);
     if (is_traceable(rays[i])) traceable |= 1u << i;
   });
@@ -35,17 +47,19 @@ template <FeatureSet F>
   return path.radiance;
 }
 
-// To each sample of a block the mean over its rays. Out of line: few pixels have any.
+// To each sample of a block the mean over its rays, times the part's share. Out of line: few pixels
+// have any.
 template <FeatureSet F, class A>
 [[gnu::noinline]] void add_seen_lamps(const PathContext<A>& context, const PixelSampler& pixel,
                                       int x, int y, std::uint32_t base, LaneMask lanes,
                                       PathBlock& block, TileCounts& counts) {
   const std::uint32_t count = context.lamp_rays;
-  const float share = 1.0f / static_cast<float>(count);
+  const float share = context.lamp_part.share() / static_cast<float>(count);
   RayBlock rays;
   for (std::uint32_t k = 0; k < count; ++k) {
     const SamplerBlock samplers(pixel, base, count, k);
-    const LaneMask traced = aim_at_lamps<F>(context, samplers, x, y, lanes, rays);
+    const LaneMask traced =
+        aim_at_lamps<F>(context, samplers, context.lamp_part, x, y, lanes, rays);
     const HitBlock hits = intersect_lanes(context.accelerator, rays, traced, 0, lanes == all_lanes);
     for_each_lane(traced, [&](std::uint32_t i) {
       block.paths[i].radiance +=

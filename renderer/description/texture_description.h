@@ -71,7 +71,7 @@ struct UvMapping {
 // factor * texel, or 1 minus that (at least 0) where it is inverted.
 struct ImageTexture {
   ImageHandle image;
-  UvMapping mapping;
+  UvMapping mapping{};
   double factor = 1.0;
   bool is_inverted = false;
   bool is_scalar = false;  // the texel is one number, as alpha_or_mean says
@@ -99,24 +99,24 @@ struct DirectionMixTexture {
 // Unit cubes, `even` in the one at the origin.
 struct SolidCheckerboardTexture {
   Transform place_from_world;
-  ColourInput even;
+  ColourInput even{};
   ColourInput odd{Vec3d{0.0}, {}, {}};
 };
 // Unit squares, `even` on the one at the origin.
 struct CheckerboardTexture {
-  UvMapping mapping;
-  ColourInput even;
+  UvMapping mapping{};
+  ColourInput even{};
   ColourInput odd{Vec3d{0.0}, {}, {}};
 };
 // Dots at random places: one in about half of the unit squares, wholly inside.
 struct DotsTexture {
-  UvMapping mapping;
-  ColourInput inside;
+  UvMapping mapping{};
+  ColourInput inside{};
   ColourInput outside{Vec3d{0.0}, {}, {}};
 };
 // Between the unit square's corners: v01 is at u = 0, v = 1. Beyond the square it goes on.
 struct BilinearTexture {
-  UvMapping mapping;
+  UvMapping mapping{};
   Vec3d v00{0.0}, v01{1.0}, v10{0.0}, v11{1.0};
 };
 

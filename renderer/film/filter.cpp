@@ -133,4 +133,17 @@ double Filter::share_below(double x) const {
   return (static_cast<double>(above - inverse_.begin()) - 1 + within) / intervals;
 }
 
+FilterPart Filter::part_within(const Bounds<Vec2d>& places) const {
+  constexpr double rounding = 0x1p-22;  // of numbers, and of how places are interpolated
+  FilterPart part{Vec2f(0), Vec2f(0)};
+  for (int axis = 0; axis < 2; ++axis) {
+    const double low = share_below(places.lower[axis]);
+    const double high = share_below(places.upper[axis]);
+    if (!(low < high)) return {Vec2f(0), Vec2f(0)};
+    part.first[axis] = static_cast<float>(std::max(low - rounding, 0.0));
+    part.size[axis] = static_cast<float>(std::min(high + rounding, 1.0)) - part.first[axis];
+  }
+  return part;
+}
+
 }  // namespace candela

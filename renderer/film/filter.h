@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "renderer/math/bounds.h"
 #include "renderer/math/vec.h"
 
 namespace candela {
@@ -21,6 +22,17 @@ enum class FilterKind : std::uint8_t {
   Sinc,      // Lanczos' window about it; negative in every other lobe
 };
 
+// A rectangle of the numbers that Filter::sample() takes.
+struct FilterPart {
+  Vec2f first{0};
+  Vec2f size{1};
+
+  [[nodiscard]] Vec2f number(Vec2f u) const { return first + u * size; }
+  // Of all samples.
+  [[nodiscard]] float share() const { return size.x * size.y; }
+  [[nodiscard]] bool is_whole() const { return size == Vec2f(1); }
+};
+
 // Separable, symmetric filters of finite radius (pixels), sampled by a tabulated inverse of each
 // axis' cumulative distribution.
 class Filter {
@@ -29,6 +41,8 @@ class Filter {
 
   // A place relative to the pixel's centre, distributed as the filter's size.
   [[nodiscard]] Vec2f sample(Vec2f u) const { return {sample_axis(u.x), sample_axis(u.y)}; }
+  // All numbers whose places lie in a rectangle, and few others. The share is 0 where none do.
+  [[nodiscard]] FilterPart part_within(const Bounds<Vec2d>& places) const;
   // Whether it has negative parts; else all weights are 1.
   [[nodiscard]] bool is_signed() const { return !sign_changes_.empty(); }
   // Of a sample at a place: the filter's sign, times what makes the mean of all weights 1.

@@ -162,5 +162,37 @@ TEST(Unit_Filter, IsSymmetric) {
   }
 }
 
+// By numbers on a grid: those of the part have their places in the rectangle, the others not, but
+// for what rounding allows.
+TEST(Unit_Filter, APartHoldsTheNumbersOfARectangle) {
+  constexpr int n = 200;
+  for (const FilterKind kind : {FilterKind::Box, FilterKind::Gaussian, FilterKind::Triangle}) {
+    const Filter filter(kind, default_radius(kind));
+    const Bounds<Vec2d> rectangle{{-0.31, 0.1}, {0.07, 0.44}};
+    const FilterPart part = filter.part_within(rectangle);
+    int inside = 0;
+    for (int i = 0; i < n * n; ++i) {
+      const Vec2f u{(static_cast<float>(i % n) + 0.5f) / n, (static_cast<float>(i / n) + 0.5f) / n};
+      const Vec2d place(filter.sample(u));
+      const bool is_in_part = glm::all(glm::greaterThanEqual(u, part.first)) &&
+                              glm::all(glm::lessThanEqual(u, part.first + part.size));
+      const bool is_in_rectangle = glm::all(glm::greaterThanEqual(place, rectangle.lower)) &&
+                                   glm::all(glm::lessThanEqual(place, rectangle.upper));
+      EXPECT_EQ(is_in_part, is_in_rectangle) << u.x << " " << u.y;
+      inside += is_in_rectangle;
+    }
+    EXPECT_NEAR(static_cast<double>(part.share()), static_cast<double>(inside) / (n * n), 0.01);
+  }
+}
+
+TEST(Unit_Filter, PartsOfAllAndOfNothing) {
+  const Filter filter(FilterKind::Gaussian, 1.5f);
+  EXPECT_TRUE(filter.part_within({Vec2d(-2), Vec2d(1.5)}).is_whole());
+  EXPECT_EQ(filter.part_within({Vec2d(-2), Vec2d(1.5)}).first, Vec2f(0));
+  EXPECT_EQ(filter.part_within({{1.5, -1}, {3, 1}}).share(), 0);
+  EXPECT_EQ(filter.part_within({{-3, -1}, {-1.5, 1}}).share(), 0);
+  EXPECT_EQ(filter.part_within({}).share(), 0);
+}
+
 }  // namespace
 }  // namespace candela

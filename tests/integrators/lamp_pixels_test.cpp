@@ -44,10 +44,6 @@ SceneDescription three_lamps() {
   return scene;
 }
 
-LampPixels edges_of(const std::vector<LampCoverage>& coverage, int side, int rays = some_rays) {
-  return lamp_edges(coverage, lamp_settings(side, 4, rays).options);
-}
-
 TEST(Unit_LampPixels, AreThoseThatDifferFromANeighbour) {
   constexpr int side = 24;
   std::vector<LampCoverage> coverage(side * side, LampCoverage::None);
@@ -55,13 +51,14 @@ TEST(Unit_LampPixels, AreThoseThatDifferFromANeighbour) {
     for (const int x : {10, 11, 12, 13})
       coverage[static_cast<std::size_t>(y * side + x)] = LampCoverage::All;
   coverage[20 * side + 3] = LampCoverage::Part;
-  const LampPixels pixels = edges_of(coverage, side, 4);
+  const PixelMask edges = lamp_edges(coverage, side, side);
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
       const bool is_around = x >= 9 && x <= 14 && y >= 4 && y <= 9;
       const bool is_inside = x >= 11 && x <= 12 && y >= 6 && y <= 7;
       const bool is_dot = x >= 2 && x <= 4 && y >= 19 && y <= 21;
-      EXPECT_EQ(pixels.rays_a_sample(x, y), (is_around && !is_inside) || is_dot ? 4u : 0u)
+      EXPECT_EQ(edges[static_cast<std::size_t>(y * side + x)],
+                (is_around && !is_inside) || is_dot ? 1 : 0)
           << x << " " << y;
     }
   }
@@ -69,19 +66,29 @@ TEST(Unit_LampPixels, AreThoseThatDifferFromANeighbour) {
 
 TEST(Unit_LampPixels, HaveFewerRaysWhereTheyAreMany) {
   constexpr int side = 20;
+  const RenderOptions options = lamp_settings(side, 4, some_rays).options;
   std::uint32_t rays = some_rays;
-  std::vector<LampCoverage> coverage(side * side, LampCoverage::None);
-  for (std::size_t i = 0; i < coverage.size(); ++i) {
-    coverage[i] = LampCoverage::Part;
-    const std::uint32_t now = edges_of(coverage, side).rays_a_sample(0, 0);
+  for (std::size_t pixels = 1; pixels <= side * side; ++pixels) {
+    const std::uint32_t now = affordable_lamp_rays(pixels, options);
     EXPECT_LE(now, rays);
     // In all no more than .6 for each of the picture's samples, which take some thirty times as
     // long.
-    EXPECT_LE(static_cast<double>(now) * static_cast<double>(i + 1),
-              0.6 * static_cast<double>(coverage.size()));
+    EXPECT_LE(static_cast<double>(now) * static_cast<double>(pixels), 0.6 * side * side);
     rays = now;
   }
   EXPECT_EQ(rays, 0u);
+  EXPECT_EQ(affordable_lamp_rays(0, options), 0u);
+}
+
+TEST(Unit_LampPixels, AreFoundByTheirPlace) {
+  const LampPixels pixels({{3, {}}, {10, {{0.5f, 0}, {0.25f, 1}}}}, 8, 4);
+  EXPECT_EQ(pixels.rays_a_sample(), 4u);
+  ASSERT_NE(pixels.find(3, 0), nullptr);
+  ASSERT_NE(pixels.find(2, 1), nullptr);
+  EXPECT_EQ(pixels.find(2, 1)->part.share(), 0.25f);
+  EXPECT_EQ(pixels.find(4, 0), nullptr);
+  EXPECT_EQ(pixels.find(3, 1), nullptr);
+  EXPECT_EQ(LampPixels().find(0, 0), nullptr);
 }
 
 TEST(Unit_LampPixels, TheirRaysAreCountedApart) {
@@ -142,7 +149,8 @@ TEST(Statistical_LampPixels, ShowTheShareThatIsCovered) {
       for (int y = 22; y < 26; ++y) seen.add(static_cast<double>(image.pixel(size / 2, y)[0]));
     }
     EXPECT_GT(seen.p_value(5 * share), 0.01) << seen.mean() << " for " << 5 * share;
-    EXPECT_LT(seen.variance(), share * (1 - share) * 25 / 8 / 8) << share;  // of plain samples / 8
+    // All rays look at the lamp: a hundredth of what those of the whole pixel would leave.
+    EXPECT_LT(seen.variance(), share * (1 - share) * 25 / 8 / 8 / 100) << share;
   }
 }
 
