@@ -123,7 +123,7 @@ TEST(Agreement_LampViews, HoldEverythingForACameraWithinALamp) {
 }
 
 // One lamp's rectangles in its pixels are not much larger than itself: of a ball of half a pixel to
-// ten, and of a triangle on its corner.
+// ten.
 TEST(Agreement_LampViews, ClaimLittleMoreThanIsSeen) {
   constexpr int size = 24;
   for (const double pixels : {0.5, 2.0, 10.0}) {
