@@ -115,6 +115,14 @@ inline void add_emission(const Scene& scene, const RenderOptions& options, const
   add_met_light<F>(options, radiance, pdf, path);
 }
 
+// Whether add_emission() has anything to add: lamps that camera rays meet may have rays of their
+// own.
+template <class A>
+[[nodiscard]] inline bool is_emission_met(const PathContext<A>& context, const Geometry& geometry,
+                                          std::uint32_t bounce) {
+  return geometry.is_emissive() && (bounce > 0 || context.lamp_rays == 0);
+}
+
 // The material that a hit meets: of mixtures the part that u in [0, 1) chooses.
 template <FeatureSet F>
 [[nodiscard]] inline const Material& material_at(const Scene& scene, const Geometry& geometry,
@@ -300,7 +308,7 @@ template <FeatureSet F, class A>
   SurfacePoint point = met_point_at<F>(scene, hit, wo);
   const Material& material = material_at<F>(scene, geometry, point, numbers.material);
   set_material_frame<F>(scene, material, wo, point);
-  if (geometry.is_emissive() && (bounce > 0 || context.lamp_rays == 0))
+  if (is_emission_met(context, geometry, bounce))
     add_emission<F>(scene, context.options, geometry, hit, ray.origin, ray.direction, hit.t, path);
   if (bounce == 0 && context.options.aovs != 0)
     record_camera_hit<F>(scene, context.camera, ray, hit, material, first_hit);

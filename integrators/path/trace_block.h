@@ -5,6 +5,7 @@
 #include "integrators/guiding/training_log.h"
 #include "integrators/path/branches.h"
 #include "integrators/path/media_step.h"
+#include "integrators/path/step_diffuse_lanes.h"
 
 namespace candela {
 
@@ -19,13 +20,6 @@ template <class A>
   return accelerator.intersect(rays, lanes,
                                bounce == 0 ? Coherence::Coherent : Coherence::Incoherent);
 }
-
-// Which lanes of a block have a shadow ray, and which a ray to go on with.
-struct LanesAfterStep {
-  LaneMask shadow_rays = 0;
-  LaneMask sky_rays = 0;  // of the shadow rays those whose contribution lacks the sky
-  LaneMask going_on = 0;
-};
 
 template <FeatureSet F, class A>
 [[nodiscard]] inline bool take_step(const PathContext<A>& context, const StepNumbers& numbers,
@@ -71,8 +65,6 @@ struct BounceSamplers {
   const SamplerBlock& path;
 };
 
-constexpr int fewest_of_vectors = 4;  // lanes, whose numbers are drawn together
-
 // Steps of all paths that are alive.
 template <FeatureSet F, class A>
 [[nodiscard]] inline LanesAfterStep step_lanes(const PathContext<A>& context,
@@ -86,6 +78,13 @@ template <FeatureSet F, class A>
     numbers.draw_direction<F>(context.scene, samplers.path, bounce);
   }
   LanesAfterStep after;
+  if constexpr (has_diffuse_lanes<F>) {
+    const LaneMask diffuse =
+        is_drawn_together ? diffuse_lanes(context.scene, hits, alive) : LaneMask{0};
+    if (diffuse != 0)
+      step_diffuse_lanes<F>(context, numbers, bounce, diffuse, hits, block, after, counts);
+    alive &= ~diffuse;
+  }
   for_each_lane(alive, [&](std::uint32_t i) {
     StepNumbers own;
     if (is_drawn_together) {

@@ -46,17 +46,35 @@ struct Corners {
   return {instance->point(p0), instance->point(p1), instance->point(p2)};
 }
 
+// Where a ray met a triangle, whatever its sides are.
+template <class V>
+struct PlanePoint {
+  V position;
+  V normal;      // unit, of e1 x e2
+  float offset;  // see SurfacePoint
+};
+
 // Bound of how far a point interpolated from barycentrics may lie from the triangle's plane, and of
 // how wrong an intersector may be about that plane nearby: rounding of the interpolation
 // [Pharr23, section 6.8.5], and of products of edges as long as the triangle. Per axis.
-[[nodiscard]] inline Float4 interpolation_error(Float4 p0, Float4 p1, Float4 p2, Float4 weights,
-                                                Float4 e1, Float4 e2) {
-  const Float4 magnitude = absolute(p0) * broadcast(weights[0]) +
-                           absolute(p1) * broadcast(weights[1]) +
-                           absolute(p2) * broadcast(weights[2]);
-  const Float4 longest = max(absolute(e1), absolute(e2));
-  const float length = std::max(std::max(longest[0], longest[1]), longest[2]);
-  return magnitude * gamma_bound(7) + broadcast(length * gamma_bound(8));
+template <class V>
+[[nodiscard]] inline V interpolation_error(V p0, V p1, V p2, float b0, float b1, float b2, V e1,
+                                           V e2) {
+  V magnitude = absolute(p0) * b0 + absolute(p1) * b1 + absolute(p2) * b2;
+  const float longest = largest3(max(absolute(e1), absolute(e2)));
+  return magnitude * gamma_bound(7) + longest * gamma_bound(8);
+}
+
+// V: the lanes of one triangle's vectors, or, in loops over paths, plain vectors.
+template <class V>
+[[nodiscard]] inline PlanePoint<V> plane_point(V p0, V p1, V p2, float u, float v) {
+  const float b0 = 1 - u - v;
+  V e1 = p1 - p0;
+  V e2 = p2 - p0;
+  V error = interpolation_error(p0, p1, p2, std::abs(b0), u, v, e1, e2);
+  V perpendicular = cross3(e1, e2);
+  V normal = perpendicular * (1 / std::sqrt(dot3(perpendicular, perpendicular)));
+  return {p0 * b0 + p1 * u + p2 * v, normal, dot3(absolute(normal), error)};
 }
 
 }  // namespace surface_point_detail
@@ -101,19 +119,12 @@ struct Corners {
   const auto& index = geometry.triangles[hit.triangle];
   const float b0 = 1 - hit.u - hit.v;
   const Float4 p0 = to_lanes(c.p0), p1 = to_lanes(c.p1), p2 = to_lanes(c.p2);
-  const Float4 e1 = p1 - p0;
-  const Float4 e2 = p2 - p0;
-  const Float4 position = p0 * broadcast(b0) + p1 * broadcast(hit.u) + p2 * broadcast(hit.v);
-  const Float4 error =
-      interpolation_error(p0, p1, p2, Float4{std::abs(b0), hit.u, hit.v, 0}, e1, e2);
-  const Float4 perpendicular = cross3(e1, e2);
-  const Float4 normal =
-      perpendicular * broadcast(1 / std::sqrt(dot3(perpendicular, perpendicular)));
+  const PlanePoint<Float4> plane = plane_point(p0, p1, p2, hit.u, hit.v);
 
   SurfacePoint point;
-  point.position = to_vec3(position);
-  point.offset = dot3(absolute(normal), error);
-  Vec3f outside = to_vec3(normal);
+  point.position = to_vec3(plane.position);
+  point.offset = plane.offset;
+  Vec3f outside = to_vec3(plane.normal);
   if (instance != nullptr) point.offset += instance->offset(outside);
   if (instance != nullptr && instance->is_mirrored) outside = -outside;
   point.is_front = dot(outside, wo) > 0;
@@ -138,6 +149,8 @@ struct Corners {
     if (!geometry.reads_tangents) return point;
     const float determinant = difference_of_products(d1.x, d2.y, d1.y, d2.x);
     if (determinant != 0) {
+      const Float4 e1 = p1 - p0;
+      const Float4 e2 = p2 - p0;
       point.dpdu = to_vec3(e1 * d2.y - e2 * d1.y) / determinant;
       point.dpdv = to_vec3(e2 * d1.x - e1 * d2.x) / determinant;
     }

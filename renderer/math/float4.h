@@ -82,6 +82,26 @@ inline void store_aligned(float* address, Float4 v) {
 #endif
 }
 
+// The same of plain vectors, for templates over both.
+[[nodiscard]] inline Vec3f absolute(const Vec3f& v) {
+  return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
+}
+[[nodiscard]] inline float dot3(const Vec3f& a, const Vec3f& b) {
+  return dot(a, b);
+}
+[[nodiscard]] inline Vec3f cross3(const Vec3f& a, const Vec3f& b) {
+  return cross(a, b);
+}
+[[nodiscard]] inline Vec3f max(const Vec3f& a, const Vec3f& b) {
+  return {a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y, a.z > b.z ? a.z : b.z};
+}
+[[nodiscard]] inline float largest3(Float4 v) {
+  return std::max(std::max(v[0], v[1]), v[2]);
+}
+[[nodiscard]] inline float largest3(const Vec3f& v) {
+  return std::max(std::max(v.x, v.y), v.z);
+}
+
 [[nodiscard]] inline Float4 square_root(Float4 v) {
 #if defined(__SSE2__)
   return _mm_sqrt_ps(v);

@@ -2,16 +2,7 @@
 
 #include <algorithm>
 
-// One body for each width of vectors; the processor's is chosen when the program starts. Integers
-// only, so all of them give the same bits. Sanitizers would instrument the choice itself, which
-// runs before they are set up.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
-    !defined(__clang__)
-#define CANDELA_EACH_VECTOR_WIDTH \
-  __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define CANDELA_EACH_VECTOR_WIDTH
-#endif
+#include "renderer/base/vector_widths.h"
 
 namespace candela {
 namespace {
