@@ -21,10 +21,10 @@ endif()
 # Loops over lanes become vectors there; a precompiled header would undo the option.
 set_source_files_properties(renderer/sampling/sampler_block.cpp PROPERTIES
   SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS -O3)
-# There both sides of a branch are calculated, which may raise floating-point exceptions that the
-# branch would not have: no difference but to builds that trap them.
-if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
-  set_source_files_properties(integrators/path/diffuse_lanes.cpp PROPERTIES
+# There both sides of branches are calculated, which may raise floating-point exceptions that the
+# branches would not have: no difference but to builds that trap them.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+  set_source_files_properties(integrators/path/flat_lanes.cpp PROPERTIES
     SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-O3;-fno-trapping-math")
 endif()
 set(CMAKE_CXX_STANDARD 20)

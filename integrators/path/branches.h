@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "integrators/path/path_block.h"
+#include "integrators/path/step_flat_lanes.h"
 
 namespace candela {
 
@@ -78,7 +78,13 @@ class Branches {
     numbers.draw_material<F>(context.scene, unsplit, 0);
     numbers.draw_direction<F>(context.scene, *own_, 0);
     LaneMask going_on = 0;
-    for_each_lane(lanes_, [&](std::uint32_t i) {
+    LaneMask single = lanes_;
+    if constexpr (has_flat_lanes<F>) {
+      const FlatMasks flat = flat_lanes_of(context.scene, block.split.hits, lanes_);
+      if (flat.all() != 0) going_on = branch_flat_lanes<F>(context, numbers, flat, block);
+      single &= ~flat.all();
+    }
+    for_each_lane(single, [&](std::uint32_t i) {
       if (branch_off<F>(context, numbers.lane<F>(i), i, block)) going_on |= 1u << i;
     });
     return going_on;

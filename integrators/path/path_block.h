@@ -1,7 +1,7 @@
 // The paths of a block on their way, by lane.
 #pragma once
 
-#include "integrators/path/diffuse_lanes.h"
+#include "integrators/path/flat_lanes.h"
 
 namespace candela {
 
@@ -19,7 +19,7 @@ struct PathBlock {
   std::array<Rgb, block_size> unshadowed;  // what the shadow rays bring if nothing is in their way
   std::array<FilmSample, block_size> samples;
   SplitPaths split;
-  DiffuseLanes diffuse;
+  FlatLanes flat;
   // Kernels with media only: around the paths, and where the shadow rays start.
   std::array<MediumHandle, block_size> media;
   std::array<MediumHandle, block_size> shadow_media;

@@ -5,7 +5,7 @@
 #include "integrators/guiding/training_log.h"
 #include "integrators/path/branches.h"
 #include "integrators/path/media_step.h"
-#include "integrators/path/step_diffuse_lanes.h"
+#include "integrators/path/step_flat_lanes.h"
 
 namespace candela {
 
@@ -78,12 +78,13 @@ template <FeatureSet F, class A>
     numbers.draw_direction<F>(context.scene, samplers.path, bounce);
   }
   LanesAfterStep after;
-  if constexpr (has_diffuse_lanes<F>) {
-    const LaneMask diffuse =
-        is_drawn_together ? diffuse_lanes(context.scene, hits, alive) : LaneMask{0};
-    if (diffuse != 0)
-      step_diffuse_lanes<F>(context, numbers, bounce, diffuse, hits, block, after, counts);
-    alive &= ~diffuse;
+  if constexpr (has_flat_lanes<F>) {
+    if (is_drawn_together) {
+      const FlatMasks flat = flat_lanes_of(context.scene, hits, alive);
+      if (flat.all() != 0)
+        step_flat_lanes<F>(context, numbers, bounce, flat, hits, block, after, counts);
+      alive &= ~flat.all();
+    }
   }
   for_each_lane(alive, [&](std::uint32_t i) {
     StepNumbers own;

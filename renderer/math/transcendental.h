@@ -57,9 +57,12 @@ inline void swap_if(bool condition, float& a, float& b) {
 }
 
 // Sine and cosine of 2 pi u for u in [0, 1], absolute error below 1.2e-7. The reduction to an
-// octant is exact.
+// octant is exact. (Comparisons in place of a conversion, which would keep loops that call this
+// from becoming vector code.)
 [[nodiscard]] inline SinCos sin_cos_of_turns(float u) {
-  const auto quadrant = static_cast<std::int32_t>(4 * u + 0.5f);
+  const float quarters = 4 * u + 0.5f;
+  const int quadrant =
+      int{quarters >= 1} + int{quarters >= 2} + int{quarters >= 3} + int{quarters >= 4};
   const float r = u - 0.25f * static_cast<float>(quadrant);
   return sin_cos_of_quadrant(static_cast<std::uint32_t>(quadrant), r * 6.28318530717958647693f);
 }

@@ -1,0 +1,165 @@
+#include "integrators/path/flat_lanes.h"
+
+#include "renderer/base/vector_widths.h"
+
+// A loop becomes vector code only as a whole, with all that it calls.
+#define CANDELA_LANES CANDELA_EACH_VECTOR_WIDTH [[gnu::flatten]]
+
+namespace candela {
+namespace {
+
+// Booleans as numbers: what && makes is a branch, which vectors do not have.
+[[nodiscard]] constexpr std::uint32_t flag(bool condition) {
+  return condition ? 1 : 0;
+}
+[[nodiscard]] inline LaneMask mask_of(const LaneFlags& flags) {
+  LaneMask mask = 0;
+  for (std::uint32_t i = 0; i < block_size; ++i) mask |= flags[i] << i;
+  return mask;
+}
+
+[[nodiscard]] inline Light lamp_of(const LampLanes& lamps, std::size_t i) {
+  Light light;
+  light.emits_both_sides = lamps.emits_both_sides[i] != 0;
+  light.position = lamps.position[i];
+  light.edge1 = lamps.edge1[i];
+  light.edge2 = lamps.edge2[i];
+  light.normal = lamps.normal[i];
+  light.emission = lamps.emission[i];
+  light.area = lamps.area[i];
+  light.offset = lamps.offset[i];
+  light.near_distance2 = lamps.near_distance2[i];
+  return light;
+}
+
+constexpr FeatureSet features_of(FlatModel model) {
+  return plain_features.with_models(
+      model_bit(model == FlatModel::Diffuse ? BsdfModel::Diffuse : BsdfModel::CookTorrance));
+}
+
+template <FlatModel model>
+[[nodiscard]] inline Bsdf bsdf_of(const BsdfLanes& bsdfs, std::size_t i) {
+  if constexpr (model == FlatModel::Diffuse) return {.diffuse = bsdfs.diffuse[i]};
+  return {.model = BsdfModel::CookTorrance,
+          .alpha = bsdfs.alpha[i],
+          .diffuse = bsdfs.diffuse[i],
+          .specular = bsdfs.specular[i],
+          .f0 = bsdfs.f0[i]};
+}
+
+template <FlatModel model>
+[[nodiscard]] inline LampMasks weigh_lamps_of(const RenderOptions& options, FlatLanes& lanes) {
+  const MetLanes& met = lanes.met;
+  LampLanes& lamps = lanes.lamps;
+  LaneFlags dark, to_trace;
+  for (std::size_t i = 0; i < block_size; ++i) {
+    SurfacePoint point = point_of(met, i);
+    Bsdf bsdf = bsdf_of<model>(lanes.bsdfs, i);
+    Rgb contribution = unshadowed_contribution<features_of(model)>(
+        options, point, bsdf, {}, point.shading.to_local(-met.direction[i]), lamps.wi[i],
+        lamps.pdf[i], false, lamps.probability[i], lamps.radiance[i]);
+    lamps.contribution.set(i, contribution);
+  }
+  for (std::size_t i = 0; i < block_size; ++i) {
+    const std::uint32_t is_valid = flag(lamps.pdf[i] > 0);
+    Rgb contribution = lamps.contribution[i];
+    dark[i] = is_valid & flag(is_black(contribution));
+    contribution *= met.throughput[i];
+    lamps.contribution.set(i, contribution);
+    Ray shadow_ray{lamps.shadow_origin[i], lamps.shadow_direction[i]};
+    to_trace[i] = is_valid & flag(!is_black(contribution)) & flag(is_traceable(shadow_ray));
+  }
+  return {mask_of(dark), mask_of(to_trace)};
+}
+
+template <FlatModel model>
+[[nodiscard]] inline ScatterMasks scatter_by(const RenderOptions& options,
+                                             const BlockNumbers& numbers, std::uint32_t bounce,
+                                             float inverse_roulette_threshold, FlatLanes& lanes) {
+  const MetLanes& met = lanes.met;
+  ScatteredLanes& scattered = lanes.scattered;
+  LaneFlags going_on, traceable;
+  for (std::size_t i = 0; i < block_size; ++i) {
+    const StepNumbers own = numbers.lane<features_of(model)>(i);
+    const float roulette = own.roulette;
+    SurfacePoint point = point_of(met, i);
+    Bsdf bsdf = bsdf_of<model>(lanes.bsdfs, i);
+    PathState path;
+    path.throughput = met.throughput[i];
+    Ray ray;
+    const std::uint32_t is_scattered = flag(scatter_from<features_of(model)>(
+        options, own, {}, point, bsdf, point.shading.to_local(-met.direction[i]), ray, path));
+    going_on[i] =
+        is_scattered & flag(survives_roulette(roulette, bounce, inverse_roulette_threshold, path));
+    traceable[i] = flag(is_traceable(ray));
+    scattered.throughput.set(i, path.throughput);
+    scattered.pdf[i] = path.bsdf_pdf;
+    scattered.origin.set(i, ray.origin);
+    scattered.direction.set(i, ray.direction);
+  }
+  return {mask_of(going_on), mask_of(traceable)};
+}
+
+CANDELA_LANES LampMasks weigh_lamps_of_diffuse(const RenderOptions& options, FlatLanes& lanes) {
+  return weigh_lamps_of<FlatModel::Diffuse>(options, lanes);
+}
+CANDELA_LANES LampMasks weigh_lamps_of_glossy(const RenderOptions& options, FlatLanes& lanes) {
+  return weigh_lamps_of<FlatModel::CookTorrance>(options, lanes);
+}
+CANDELA_LANES ScatterMasks scatter_by_diffuse(const RenderOptions& options,
+                                              const BlockNumbers& numbers, std::uint32_t bounce,
+                                              float inverse_threshold, FlatLanes& lanes) {
+  return scatter_by<FlatModel::Diffuse>(options, numbers, bounce, inverse_threshold, lanes);
+}
+CANDELA_LANES ScatterMasks scatter_by_glossy(const RenderOptions& options,
+                                             const BlockNumbers& numbers, std::uint32_t bounce,
+                                             float inverse_threshold, FlatLanes& lanes) {
+  return scatter_by<FlatModel::CookTorrance>(options, numbers, bounce, inverse_threshold, lanes);
+}
+
+}  // namespace
+
+CANDELA_LANES void find_points(MetLanes& met) {
+  for (std::size_t i = 0; i < block_size; ++i) {
+    surface_point_detail::PlanePoint<Vec3f> plane = surface_point_detail::plane_point(
+        met.corner0[i], met.corner1[i], met.corner2[i], met.u[i], met.v[i]);
+    const bool is_front = dot(plane.normal, -met.direction[i]) > 0;
+    met.position.set(i, plane.position);
+    met.normal.set(i, is_front ? plane.normal : -plane.normal);
+    met.offset[i] = plane.offset;
+  }
+}
+
+CANDELA_LANES LaneMask sample_lamps(FlatLanes& lanes) {
+  LampLanes& lamps = lanes.lamps;
+  LaneFlags near;
+  for (std::size_t i = 0; i < block_size; ++i) {
+    SurfacePoint point = point_of(lanes.met, i);
+    Light light = lamp_of(lamps, i);
+    const Vec2f u{lamps.u_x[i], lamps.u_y[i]};
+    Vec2f weights = square_to_triangle(u);
+    if (lamps.is_triangle[i] == 0) weights = u;
+    near[i] = flag(lamps.is_triangle[i] == 0) & flag(is_near(light, point.position));
+    LightSample sample = light_from_place(light, point, weights);
+    lamps.wi.set(i, sample.wi);
+    lamps.radiance.set(i, sample.radiance);
+    lamps.pdf[i] = sample.pdf;
+    lamps.shadow_origin.set(i, sample.shadow_ray.origin);
+    lamps.shadow_direction.set(i, sample.shadow_ray.direction);
+  }
+  return mask_of(near);
+}
+
+LampMasks weigh_lamps(FlatModel model, const RenderOptions& options, FlatLanes& lanes) {
+  return model == FlatModel::Diffuse ? weigh_lamps_of_diffuse(options, lanes)
+                                     : weigh_lamps_of_glossy(options, lanes);
+}
+
+ScatterMasks scatter(FlatModel model, const RenderOptions& options, const BlockNumbers& numbers,
+                     std::uint32_t bounce, float inverse_roulette_threshold, FlatLanes& lanes) {
+  return model == FlatModel::Diffuse
+             ? scatter_by_diffuse(options, numbers, bounce, inverse_roulette_threshold, lanes)
+             : scatter_by_glossy(options, numbers, bounce, inverse_roulette_threshold, lanes);
+}
+
+}  // namespace candela
