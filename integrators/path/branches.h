@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "integrators/path/step_flat_lanes.h"
+#include "integrators/path/fill_plain_lanes.h"
 
 namespace candela {
 
@@ -72,17 +72,19 @@ class Branches {
   // that go on.
   template <FeatureSet F, class A>
   [[nodiscard]] LaneMask start(const PathContext<A>& context, const SamplerBlock& unsplit,
-                               PathBlock& block) {
+                               PathBlock& block, PlainLanes& lanes) {
     own_.emplace(pixel_, first_sample_, splitting_, branch_);
     BlockNumbers numbers;
     numbers.draw_material<F>(context.scene, unsplit, 0);
     numbers.draw_direction<F>(context.scene, *own_, 0);
     LaneMask going_on = 0;
     LaneMask single = lanes_;
-    if constexpr (has_flat_lanes<F>) {
-      const FlatMasks flat = flat_lanes_of(context.scene, block.split.hits, lanes_);
-      if (flat.all() != 0) going_on = branch_flat_lanes<F>(context, numbers, flat, block);
-      single &= ~flat.all();
+    if constexpr (has_plain_lanes<F>) {
+      const PlainMasks plain_lanes = plain_lanes_of(context.scene, block.split.hits, lanes_);
+      for (const PlainModel model : {PlainModel::Diffuse, PlainModel::CookTorrance})
+        going_on |=
+            branch_plain_lanes<F>(context, numbers, model, plain_lanes.of(model), block, lanes);
+      single &= ~plain_lanes.all();
     }
     for_each_lane(single, [&](std::uint32_t i) {
       if (branch_off<F>(context, numbers.lane<F>(i), i, block)) going_on |= 1u << i;

@@ -1,7 +1,10 @@
 // The paths of a block on their way, by lane.
 #pragma once
 
-#include "integrators/path/flat_lanes.h"
+#include <array>
+
+#include "integrators/path/path_step.h"
+#include "renderer/accel/ray_block.h"
 
 namespace candela {
 
@@ -12,14 +15,21 @@ struct SplitPaths {
   std::array<Rgb, block_size> radiance;
 };
 
+// Which lanes of a block have a shadow ray after a step, and which a ray to go on with.
+struct LanesAfterStep {
+  LaneMask shadow_rays = 0;
+  LaneMask sky_rays = 0;  // of the shadow rays those whose contribution lacks the sky
+  LaneMask going_on = 0;
+};
+
 struct PathBlock {
   RayBlock rays;
+  HitBlock hits;  // of the rays
   std::array<PathState, block_size> paths;
   RayBlock shadow_rays;
   std::array<Rgb, block_size> unshadowed;  // what the shadow rays bring if nothing is in their way
   std::array<FilmSample, block_size> samples;
   SplitPaths split;
-  FlatLanes flat;
   // Kernels with media only: around the paths, and where the shadow rays start.
   std::array<MediumHandle, block_size> media;
   std::array<MediumHandle, block_size> shadow_media;

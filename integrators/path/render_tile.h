@@ -3,44 +3,63 @@
 
 #include "integrators/background_pixels.h"
 #include "integrators/lamp_pixels.h"
+#include "integrators/path/convoy.h"
 #include "integrators/path/seen_lamps.h"
 #include "integrators/tile_pass.h"
 
 namespace candela {
 
-// The samples of `lanes` of the pixel's block that begins at `base`.
+// The paths of a block start at the camera.
 template <FeatureSet F, class A>
-inline void render_block(const PathContext<A>& context, const PixelSampler& pixel, int x, int y,
-                         std::uint32_t base, LaneMask lanes, std::uint32_t splitting,
-                         PathBlock& block, Film& film, TileCounts& counts) {
-  const SamplerBlock samplers(pixel, base);
+inline void start(BlockTrip<A>& trip) {
+  const PathContext<A>& context = trip.context;
+  PathBlock& block = trip.block;
   CameraNumbers numbers;
-  numbers.draw<F>(context.camera, samplers, Dimension::Filter, Dimension::Lens);
-  LaneMask alive = 0;
-  for_each_lane(lanes, [&](std::uint32_t i) {
+  numbers.draw<F>(context.camera, trip.samplers, Dimension::Filter, Dimension::Lens);
+  for_each_lane(trip.place.lanes, [&](std::uint32_t i) {
     block.paths[i] = PathState{};
     if constexpr (F.media) block.media[i] = context.camera.medium;
     block.samples[i].alpha = 1;
     block.samples[i].has_hit = false;
     Vec2f place = context.filter.sample(unit_point(numbers.filter, i));
     block.samples[i].weight = context.filter.weight(place);
-    Ray ray = camera_ray<F>(context, place, unit_point(numbers.lens, i), x, y);
-    if (set_ray(block, i, ray)) alive |= 1u << i;
+    Ray ray =
+        camera_ray<F>(context, place, unit_point(numbers.lens, i), trip.place.x, trip.place.y);
+    if (set_ray(block, i, ray)) trip.alive |= 1u << i;
   });
-  counts.rays.camera += static_cast<std::uint64_t>(std::popcount(lanes));
-  if (F.media && context.scene.features.media) splitting = 1;
-  trace_block<F>(context, samplers, Branches(pixel, base, splitting), alive, lanes == all_lanes,
-                 block, counts);
+  trip.counts.rays.camera += static_cast<std::uint64_t>(std::popcount(trip.place.lanes));
+}
+
+// In units of a camera ray, roughly: those of a pixel are traced as a packet.
+[[nodiscard]] inline std::uint64_t ray_cost(const RayCounts& rays) {
+  return rays.camera + rays.lamp + 4 * rays.indirect + 2 * rays.shadow;
+}
+
+// The paths of a block have ended.
+template <FeatureSet F, class A>
+inline void finish(BlockTrip<A>& trip, Film& film, TileCounts& counts) {
+  const PathContext<A>& context = trip.context;
+  PathBlock& block = trip.block;
   if constexpr (F.guided) {
     if (context.training != nullptr)
-      for_each_lane(lanes,
+      for_each_lane(trip.place.lanes,
                     [&](std::uint32_t i) { context.training->end(i, block.paths[i].radiance); });
   }
-  if (context.lamp_rays > 0) add_seen_lamps<F>(context, pixel, x, y, base, lanes, block, counts);
-  for_each_lane(lanes, [&](std::uint32_t i) {
+  if (context.lamp_rays > 0) add_seen_lamps<F>(trip);
+  for_each_lane(trip.place.lanes, [&](std::uint32_t i) {
     block.samples[i].radiance = block.paths[i].radiance;
-    add_or_count(block.samples[i], x, y, base + i, context.options.clamp, film, counts);
+    add_or_count(block.samples[i], trip.place.x, trip.place.y, trip.place.first + i,
+                 context.options.clamp, film, trip.counts);
   });
+  film.add_cost(trip.place.x, trip.place.y, static_cast<std::uint32_t>(ray_cost(trip.counts.rays)));
+  counts.add(trip.counts);
+}
+
+template <FeatureSet F, class A>
+inline void travel(Convoy<F, A>& convoy, Film& film, TileCounts& counts) {
+  convoy.travel();
+  convoy.for_each_trip([&](BlockTrip<A>& trip) { finish<F>(trip, film, counts); });
+  convoy.clear();
 }
 
 // Lanes of the block at `base` whose samples lie in the range, which ends after `base`.
@@ -49,11 +68,6 @@ inline void render_block(const PathContext<A>& context, const PixelSampler& pixe
   const LaneMask to_end =
       range.end - base < block_size ? (1u << (range.end - base)) - 1 : all_lanes;
   return from_first & to_end & all_lanes;
-}
-
-// In units of a camera ray, roughly: those of a pixel are traced as a packet.
-[[nodiscard]] inline std::uint64_t ray_cost(const RayCounts& rays) {
-  return rays.camera + rays.lamp + 4 * rays.indirect + 2 * rays.shadow;
 }
 
 // How many independent sequences the samples of a pixel are dealt to: one a replicate, or one each.
@@ -87,8 +101,9 @@ TileCounts render_tile(const PathContext<A>& of_render, const TilePass& pass, Fi
     if (pass.training != nullptr) context.training = &training;
   }
   const PixelRect& tile = pass.tile;
+  const std::uint32_t splitting = F.media && context.scene.features.media ? 1 : pass.plan.splitting;
   TileCounts counts;
-  PathBlock block;
+  Convoy<F, A> convoy;
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) {
       const SampleRange range = pass.of_pixel(x, y);
@@ -99,14 +114,15 @@ TileCounts render_tile(const PathContext<A>& of_render, const TilePass& pass, Fi
       const PixelSampler pixel(pass.seed, static_cast<std::uint32_t>(x),
                                static_cast<std::uint32_t>(y), sequences_of(context.options, film));
       aim_lamp_rays(x, y, context);
-      const std::uint64_t rays_before = ray_cost(counts.rays);
       for (std::uint32_t base = range.first & ~(block_size - 1); base < range.end;
-           base += block_size)
-        render_block<F>(context, pixel, x, y, base, lanes_in(base, range), pass.plan.splitting,
-                        block, film, counts);
-      film.add_cost(x, y, static_cast<std::uint32_t>(ray_cost(counts.rays) - rays_before));
+           base += block_size) {
+        start<F>(
+            convoy.add(context, pixel, BlockPlace{x, y, base, lanes_in(base, range)}, splitting));
+        if (convoy.is_full()) travel(convoy, film, counts);
+      }
     }
   }
+  travel(convoy, film, counts);
   if constexpr (F.guided) {
     if (pass.training != nullptr) *pass.training = std::move(training.records());
   }

@@ -50,22 +50,22 @@ template <FeatureSet F>
 // To each sample of a block the mean over its rays, times the part's share. Out of line: few pixels
 // have any.
 template <FeatureSet F, class A>
-[[gnu::noinline]] void add_seen_lamps(const PathContext<A>& context, const PixelSampler& pixel,
-                                      int x, int y, std::uint32_t base, LaneMask lanes,
-                                      PathBlock& block, TileCounts& counts) {
+[[gnu::noinline]] void add_seen_lamps(BlockTrip<A>& trip) {
+  const PathContext<A>& context = trip.context;
   const std::uint32_t count = context.lamp_rays;
   const float share = context.lamp_part.share() / static_cast<float>(count);
   RayBlock rays;
   for (std::uint32_t k = 0; k < count; ++k) {
-    const SamplerBlock samplers(pixel, base, count, k);
-    const LaneMask traced =
-        aim_at_lamps<F>(context, samplers, context.lamp_part, x, y, lanes, rays);
-    const HitBlock hits = intersect_lanes(context.accelerator, rays, traced, 0, lanes == all_lanes);
+    const SamplerBlock samplers(trip.pixel, trip.place.first, count, k);
+    const LaneMask traced = aim_at_lamps<F>(context, samplers, context.lamp_part, trip.place.x,
+                                            trip.place.y, trip.place.lanes, rays);
+    const HitBlock hits =
+        intersect_lanes(context.accelerator, rays, traced, 0, trip.place.is_whole());
     for_each_lane(traced, [&](std::uint32_t i) {
-      block.paths[i].radiance +=
+      trip.block.paths[i].radiance +=
           share * lamp_radiance<F>(context.scene, context.options, rays[i], hits[i]);
     });
-    counts.rays.lamp += static_cast<std::uint64_t>(std::popcount(traced));
+    trip.counts.rays.lamp += static_cast<std::uint64_t>(std::popcount(traced));
   }
 }
 

@@ -1,11 +1,14 @@
-// Up to sixteen consecutive samples of a pixel, bounce by bounce: their rays are traced together,
-// then each path takes its step.
+// Blocks of samples, bounce by bounce: the rays of each are traced together; paths on plain
+// surfaces take their steps together whatever block they are of, the others one by one.
 #pragma once
 
+#include <array>
+#include <optional>
+#include <span>
+
 #include "integrators/guiding/training_log.h"
-#include "integrators/path/branches.h"
+#include "integrators/path/block_trip.h"
 #include "integrators/path/media_step.h"
-#include "integrators/path/step_flat_lanes.h"
 
 namespace candela {
 
@@ -33,16 +36,36 @@ template <FeatureSet F, class A>
     return step<F>(context, numbers, bounce, hit, ray, path, picked, block.samples[i], counts);
 }
 
+// The numbers of the path in a lane at this bounce.
+template <FeatureSet F, class A>
+[[nodiscard]] inline StepNumbers numbers_of(const BlockTrip<A>& trip, std::uint32_t i) {
+  if (trip.is_drawn_together) return trip.numbers.template lane<F>(i);
+  StepNumbers own;
+  draw_hit<F>(trip.context.scene, trip.hit_samplers().lane(i), trip.bounce, own);
+  draw_direction<F>(trip.context.scene, trip.path_samplers().lane(i), trip.bounce, own);
+  return own;
+}
+
+template <FeatureSet F, class A>
+inline void draw_numbers(BlockTrip<A>& trip) {
+  constexpr int fewest = 4;
+  trip.is_drawn_together = std::popcount(trip.alive) >= fewest;
+  if (!trip.is_drawn_together) return;
+  trip.numbers.template draw_hit<F>(trip.context.scene, trip.hit_samplers(), trip.bounce);
+  trip.numbers.template draw_direction<F>(trip.context.scene, trip.path_samplers(), trip.bounce);
+}
+
 // A step of the path in lane i.
 template <FeatureSet F, class A>
-inline void step_lane(const PathContext<A>& context, const StepNumbers& numbers,
-                      std::uint32_t bounce, std::uint32_t i, const Hit& hit, PathBlock& block,
-                      LanesAfterStep& after, TileCounts& counts) {
+inline void step_lane(BlockTrip<A>& trip, std::uint32_t i) {
+  const PathContext<A>& context = trip.context;
+  PathBlock& block = trip.block;
+  LanesAfterStep& after = trip.after;
   Ray ray = block.rays[i];
   PathState path = block.paths[i];
   DirectLight picked;
-  const bool goes_on =
-      take_step<F>(context, numbers, bounce, i, hit, ray, path, picked, block, counts);
+  const bool goes_on = take_step<F>(context, numbers_of<F>(trip, i), trip.bounce, i, block.hits[i],
+                                    ray, path, picked, block, trip.counts);
   if (!is_black(picked.contribution) && is_traceable(picked.shadow_ray)) {
     block.shadow_rays[i] = picked.shadow_ray;
     block.unshadowed[i] = picked.contribution;
@@ -57,46 +80,6 @@ inline void step_lane(const PathContext<A>& context, const StepNumbers& numbers,
   }
   block.paths[i] = path;
   if (goes_on && set_ray(block, i, ray)) after.going_on |= 1u << i;
-}
-
-// The numbers of a bounce: of the hits themselves, and of the paths that go on from there.
-struct BounceSamplers {
-  const SamplerBlock& hit;
-  const SamplerBlock& path;
-};
-
-// Steps of all paths that are alive.
-template <FeatureSet F, class A>
-[[nodiscard]] inline LanesAfterStep step_lanes(const PathContext<A>& context,
-                                               const BounceSamplers& samplers, LaneMask alive,
-                                               std::uint32_t bounce, const HitBlock& hits,
-                                               PathBlock& block, TileCounts& counts) {
-  const bool is_drawn_together = std::popcount(alive) >= fewest_of_vectors;
-  BlockNumbers numbers;
-  if (is_drawn_together) {
-    numbers.draw_hit<F>(context.scene, samplers.hit, bounce);
-    numbers.draw_direction<F>(context.scene, samplers.path, bounce);
-  }
-  LanesAfterStep after;
-  if constexpr (has_flat_lanes<F>) {
-    if (is_drawn_together) {
-      const FlatMasks flat = flat_lanes_of(context.scene, hits, alive);
-      if (flat.all() != 0)
-        step_flat_lanes<F>(context, numbers, bounce, flat, hits, block, after, counts);
-      alive &= ~flat.all();
-    }
-  }
-  for_each_lane(alive, [&](std::uint32_t i) {
-    StepNumbers own;
-    if (is_drawn_together) {
-      own = numbers.lane<F>(i);
-    } else {
-      draw_hit<F>(context.scene, samplers.hit.lane(i), bounce, own);
-      draw_direction<F>(context.scene, samplers.path.lane(i), bounce, own);
-    }
-    step_lane<F>(context, own, bounce, i, hits[i], block, after, counts);
-  });
-  return after;
 }
 
 // Takes from `block.unshadowed` what stands in the shadow rays' way; returns the lanes in which
@@ -155,48 +138,44 @@ template <FeatureSet F, class A>
   return alive & ~ended;
 }
 
-// A bounce of the paths of a block; returns those that go on.
+// The rays of the paths that are alive end; so do the paths whose rays leave the scene.
 template <FeatureSet F, class A>
-[[nodiscard]] inline LaneMask leave_hits(const PathContext<A>& context,
-                                         const BounceSamplers& samplers, LaneMask alive,
-                                         std::uint32_t bounce, const HitBlock& hits,
-                                         PathBlock& block, TileCounts& counts) {
+inline void meet(BlockTrip<A>& trip) {
+  PathBlock& block = trip.block;
+  block.hits = intersect_lanes(trip.context.accelerator, block.rays, trip.alive, trip.bounce,
+                               trip.place.is_whole());
+  if (trip.branches.is_split() && trip.bounce == 0) block.split.hits = block.hits;
   if constexpr (F.guided) {
-    if (context.training != nullptr)
-      for_each_lane(alive, [&](std::uint32_t i) { context.training->meet(i, hits[i].t); });
+    if (trip.context.training != nullptr)
+      for_each_lane(trip.alive,
+                    [&](std::uint32_t i) { trip.context.training->meet(i, block.hits[i].t); });
   }
-  alive = end_in_environment<F>(context, alive, bounce, hits, block);
-  if (alive == 0) return 0;
-  const LanesAfterStep after = step_lanes<F>(context, samplers, alive, bounce, hits, block, counts);
-  if (after.shadow_rays != 0) add_direct_light<F>(context, after, block, counts);
-  if constexpr (F.guided) {
-    if (context.training != nullptr)
-      for_each_lane(after.going_on,
-                    [&](std::uint32_t i) { context.training->had(i, block.paths[i].radiance); });
-  }
-  return after.going_on;
+  trip.alive = end_in_environment<F>(trip.context, trip.alive, trip.bounce, block.hits, block);
+  trip.after = {};
+  if (trip.alive != 0) draw_numbers<F>(trip);
 }
 
-// From the camera rays in `block.rays` of the lanes that are alive to the paths' radiances.
+// What the shadow rays bring, and on to the next bounce, or branch.
 template <FeatureSet F, class A>
-inline void trace_block(const PathContext<A>& context, const SamplerBlock& samplers,
-                        Branches branches, LaneMask alive, bool is_whole, PathBlock& block,
-                        TileCounts& counts) {
-  if (branches.is_split()) branches.begin(alive, block);
-  for (std::uint32_t bounce = 0; alive != 0; ++bounce) {
-    const HitBlock hits = intersect_lanes(context.accelerator, block.rays, alive, bounce, is_whole);
-    const BounceSamplers own{bounce == 0 ? samplers : branches.samplers(samplers),
-                             branches.samplers(samplers)};
-    if (branches.is_split() && bounce == 0) block.split.hits = hits;
-    alive = leave_hits<F>(context, own, alive, bounce, hits, block, counts);
-    if (branches.is_split()) {
-      if (bounce == 0) branches.keep_direct_light(block);
-      for (; alive == 0 && branches.next(block); bounce = 0)
-        alive = branches.start<F>(context, samplers, block);
-    }
-    counts.rays.indirect += static_cast<std::uint64_t>(std::popcount(alive));
+inline void go_on(BlockTrip<A>& trip, PlainLanes& lanes) {
+  PathBlock& block = trip.block;
+  if (trip.after.shadow_rays != 0)
+    add_direct_light<F>(trip.context, trip.after, block, trip.counts);
+  trip.alive = trip.after.going_on;
+  if constexpr (F.guided) {
+    if (trip.context.training != nullptr)
+      for_each_lane(trip.alive, [&](std::uint32_t i) {
+        trip.context.training->had(i, block.paths[i].radiance);
+      });
   }
-  if (branches.is_split()) branches.end(block);
+  Branches& branches = trip.branches;
+  if (branches.is_split()) {
+    if (trip.bounce == 0) branches.keep_direct_light(block);
+    for (; trip.alive == 0 && branches.next(block); trip.bounce = 0)
+      trip.alive = branches.template start<F>(trip.context, trip.samplers, block, lanes);
+  }
+  ++trip.bounce;
+  trip.counts.rays.indirect += static_cast<std::uint64_t>(std::popcount(trip.alive));
 }
 
 }  // namespace candela

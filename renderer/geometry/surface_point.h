@@ -77,6 +77,14 @@ template <class V>
   return {p0 * b0 + p1 * u + p2 * v, normal, dot3(absolute(normal), error)};
 }
 
+// `n`: interpolated, of any length; the triangle's own where it is zero.
+inline void set_front_normal(const Vec3f& n, SurfacePoint& point) {
+  const float length2 = dot(n, n);
+  if (!(length2 > 0)) return;
+  point.front_normal = n / std::sqrt(length2);
+  point.is_flat = false;
+}
+
 }  // namespace surface_point_detail
 
 // The shading normal, bent towards the geometric one just as far as the mirror direction about it
@@ -135,11 +143,7 @@ template <class V>
     Vec3f n = geometry.normals[index[0]] * b0 + geometry.normals[index[1]] * hit.u +
               geometry.normals[index[2]] * hit.v;
     if (instance != nullptr) n = instance->normal(n);
-    const float length2 = dot(n, n);
-    if (length2 > 0) {
-      point.front_normal = n / std::sqrt(length2);
-      point.is_flat = false;
-    }
+    set_front_normal(n, point);
   }
   if (with_uv && !geometry.uvs.empty()) {
     Vec2f t0 = geometry.uvs[index[0]];

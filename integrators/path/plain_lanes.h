@@ -1,14 +1,17 @@
-// Paths on flat surfaces, sixteen side by side: loops over lanes around the very functions that
-// take a single path's step, written so that the compiler makes vector code of them. Lanes that
-// hold no such path are calculated along and mean nothing.
+// Paths on plain surfaces of one model, side by side: loops over lanes around the very functions
+// that take a single path's step, written so that the compiler makes vector code of them. The
+// paths fill the first lanes; what others hold means nothing.
 #pragma once
 
-#include "integrators/path/block_numbers.h"
+#include <array>
+
+#include "integrators/path/path_step.h"
+#include "renderer/accel/ray_block.h"
 
 namespace candela {
 
 template <class T>
-using Lanes = SamplerLanes<T>;
+using Lanes = std::array<T, block_size>;
 using LaneFlags = Lanes<std::uint32_t>;  // 1 in lanes where something holds, else 0
 
 struct Vec3Lanes {
@@ -31,13 +34,19 @@ struct MetLanes {
   }
 
   Vec3Lanes corner0, corner1, corner2;
+  LaneFlags has_normals{};
+  bool any_has_normals = false;         // of the lanes that are filled
+  Vec3Lanes normal0, normal1, normal2;  // of the corners
   Lanes<float> u{}, v{};
   Vec3Lanes direction;   // of the rays
   Vec3Lanes throughput;  // of the paths
   // By find_points():
   Vec3Lanes position;
-  Vec3Lanes normal;  // the geometric one, on the ray's side
+  Vec3Lanes outside;         // the geometric normal, on the front side
+  Vec3Lanes normal;          // the same, on the ray's side
+  Vec3Lanes shading_normal;  // that of the shading frame
   Lanes<float> offset{};
+  LaneFlags is_flat{};
 };
 
 // The emitting triangles and quads that the paths' light samples were dealt to (Light), and those
@@ -65,52 +74,57 @@ struct BsdfLanes {
   Lanes<float> alpha;
 };
 
-// How the paths go on, by scatter().
+// How the paths go on.
 struct ScatteredLanes {
+  Lanes<std::uint32_t> bounce{};
+  Lanes<float> lobe{}, direction_x{}, direction_y{}, roulette{};  // random numbers
+  // By scatter():
   Vec3Lanes throughput;
   Lanes<float> pdf{};
   Vec3Lanes origin, direction;
 };
 
-struct FlatLanes {
+struct PlainLanes {
+  void clear() {
+    size = 0;
+    met.any_has_normals = false;
+  }
+
+  std::uint32_t size = 0;  // lanes that are filled
   MetLanes met;
   LampLanes lamps;
   BsdfLanes bsdfs;
   ScatteredLanes scattered;
 };
 
-// With its frame.
 [[nodiscard]] inline SurfacePoint point_of(const MetLanes& met, std::size_t i) {
   SurfacePoint point;
   point.position = met.position[i];
   point.offset = met.offset[i];
   point.geometric_normal = met.normal[i];
-  set_shading_frame(point, -met.direction[i]);
+  point.is_flat = met.is_flat[i] != 0;
+  point.shading = frame_from_normal(met.shading_normal[i]);
   point.receiving_normal = point.shading.z;
   return point;
 }
 
-enum class FlatModel : std::uint8_t { Diffuse, CookTorrance };
+enum class PlainModel : std::uint8_t { Diffuse, CookTorrance };
 
-void find_points(MetLanes& met);
+void find_points(PlainLanes& lanes);
 
-// Returns the lanes that are left to others, since the lamp wants to be sampled by solid angle.
-[[nodiscard]] LaneMask sample_lamps(FlatLanes& lanes);
+// Light samples by area. Returns the lanes that are left to others, since their lamps want to be
+// sampled by solid angle.
+[[nodiscard]] LaneMask sample_lamps(PlainLanes& lanes);
 
-// Of the lanes whose surfaces are of the model.
 struct LampMasks {
   LaneMask dark = 0;         // there is a light sample, and it brings nothing
   LaneMask shadow_rays = 0;  // to be traced
 };
-[[nodiscard]] LampMasks weigh_lamps(FlatModel model, const RenderOptions& options,
-                                    FlatLanes& lanes);
+[[nodiscard]] LampMasks weigh_lamps(PlainModel model, const RenderOptions& options,
+                                    PlainLanes& lanes);
 
-struct ScatterMasks {
-  LaneMask going_on = 0;
-  LaneMask traceable = 0;  // whose ray is
-};
-[[nodiscard]] ScatterMasks scatter(FlatModel model, const RenderOptions& options,
-                                   const BlockNumbers& numbers, std::uint32_t bounce,
-                                   float inverse_roulette_threshold, FlatLanes& lanes);
+// Returns the lanes whose paths go on.
+[[nodiscard]] LaneMask scatter(PlainModel model, const RenderOptions& options,
+                               float inverse_roulette_threshold, PlainLanes& lanes);
 
 }  // namespace candela

@@ -1,4 +1,4 @@
-#include "integrators/path/flat_lanes.h"
+#include "integrators/path/plain_lanes.h"
 
 #include "renderer/base/vector_widths.h"
 
@@ -12,10 +12,11 @@ namespace {
 [[nodiscard]] constexpr std::uint32_t flag(bool condition) {
   return condition ? 1 : 0;
 }
-[[nodiscard]] inline LaneMask mask_of(const LaneFlags& flags) {
+// Of the lanes that are filled.
+[[nodiscard]] inline LaneMask mask_of(const LaneFlags& flags, const PlainLanes& lanes) {
   LaneMask mask = 0;
   for (std::uint32_t i = 0; i < block_size; ++i) mask |= flags[i] << i;
-  return mask;
+  return mask & ((1u << lanes.size) - 1);
 }
 
 [[nodiscard]] inline Light lamp_of(const LampLanes& lamps, std::size_t i) {
@@ -32,14 +33,14 @@ namespace {
   return light;
 }
 
-constexpr FeatureSet features_of(FlatModel model) {
+constexpr FeatureSet features_of(PlainModel model) {
   return plain_features.with_models(
-      model_bit(model == FlatModel::Diffuse ? BsdfModel::Diffuse : BsdfModel::CookTorrance));
+      model_bit(model == PlainModel::Diffuse ? BsdfModel::Diffuse : BsdfModel::CookTorrance));
 }
 
-template <FlatModel model>
+template <PlainModel model>
 [[nodiscard]] inline Bsdf bsdf_of(const BsdfLanes& bsdfs, std::size_t i) {
-  if constexpr (model == FlatModel::Diffuse) return {.diffuse = bsdfs.diffuse[i]};
+  if constexpr (model == PlainModel::Diffuse) return {.diffuse = bsdfs.diffuse[i]};
   return {.model = BsdfModel::CookTorrance,
           .alpha = bsdfs.alpha[i],
           .diffuse = bsdfs.diffuse[i],
@@ -47,8 +48,8 @@ template <FlatModel model>
           .f0 = bsdfs.f0[i]};
 }
 
-template <FlatModel model>
-[[nodiscard]] inline LampMasks weigh_lamps_of(const RenderOptions& options, FlatLanes& lanes) {
+template <PlainModel model>
+[[nodiscard]] inline LampMasks weigh_lamps_of(const RenderOptions& options, PlainLanes& lanes) {
   const MetLanes& met = lanes.met;
   LampLanes& lamps = lanes.lamps;
   LaneFlags dark, to_trace;
@@ -69,68 +70,92 @@ template <FlatModel model>
     Ray shadow_ray{lamps.shadow_origin[i], lamps.shadow_direction[i]};
     to_trace[i] = is_valid & flag(!is_black(contribution)) & flag(is_traceable(shadow_ray));
   }
-  return {mask_of(dark), mask_of(to_trace)};
+  return {mask_of(dark, lanes), mask_of(to_trace, lanes)};
 }
 
-template <FlatModel model>
-[[nodiscard]] inline ScatterMasks scatter_by(const RenderOptions& options,
-                                             const BlockNumbers& numbers, std::uint32_t bounce,
-                                             float inverse_roulette_threshold, FlatLanes& lanes) {
+template <PlainModel model>
+[[nodiscard]] inline LaneMask scatter_by(const RenderOptions& options,
+                                         float inverse_roulette_threshold, PlainLanes& lanes) {
   const MetLanes& met = lanes.met;
   ScatteredLanes& scattered = lanes.scattered;
-  LaneFlags going_on, traceable;
+  LaneFlags going_on;
   for (std::size_t i = 0; i < block_size; ++i) {
-    const StepNumbers own = numbers.lane<features_of(model)>(i);
-    const float roulette = own.roulette;
+    StepNumbers numbers;
+    numbers.lobe = scattered.lobe[i];
+    numbers.direction = {scattered.direction_x[i], scattered.direction_y[i]};
+    const std::uint32_t bounce = scattered.bounce[i];
+    const float roulette = scattered.roulette[i];
     SurfacePoint point = point_of(met, i);
     Bsdf bsdf = bsdf_of<model>(lanes.bsdfs, i);
     PathState path;
     path.throughput = met.throughput[i];
     Ray ray;
     const std::uint32_t is_scattered = flag(scatter_from<features_of(model)>(
-        options, own, {}, point, bsdf, point.shading.to_local(-met.direction[i]), ray, path));
+        options, numbers, {}, point, bsdf, point.shading.to_local(-met.direction[i]), ray, path));
     going_on[i] =
         is_scattered & flag(survives_roulette(roulette, bounce, inverse_roulette_threshold, path));
-    traceable[i] = flag(is_traceable(ray));
     scattered.throughput.set(i, path.throughput);
     scattered.pdf[i] = path.bsdf_pdf;
     scattered.origin.set(i, ray.origin);
     scattered.direction.set(i, ray.direction);
   }
-  return {mask_of(going_on), mask_of(traceable)};
+  return mask_of(going_on, lanes);
 }
 
-CANDELA_LANES LampMasks weigh_lamps_of_diffuse(const RenderOptions& options, FlatLanes& lanes) {
-  return weigh_lamps_of<FlatModel::Diffuse>(options, lanes);
+CANDELA_LANES LampMasks weigh_lamps_of_diffuse(const RenderOptions& options, PlainLanes& lanes) {
+  return weigh_lamps_of<PlainModel::Diffuse>(options, lanes);
 }
-CANDELA_LANES LampMasks weigh_lamps_of_glossy(const RenderOptions& options, FlatLanes& lanes) {
-  return weigh_lamps_of<FlatModel::CookTorrance>(options, lanes);
+CANDELA_LANES LampMasks weigh_lamps_of_glossy(const RenderOptions& options, PlainLanes& lanes) {
+  return weigh_lamps_of<PlainModel::CookTorrance>(options, lanes);
 }
-CANDELA_LANES ScatterMasks scatter_by_diffuse(const RenderOptions& options,
-                                              const BlockNumbers& numbers, std::uint32_t bounce,
-                                              float inverse_threshold, FlatLanes& lanes) {
-  return scatter_by<FlatModel::Diffuse>(options, numbers, bounce, inverse_threshold, lanes);
+CANDELA_LANES LaneMask scatter_by_diffuse(const RenderOptions& options, float inverse_threshold,
+                                          PlainLanes& lanes) {
+  return scatter_by<PlainModel::Diffuse>(options, inverse_threshold, lanes);
 }
-CANDELA_LANES ScatterMasks scatter_by_glossy(const RenderOptions& options,
-                                             const BlockNumbers& numbers, std::uint32_t bounce,
-                                             float inverse_threshold, FlatLanes& lanes) {
-  return scatter_by<FlatModel::CookTorrance>(options, numbers, bounce, inverse_threshold, lanes);
+CANDELA_LANES LaneMask scatter_by_glossy(const RenderOptions& options, float inverse_threshold,
+                                         PlainLanes& lanes) {
+  return scatter_by<PlainModel::CookTorrance>(options, inverse_threshold, lanes);
 }
 
-}  // namespace
-
-CANDELA_LANES void find_points(MetLanes& met) {
-  for (std::size_t i = 0; i < block_size; ++i) {
+CANDELA_LANES void find_planes(MetLanes& met) {
+  for (std::uint32_t i = 0; i < block_size; ++i) {
     surface_point_detail::PlanePoint<Vec3f> plane = surface_point_detail::plane_point(
         met.corner0[i], met.corner1[i], met.corner2[i], met.u[i], met.v[i]);
     const bool is_front = dot(plane.normal, -met.direction[i]) > 0;
     met.position.set(i, plane.position);
+    met.outside.set(i, plane.normal);
     met.normal.set(i, is_front ? plane.normal : -plane.normal);
     met.offset[i] = plane.offset;
   }
 }
 
-CANDELA_LANES LaneMask sample_lamps(FlatLanes& lanes) {
+CANDELA_LANES void find_shading_normals(MetLanes& met) {
+  for (std::uint32_t i = 0; i < block_size; ++i) {
+    const float u = met.u[i];
+    const float v = met.v[i];
+    SurfacePoint point;
+    point.front_normal = met.outside[i];
+    point.geometric_normal = met.normal[i];
+    Vec3f n = met.normal0[i] * (1 - u - v) + met.normal1[i] * u + met.normal2[i] * v;
+    if (met.has_normals[i] == 0) n = Vec3f(0);
+    surface_point_detail::set_front_normal(n, point);
+    set_shading_frame(point, -met.direction[i]);
+    met.shading_normal.set(i, point.shading.z);
+    met.is_flat[i] = flag(point.is_flat);
+  }
+}
+
+}  // namespace
+
+void find_points(PlainLanes& lanes) {
+  MetLanes& met = lanes.met;
+  find_planes(met);
+  if (met.any_has_normals) return find_shading_normals(met);
+  met.shading_normal = met.normal;
+  met.is_flat.fill(1);
+}
+
+CANDELA_LANES LaneMask sample_lamps(PlainLanes& lanes) {
   LampLanes& lamps = lanes.lamps;
   LaneFlags near;
   for (std::size_t i = 0; i < block_size; ++i) {
@@ -147,19 +172,19 @@ CANDELA_LANES LaneMask sample_lamps(FlatLanes& lanes) {
     lamps.shadow_origin.set(i, sample.shadow_ray.origin);
     lamps.shadow_direction.set(i, sample.shadow_ray.direction);
   }
-  return mask_of(near);
+  return mask_of(near, lanes);
 }
 
-LampMasks weigh_lamps(FlatModel model, const RenderOptions& options, FlatLanes& lanes) {
-  return model == FlatModel::Diffuse ? weigh_lamps_of_diffuse(options, lanes)
-                                     : weigh_lamps_of_glossy(options, lanes);
+LampMasks weigh_lamps(PlainModel model, const RenderOptions& options, PlainLanes& lanes) {
+  return model == PlainModel::Diffuse ? weigh_lamps_of_diffuse(options, lanes)
+                                      : weigh_lamps_of_glossy(options, lanes);
 }
 
-ScatterMasks scatter(FlatModel model, const RenderOptions& options, const BlockNumbers& numbers,
-                     std::uint32_t bounce, float inverse_roulette_threshold, FlatLanes& lanes) {
-  return model == FlatModel::Diffuse
-             ? scatter_by_diffuse(options, numbers, bounce, inverse_roulette_threshold, lanes)
-             : scatter_by_glossy(options, numbers, bounce, inverse_roulette_threshold, lanes);
+LaneMask scatter(PlainModel model, const RenderOptions& options, float inverse_roulette_threshold,
+                 PlainLanes& lanes) {
+  return model == PlainModel::Diffuse
+             ? scatter_by_diffuse(options, inverse_roulette_threshold, lanes)
+             : scatter_by_glossy(options, inverse_roulette_threshold, lanes);
 }
 
 }  // namespace candela

@@ -1,0 +1,97 @@
+// Blocks of samples that travel together: the fewer paths of each are still on their way, the more
+// there are of others to take steps with. No path's bits depend on which.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "integrators/path/step_plain_lanes.h"
+
+namespace candela {
+
+template <FeatureSet F, class A>
+class Convoy {
+ public:
+  static constexpr std::size_t capacity = has_plain_lanes<F> ? 16 : 1;  // blocks
+
+  [[nodiscard]] bool is_full() const { return size_ == capacity; }
+
+  // The next block, whose paths are to be started.
+  template <class... Arguments>
+  BlockTrip<A>& add(const Arguments&... arguments) {
+    const std::size_t i = size_++;
+    return trips_[i].emplace(arguments..., blocks_[i]);
+  }
+
+  // From the camera rays to the paths' radiances.
+  void travel() {
+    for_each_trip([](BlockTrip<A>& trip) {
+      if (trip.branches.is_split()) trip.branches.begin(trip.alive, trip.block);
+    });
+    while (travel_to_next_bounce()) {
+    }
+    for_each_trip([](BlockTrip<A>& trip) {
+      if (trip.branches.is_split()) trip.branches.end(trip.block);
+    });
+  }
+
+  // Calls visit(trip) in the order of their being added.
+  template <class Visit>
+  void for_each_trip(const Visit& visit) {
+    for (std::size_t i = 0; i < size_; ++i) visit(*trips_[i]);
+  }
+
+  void clear() { size_ = 0; }
+
+ private:
+  // False where no path is on its way any more.
+  [[nodiscard]] bool travel_to_next_bounce() {
+    std::array<bool, capacity> moves{};
+    bool any_moves = false;
+    for (std::size_t i = 0; i < size_; ++i) {
+      moves[i] = trips_[i]->alive != 0;
+      any_moves |= moves[i];
+      if (moves[i]) meet<F>(*trips_[i]);
+    }
+    if (!any_moves) return false;
+    step();
+    for (std::size_t i = 0; i < size_; ++i)
+      if (moves[i]) go_on<F>(*trips_[i], lanes_);
+    return true;
+  }
+
+  void step() {
+    if constexpr (has_plain_lanes<F>) {
+      step_together();
+    } else {
+      for_each_trip([](BlockTrip<A>& trip) { step_alone(trip, trip.alive); });
+    }
+  }
+
+  static void step_alone(BlockTrip<A>& trip, LaneMask lanes) {
+    for_each_lane(lanes, [&](std::uint32_t i) { step_lane<F>(trip, i); });
+  }
+
+  void step_together() {
+    std::array<PlainMasks, capacity> plain;
+    for (std::size_t i = 0; i < size_; ++i) {
+      BlockTrip<A>& trip = *trips_[i];
+      plain[i] = plain_lanes_of(trip.context.scene, trip.block.hits, trip.alive);
+      step_alone(trip, trip.alive & ~plain[i].all());
+    }
+    PlainSteps<F, A> steps(lanes_);
+    for (const PlainModel model : {PlainModel::Diffuse, PlainModel::CookTorrance}) {
+      for (std::size_t i = 0; i < size_; ++i)
+        for_each_lane(plain[i].of(model),
+                      [&](std::uint32_t lane) { steps.add(*trips_[i], lane, model); });
+      steps.end(model);
+    }
+  }
+
+  std::array<PathBlock, capacity> blocks_;
+  std::array<std::optional<BlockTrip<A>>, capacity> trips_;
+  std::size_t size_ = 0;
+  PlainLanes lanes_;
+};
+
+}  // namespace candela

@@ -1,0 +1,151 @@
+// From the paths of blocks to the lanes that step together (plain_lanes.h), and back.
+#pragma once
+
+#include "integrators/path/block_numbers.h"
+#include "integrators/path/path_block.h"
+#include "integrators/path/plain_lanes.h"
+
+namespace candela {
+
+// Kernels whose surfaces are untextured, of two models, and are met and lit by nothing but
+// triangles that stand where the scene says.
+template <FeatureSet F>
+inline constexpr bool has_plain_lanes = F.models == plain_features.models;
+
+// Lanes of a block by the models of the surfaces that they met.
+struct PlainMasks {
+  LaneMask diffuse = 0;
+  LaneMask glossy = 0;
+
+  [[nodiscard]] LaneMask of(PlainModel model) const {
+    return model == PlainModel::Diffuse ? diffuse : glossy;
+  }
+  [[nodiscard]] LaneMask all() const { return diffuse | glossy; }
+};
+
+// Of the hits those that plain_lanes.h knows of.
+[[nodiscard]] inline PlainMasks plain_lanes_of(const Scene& scene, const HitBlock& hits,
+                                               LaneMask lanes) {
+  PlainMasks plain;
+  for_each_lane(lanes, [&](std::uint32_t i) {
+    if (!hits[i].is_hit()) return;
+    const Geometry& geometry = scene.geometries[hits[i].geometry];
+    const Material& material = scene.materials[geometry.material.index];
+    if (material.model == MaterialModel::Diffuse)
+      plain.diffuse |= 1u << i;
+    else if (fresnel_term(material) == FresnelTerm::Schlick &&
+             material.geometry == GeometryModel::SchlickGgx)
+      plain.glossy |= 1u << i;
+  });
+  return plain;
+}
+
+inline void put_bsdf(const Material& material, const TextureStore& textures, std::uint32_t slot,
+                     BsdfLanes& bsdfs) {
+  if (material.model == MaterialModel::Diffuse) {
+    bsdfs.diffuse.set(slot, material.diffuse.constant);
+    return;
+  }
+  Bsdf bsdf = cook_torrance_at<false>(material, textures, {});
+  bsdfs.diffuse.set(slot, bsdf.diffuse);
+  bsdfs.specular.set(slot, bsdf.specular);
+  bsdfs.f0.set(slot, bsdf.f0);
+  bsdfs.alpha[slot] = bsdf.alpha;
+}
+
+inline void put_normals(const Geometry& geometry, const std::array<std::uint32_t, 3>& corners,
+                        std::uint32_t slot, MetLanes& met) {
+  const bool has_normals = !geometry.normals.empty();
+  met.has_normals[slot] = has_normals ? 1 : 0;
+  if (!has_normals) return;
+  met.any_has_normals = true;
+  met.normal0.set(slot, geometry.normals[corners[0]]);
+  met.normal1.set(slot, geometry.normals[corners[1]]);
+  met.normal2.set(slot, geometry.normals[corners[2]]);
+}
+
+// What a path's ray met, and the numbers by which it goes on.
+inline void put_path(const Scene& scene, const StepNumbers& numbers, std::uint32_t bounce,
+                     const Hit& hit, const Ray& ray, const Rgb& throughput, std::uint32_t slot,
+                     PlainLanes& lanes) {
+  const Geometry& geometry = scene.geometries[hit.geometry];
+  const auto& corners = geometry.triangles[hit.triangle];
+  MetLanes& met = lanes.met;
+  met.corner0.set(slot, geometry.positions[corners[0]]);
+  met.corner1.set(slot, geometry.positions[corners[1]]);
+  met.corner2.set(slot, geometry.positions[corners[2]]);
+  put_normals(geometry, corners, slot, met);
+  met.u[slot] = hit.u;
+  met.v[slot] = hit.v;
+  met.direction.set(slot, ray.direction);
+  met.throughput.set(slot, throughput);
+  put_bsdf(scene.materials[geometry.material.index], scene.textures, slot, lanes.bsdfs);
+  ScatteredLanes& scattered = lanes.scattered;
+  scattered.bounce[slot] = bounce;
+  scattered.lobe[slot] = numbers.lobe;
+  scattered.direction_x[slot] = numbers.direction.x;
+  scattered.direction_y[slot] = numbers.direction.y;
+  scattered.roulette[slot] = numbers.roulette;
+}
+
+// Deals a light sample to the path.
+inline void put_lamp(const Scene& scene, const StepNumbers& numbers, std::uint32_t slot,
+                     LampLanes& lamps) {
+  Vec2f u = numbers.light_point;
+  const LightPick pick = pick_light(scene.light_sampler, numbers.light_choice, u);
+  const Light& light = scene.lights[pick.light];
+  lamps.light[slot] = pick.light;
+  lamps.is_triangle[slot] = light.kind == LightKind::Triangle ? 1 : 0;
+  lamps.emits_both_sides[slot] = light.emits_both_sides ? 1 : 0;
+  lamps.position.set(slot, light.position);
+  lamps.edge1.set(slot, light.edge1);
+  lamps.edge2.set(slot, light.edge2);
+  lamps.normal.set(slot, light.normal);
+  lamps.emission.set(slot, light.emission);
+  lamps.area[slot] = light.area;
+  lamps.offset[slot] = light.offset;
+  lamps.near_distance2[slot] = light.near_distance2;
+  lamps.probability[slot] = pick.probability;
+  lamps.u_x[slot] = u.x;
+  lamps.u_y[slot] = u.y;
+}
+
+// The path in lane i of the block goes on; true where its ray can be traced.
+[[nodiscard]] inline bool take_scattered(const PlainLanes& lanes, std::uint32_t slot,
+                                         std::uint32_t i, PathBlock& block) {
+  PathState& path = block.paths[i];
+  path.throughput = lanes.scattered.throughput[slot];
+  path.bsdf_pdf = lanes.scattered.pdf[slot];
+  path.receiving_normal = lanes.met.shading_normal[slot];
+  path.is_delta = false;
+  return set_ray(block, i,
+                 {lanes.scattered.origin[slot], lanes.scattered.direction[slot], infinity});
+}
+
+// Other paths from the first hits of a block in place of those that have ended (branches.h);
+// returns the lanes of those that go on.
+template <FeatureSet F, class A>
+[[nodiscard]] inline LaneMask branch_plain_lanes(const PathContext<A>& context,
+                                                 const BlockNumbers& numbers, PlainModel model,
+                                                 LaneMask of_block, PathBlock& block,
+                                                 PlainLanes& lanes) {
+  if (context.max_depth == 0 || of_block == 0) return 0;
+  std::array<std::uint32_t, block_size> lane_of;
+  lanes.clear();
+  for_each_lane(of_block, [&](std::uint32_t i) {
+    block.paths[i] = PathState{};
+    put_path(context.scene, numbers.lane<F>(i), 0, block.split.hits[i], block.split.camera_rays[i],
+             Rgb(1), lanes.size, lanes);
+    lane_of[lanes.size++] = i;
+  });
+  find_points(lanes);
+  LaneMask going_on = 0;
+  const LaneMask scattered =
+      scatter(model, context.options, context.inverse_roulette_threshold, lanes);
+  for_each_lane(scattered, [&](std::uint32_t slot) {
+    if (take_scattered(lanes, slot, lane_of[slot], block)) going_on |= 1u << lane_of[slot];
+  });
+  return going_on;
+}
+
+}  // namespace candela
