@@ -88,13 +88,7 @@ inline void put_path(const Scene& scene, const StepNumbers& numbers, std::uint32
   scattered.roulette[slot] = numbers.roulette;
 }
 
-// Deals a light sample to the path.
-inline void put_lamp(const Scene& scene, const StepNumbers& numbers, std::uint32_t slot,
-                     LampLanes& lamps) {
-  Vec2f u = numbers.light_point;
-  const LightPick pick = pick_light(scene.light_sampler, numbers.light_choice, u);
-  const Light& light = scene.lights[pick.light];
-  lamps.light[slot] = pick.light;
+inline void put_light(const Light& light, std::uint32_t slot, LampLanes& lamps) {
   lamps.is_triangle[slot] = light.kind == LightKind::Triangle ? 1 : 0;
   lamps.emits_both_sides[slot] = light.emits_both_sides ? 1 : 0;
   lamps.position.set(slot, light.position);
@@ -105,7 +99,18 @@ inline void put_lamp(const Scene& scene, const StepNumbers& numbers, std::uint32
   lamps.area[slot] = light.area;
   lamps.offset[slot] = light.offset;
   lamps.near_distance2[slot] = light.near_distance2;
-  lamps.probability[slot] = pick.probability;
+}
+
+// Deals a light sample to the path. Where lights are few, its lane often has the light already.
+inline void put_lamp(const Scene& scene, const StepNumbers& numbers, std::uint32_t slot,
+                     LampLanes& lamps) {
+  Vec2f u = numbers.light_point;
+  const LightPick pick = pick_light(scene.light_sampler, numbers.light_choice, u);
+  if (lamps.light[slot] != pick.light) {
+    lamps.light[slot] = pick.light;
+    lamps.probability[slot] = pick.probability;
+    put_light(scene.lights[pick.light], slot, lamps);
+  }
   lamps.u_x[slot] = u.x;
   lamps.u_y[slot] = u.y;
 }

@@ -56,9 +56,11 @@ template <PlainModel model>
   for (std::size_t i = 0; i < block_size; ++i) {
     SurfacePoint point = point_of(met, i);
     Bsdf bsdf = bsdf_of<model>(lanes.bsdfs, i);
-    Rgb contribution = unshadowed_contribution<features_of(model)>(
-        options, point, bsdf, {}, point.shading.to_local(-met.direction[i]), lamps.wi[i],
-        lamps.pdf[i], false, lamps.probability[i], lamps.radiance[i]);
+    Rgb contribution(0);
+    if (lamps.pdf[i] > 0)
+      contribution = unshadowed_contribution<features_of(model)>(
+          options, point, bsdf, {}, point.shading.to_local(-met.direction[i]), lamps.wi[i],
+          lamps.pdf[i], false, lamps.probability[i], lamps.radiance[i]);
     lamps.contribution.set(i, contribution);
   }
   for (std::size_t i = 0; i < block_size; ++i) {

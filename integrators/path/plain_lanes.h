@@ -27,10 +27,11 @@ struct Vec3Lanes {
 
 // The triangles that rays met, and where (plane_point()).
 struct MetLanes {
-  // In lanes that nothing has been put in, a triangle with an area.
+  // In lanes that nothing has been put in, a triangle with an area seen from straight above.
   MetLanes() {
     corner1.x.fill(1);
     corner2.y.fill(1);
+    direction.z.fill(-1);
   }
 
   Vec3Lanes corner0, corner1, corner2;
@@ -52,7 +53,9 @@ struct MetLanes {
 // The emitting triangles and quads that the paths' light samples were dealt to (Light), and those
 // samples (LightSample).
 struct LampLanes {
-  Lanes<std::uint32_t> light{};
+  LampLanes() { light.fill(Light::none); }
+
+  Lanes<std::uint32_t> light;
   LaneFlags is_triangle{}, emits_both_sides{};
   Vec3Lanes position, edge1, edge2, normal, emission;
   Lanes<float> area{}, offset{}, near_distance2{};

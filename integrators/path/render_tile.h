@@ -27,7 +27,7 @@ inline void start(BlockTrip<A>& trip) {
         camera_ray<F>(context, place, unit_point(numbers.lens, i), trip.place.x, trip.place.y);
     if (set_ray(block, i, ray)) trip.alive |= 1u << i;
   });
-  trip.counts.rays.camera += static_cast<std::uint64_t>(std::popcount(trip.place.lanes));
+  trip.counts.rays.camera += lane_count(trip.place.lanes);
 }
 
 // In units of a camera ray, roughly: those of a pixel are traced as a packet.

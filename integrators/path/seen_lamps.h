@@ -65,7 +65,7 @@ template <FeatureSet F, class A>
       trip.block.paths[i].radiance +=
           share * lamp_radiance<F>(context.scene, context.options, rays[i], hits[i]);
     });
-    trip.counts.rays.lamp += static_cast<std::uint64_t>(std::popcount(traced));
+    trip.counts.rays.lamp += lane_count(traced);
   }
 }
 

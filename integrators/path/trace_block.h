@@ -17,8 +17,8 @@ namespace candela {
 template <class A>
 [[nodiscard]] inline HitBlock intersect_lanes(const A& accelerator, const RayBlock& rays,
                                               LaneMask lanes, std::uint32_t bounce, bool is_whole) {
-  constexpr int fewest_of_packet = 4;
-  if (!is_whole || std::popcount(lanes) < fewest_of_packet)
+  constexpr std::uint32_t fewest_of_packet = 4;
+  if (!is_whole || lane_count(lanes) < fewest_of_packet)
     return intersect_one_by_one(accelerator, rays, lanes);
   return accelerator.intersect(rays, lanes,
                                bounce == 0 ? Coherence::Coherent : Coherence::Incoherent);
@@ -48,8 +48,8 @@ template <FeatureSet F, class A>
 
 template <FeatureSet F, class A>
 inline void draw_numbers(BlockTrip<A>& trip) {
-  constexpr int fewest = 4;
-  trip.is_drawn_together = std::popcount(trip.alive) >= fewest;
+  constexpr std::uint32_t fewest = 4;
+  trip.is_drawn_together = lane_count(trip.alive) >= fewest;
   if (!trip.is_drawn_together) return;
   trip.numbers.template draw_hit<F>(trip.context.scene, trip.hit_samplers(), trip.bounce);
   trip.numbers.template draw_direction<F>(trip.context.scene, trip.path_samplers(), trip.bounce);
@@ -103,7 +103,7 @@ template <FeatureSet F, class A>
           context.scene, block.shadow_media[i], block.shadow_rays[i], block.shadow_rays[i].t_max));
     });
   }
-  counts.rays.shadow += static_cast<std::uint64_t>(std::popcount(lanes));
+  counts.rays.shadow += lane_count(lanes);
   return arriving;
 }
 
@@ -175,7 +175,7 @@ inline void go_on(BlockTrip<A>& trip, PlainLanes& lanes) {
       trip.alive = branches.template start<F>(trip.context, trip.samplers, block, lanes);
   }
   ++trip.bounce;
-  trip.counts.rays.indirect += static_cast<std::uint64_t>(std::popcount(trip.alive));
+  trip.counts.rays.indirect += lane_count(trip.alive);
 }
 
 }  // namespace candela

@@ -125,12 +125,14 @@ ValidLanes set_rays(RTCRay16& target, const RayBlock& rays, LaneMask lanes) {
 }
 
 // From Embree's IDs to the scene's.
-Hit in_tables(const Scene& scene, Hit hit) {
-  if (!hit.is_instanced()) return hit;
+Hit in_tables_of_instance(const Scene& scene, Hit hit) {
   hit.instance = instance_of_id(scene, hit.instance);
   const Object& object = scene.objects[scene.instances[hit.instance].object.index];
   hit.geometry = object.geometries[hit.geometry].index;
   return hit;
+}
+inline Hit in_tables(const Scene& scene, const Hit& hit) {
+  return hit.is_instanced() ? in_tables_of_instance(scene, hit) : hit;
 }
 
 }  // namespace

@@ -23,6 +23,14 @@ inline constexpr LaneMask all_lanes = (1u << block_size) - 1;
 enum class Coherence : std::uint8_t { Incoherent, Coherent };
 
 // For each lane of the mask, from the lowest.
+// std::popcount, without a call where the processor need not have an instruction for it.
+[[nodiscard]] constexpr std::uint32_t lane_count(LaneMask lanes) {
+  lanes -= (lanes >> 1) & 0x5555;
+  lanes = (lanes & 0x3333) + ((lanes >> 2) & 0x3333);
+  lanes = (lanes + (lanes >> 4)) & 0x0f0f;
+  return (lanes + (lanes >> 8)) & 0x1f;
+}
+
 template <class Visit>
 inline void for_each_lane(LaneMask lanes, const Visit& visit) {
   for (; lanes != 0; lanes &= lanes - 1) visit(static_cast<std::uint32_t>(std::countr_zero(lanes)));

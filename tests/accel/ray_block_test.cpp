@@ -107,5 +107,10 @@ TEST(Unit_RayBlock, LanesThatDoNotCountChangeNothing) {
   }
 }
 
+TEST(Unit_RayBlock, CountsLanes) {
+  for (LaneMask lanes = 0; lanes <= all_lanes; ++lanes)
+    ASSERT_EQ(lane_count(lanes), static_cast<std::uint32_t>(std::popcount(lanes)));
+}
+
 }  // namespace
 }  // namespace candela

@@ -87,5 +87,22 @@ TEST(Unit_SurfacePoint, OffsetOriginsAreOffThePlaneOnTheirSide) {
   }
 }
 
+// Four lanes of a triangle's vectors, and plain vectors as loops over paths have them.
+TEST(Unit_SurfacePoint, EitherKindOfVectorGivesTheSameBits) {
+  using surface_point_detail::plane_point;
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> unit(0, 1);
+  for (int i = 0; i < 10000; ++i) {
+    const std::array<Vec3f, 3> p{random_unit(random), random_unit(random), random_unit(random)};
+    const float u = unit(random) * 0.5f;
+    const float v = unit(random) * 0.5f;
+    const auto plain = plane_point(p[0], p[1], p[2], u, v);
+    const auto lanes = plane_point(to_lanes(p[0]), to_lanes(p[1]), to_lanes(p[2]), u, v);
+    ASSERT_EQ(plain.position, to_vec3(lanes.position));
+    ASSERT_EQ(plain.normal, to_vec3(lanes.normal));
+    ASSERT_EQ(plain.offset, lanes.offset);
+  }
+}
+
 }  // namespace
 }  // namespace candela
