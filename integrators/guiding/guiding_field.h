@@ -44,8 +44,10 @@ class GuidingField {
                                                 const Vec3f& receiving_normal) const {
     std::uint32_t node = roots_[receiving_side(receiving_normal)];
     if (node == none) return nullptr;
-    while (nodes_[node].axis < 3)
-      node = nodes_[node].next + (position[nodes_[node].axis] < nodes_[node].split ? 0 : 1);
+    while (nodes_[node].axis < 3) {
+      const auto axis = static_cast<int>(nodes_[node].axis);
+      node = nodes_[node].next + (position[axis] < nodes_[node].split ? 0 : 1);
+    }
     return &mixtures_[nodes_[node].next];
   }
   [[nodiscard]] std::size_t cells() const { return mixtures_.size(); }

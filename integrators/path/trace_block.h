@@ -2,10 +2,6 @@
 // surfaces take their steps together whatever block they are of, the others one by one.
 #pragma once
 
-#include <array>
-#include <optional>
-#include <span>
-
 #include "integrators/guiding/training_log.h"
 #include "integrators/path/block_trip.h"
 #include "integrators/path/media_step.h"
