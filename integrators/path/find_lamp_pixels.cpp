@@ -77,10 +77,11 @@ PixelMask lamp_edges(const std::vector<LampCoverage>& coverage, int width, int h
 
 std::uint32_t affordable_lamp_rays(std::size_t pixels, const RenderOptions& options) {
   constexpr double share = 0.03;
+  if (pixels == 0) return 0;
   const double affordable =
       share * cost_of_sample * pixel_count(options) / static_cast<double>(pixels);
   for (auto rays = static_cast<std::uint32_t>(options.lamp_rays); rays > 1; rays /= 2)
-    if (pixels > 0 && rays <= affordable) return rays;
+    if (rays <= affordable) return rays;
   return 0;
 }
 
