@@ -138,13 +138,8 @@ TEST(Agreement_PlainLanes, DoNotDependOnWhoTravelsAlong) {
   RenderSettings settings = settings_of(20, 64);
   settings.options.aovs = all_aovs;
   const Scene scene = compiled(room_of_lamps(), settings.options);
-  const auto picture_of = [&](const std::vector<std::uint32_t>& cuts) {
-    return picture_of_ranges<plain_features>(scene, settings, cuts);
-  };
-  const std::vector<float> whole = picture_of({0, 64});
-  EXPECT_EQ(picture_of({0, 16, 32, 48, 64}), whole);
-  EXPECT_EQ(picture_of({0, 48, 64}), whole);
-  EXPECT_EQ(picture_of({0, 1, 17, 60, 64}), whole);
+  expect_same_over_cuts<plain_features>(scene, settings, {0, 64},
+                                        {{0, 16, 32, 48, 64}, {0, 48, 64}, {0, 1, 17, 60, 64}});
 }
 
 }  // namespace

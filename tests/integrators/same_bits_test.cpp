@@ -112,13 +112,8 @@ TEST(Agreement_SameBits, OverSampleRanges) {
   RenderSettings settings = settings_of(24, 40);
   settings.options.aovs = all_aovs;
   const Scene scene = compiled(small_room(), settings.options);
-  const auto picture_of = [&](const std::vector<std::uint32_t>& cuts) {
-    return picture_of_ranges<general_features>(scene, settings, cuts);
-  };
-  const std::vector<float> whole = picture_of({0, 40});
-  EXPECT_EQ(picture_of({0, 16, 32, 40}), whole);
-  EXPECT_EQ(picture_of({0, 1, 16, 17, 31, 32, 40}), whole);
-  EXPECT_EQ(picture_of({0, 5, 39, 40}), whole);
+  expect_same_over_cuts<general_features>(
+      scene, settings, {0, 40}, {{0, 16, 32, 40}, {0, 1, 16, 17, 31, 32, 40}, {0, 5, 39, 40}});
 }
 
 // Invariant 5: coordinates times a power of two give the same bits.

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "integrators/path/kernels.h"
 #include "tests/scenes/render_scene.h"
 
@@ -22,6 +24,16 @@ template <FeatureSet F>
   for (std::size_t i = 1; i < cuts.size(); ++i)
     render_tile<F>(context, {all, {cuts[i - 1], cuts[i]}, nullptr, options.seed}, film);
   return film.to_image(true).values;
+}
+
+// The picture of `whole`, however else its samples are cut.
+template <FeatureSet F>
+void expect_same_over_cuts(const Scene& scene, const RenderSettings& settings,
+                           const std::vector<std::uint32_t>& whole,
+                           const std::vector<std::vector<std::uint32_t>>& others) {
+  const std::vector<float> expected = picture_of_ranges<F>(scene, settings, whole);
+  for (const std::vector<std::uint32_t>& cuts : others)
+    EXPECT_EQ(picture_of_ranges<F>(scene, settings, cuts), expected) << cuts.size() - 1 << " parts";
 }
 
 }  // namespace candela::test
