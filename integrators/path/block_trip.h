@@ -29,7 +29,7 @@ struct BlockTrip {
   BlockTrip(const BlockTrip&) = delete;  // branches refer to its pixel
   BlockTrip& operator=(const BlockTrip&) = delete;
 
-  // Those of the hits themselves, and those of the paths that go on from there.
+  // Of the paths that go on from the hits, and of the hits themselves.
   [[nodiscard]] const SamplerBlock& path_samplers() const { return branches.samplers(samplers); }
   [[nodiscard]] const SamplerBlock& hit_samplers() const {
     return bounce == 0 ? samplers : path_samplers();

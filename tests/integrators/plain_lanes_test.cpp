@@ -16,10 +16,6 @@ using description::CookTorranceMaterial;
 using description::MaterialHandle;
 using description::SceneDescription;
 
-constexpr AovSet all_aovs = aov_bit(Aov::Albedo) | aov_bit(Aov::Normal) | aov_bit(Aov::Depth) |
-                            aov_bit(Aov::Position) | aov_bit(Aov::MaterialId) |
-                            aov_bit(Aov::Samples);
-
 CookTorranceMaterial glossy(double roughness) {
   CookTorranceMaterial material;
   material.roughness = {roughness, {}, 0};

@@ -11,10 +11,6 @@ namespace {
 
 using namespace test;
 
-constexpr AovSet all_aovs = aov_bit(Aov::Albedo) | aov_bit(Aov::Normal) | aov_bit(Aov::Depth) |
-                            aov_bit(Aov::Position) | aov_bit(Aov::MaterialId) |
-                            aov_bit(Aov::Samples);
-
 TEST(Agreement_SameBits, OverThreads) {
   RenderSettings settings = settings_of(50, 20);
   settings.options.aovs = all_aovs;

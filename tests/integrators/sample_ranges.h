@@ -1,4 +1,4 @@
-// A picture whose samples come in ranges, cut anywhere.
+// Pictures whose samples come in ranges, cut anywhere.
 #pragma once
 
 #include <vector>
@@ -9,6 +9,11 @@
 #include "tests/scenes/render_scene.h"
 
 namespace candela::test {
+
+// Layers that kernels fill.
+inline constexpr AovSet all_aovs = aov_bit(Aov::Albedo) | aov_bit(Aov::Normal) |
+                                   aov_bit(Aov::Depth) | aov_bit(Aov::Position) |
+                                   aov_bit(Aov::MaterialId) | aov_bit(Aov::Samples);
 
 // By the kernel of F; range i goes from cuts[i] to cuts[i + 1].
 template <FeatureSet F>
