@@ -79,9 +79,9 @@ class Branches {
     numbers.draw_direction<F>(context.scene, *own_, 0);
     LaneMask going_on = 0;
     LaneMask single = lanes_;
-    if constexpr (has_plain_lanes<F>) {
+    if constexpr (F.lanes) {
       const PlainMasks plain_lanes = plain_lanes_of(context.scene, block.split.hits, lanes_);
-      for (const PlainModel model : {PlainModel::Diffuse, PlainModel::CookTorrance})
+      for (const PlainModel model : plain_models)
         going_on |=
             branch_plain_lanes<F>(context, numbers, model, plain_lanes.of(model), block, lanes);
       single &= ~plain_lanes.all();

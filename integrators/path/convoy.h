@@ -12,7 +12,7 @@ namespace candela {
 template <FeatureSet F, class A>
 class Convoy {
  public:
-  static constexpr std::size_t capacity = has_plain_lanes<F> ? 16 : 1;  // blocks
+  static constexpr std::size_t capacity = F.lanes ? 16 : 1;  // blocks
 
   [[nodiscard]] bool is_full() const { return size_ == capacity; }
 
@@ -61,7 +61,7 @@ class Convoy {
   }
 
   void step() {
-    if constexpr (has_plain_lanes<F>) {
+    if constexpr (F.lanes) {
       step_together();
     } else {
       for_each_trip([](BlockTrip<A>& trip) { step_alone(trip, trip.alive); });
@@ -80,7 +80,7 @@ class Convoy {
       step_alone(trip, trip.alive & ~plain[i].all());
     }
     PlainSteps<F, A> steps(lanes_);
-    for (const PlainModel model : {PlainModel::Diffuse, PlainModel::CookTorrance}) {
+    for (const PlainModel model : plain_models) {
       for (std::size_t i = 0; i < size_; ++i)
         for_each_lane(plain[i].of(model),
                       [&](std::uint32_t lane) { steps.add(*trips_[i], lane, model); });

@@ -17,6 +17,7 @@ struct FeatureSet {
   bool media = false;
   bool strategies = false;  // RenderOptions' sampling and heuristic count; else Mis by Power
   bool guided = false;      // directions may be guided (guide.h)
+  bool lanes = false;       // paths on plain surfaces take their steps side by side (plain_lanes.h)
   ModelSet models = all_models;
 
   [[nodiscard]] constexpr FeatureSet with_models(ModelSet others) const {
@@ -48,8 +49,10 @@ struct FeatureSet {
 
 // Everything but media and spheres, which few scenes have: with media, paths know what they are in
 // and shadow rays what they cross; spheres alone take .5 % more instructions on glass_and_metal
-// (`tools/bench budget`). Scenes with either get the kernel of both.
+// (`tools/bench budget`). Scenes with either get the kernel of both. Every path takes its steps
+// alone: what the kernels with lanes are held against.
 inline constexpr FeatureSet general_features{};
+inline constexpr FeatureSet broad_features{.lanes = true};
 inline constexpr FeatureSet media_features{.spheres = true, .media = true};
 
 // For comparisons of estimators.
@@ -65,12 +68,14 @@ inline constexpr FeatureSet plain_features{
     .delta_lights = false,
     .environment = false,
     .thin_lens = false,
+    .lanes = true,
     .models = model_bit(BsdfModel::Diffuse) | model_bit(BsdfModel::CookTorrance)};
 
 // The course's scenes: floor takes 7 % less time than by the general kernel, the teapot 2 %.
 inline constexpr FeatureSet lab_features{
     .instances = false,
     .thin_lens = false,
+    .lanes = true,
     .models = model_bit(BsdfModel::Diffuse) | model_bit(BsdfModel::Lab)};
 
 }  // namespace candela

@@ -7,50 +7,71 @@
 
 namespace candela {
 
-// Kernels whose surfaces are untextured, of two models, and are met and lit by nothing but
-// triangles that stand where the scene says.
-template <FeatureSet F>
-inline constexpr bool has_plain_lanes = F.models == plain_features.models;
-
 // Lanes of a block by the models of the surfaces that they met.
-struct PlainMasks {
-  LaneMask diffuse = 0;
-  LaneMask glossy = 0;
-
-  [[nodiscard]] LaneMask of(PlainModel model) const {
-    return model == PlainModel::Diffuse ? diffuse : glossy;
+class PlainMasks {
+ public:
+  void add(PlainModel model, std::uint32_t lane) {
+    of_model_[static_cast<std::size_t>(model)] |= 1u << lane;
   }
-  [[nodiscard]] LaneMask all() const { return diffuse | glossy; }
+  [[nodiscard]] LaneMask of(PlainModel model) const {
+    return of_model_[static_cast<std::size_t>(model)];
+  }
+  [[nodiscard]] LaneMask all() const { return of_model_[0] | of_model_[1] | of_model_[2]; }
+
+ private:
+  std::array<LaneMask, plain_models.size()> of_model_{};
 };
 
-// Of the hits those that plain_lanes.h knows of.
+// That of a material that plain_lanes.h knows of.
+[[nodiscard]] inline std::optional<PlainModel> plain_model_of(const Material& material) {
+  if (has_bump(material)) return {};
+  switch (material.model) {
+    case MaterialModel::Diffuse:
+      return PlainModel::Diffuse;
+    case MaterialModel::CookTorrance:
+      if (material.energy_compensation || fresnel_term(material) != FresnelTerm::Schlick ||
+          material.geometry != GeometryModel::SchlickGgx)
+        return {};
+      return PlainModel::CookTorrance;
+    case MaterialModel::Lab:  // with a map it is both, by place
+      if (material.specular.texture) return {};
+      return is_black(material.specular.constant) ? PlainModel::Diffuse : PlainModel::Lab;
+    default:
+      return {};
+  }
+}
+
+// Of the hits those on plain surfaces that stand where the scene says.
 [[nodiscard]] inline PlainMasks plain_lanes_of(const Scene& scene, const HitBlock& hits,
                                                LaneMask lanes) {
   PlainMasks plain;
   for_each_lane(lanes, [&](std::uint32_t i) {
-    if (!hits[i].is_hit()) return;
+    if (!hits[i].is_hit() || hits[i].is_instanced()) return;
     const Geometry& geometry = scene.geometries[hits[i].geometry];
-    const Material& material = scene.materials[geometry.material.index];
-    if (material.model == MaterialModel::Diffuse)
-      plain.diffuse |= 1u << i;
-    else if (fresnel_term(material) == FresnelTerm::Schlick &&
-             material.geometry == GeometryModel::SchlickGgx)
-      plain.glossy |= 1u << i;
+    if (const auto model = plain_model_of(scene.materials[geometry.material.index]))
+      plain.add(*model, i);
   });
   return plain;
 }
 
-inline void put_bsdf(const Material& material, const TextureStore& textures, std::uint32_t slot,
-                     BsdfLanes& bsdfs) {
-  if (material.model == MaterialModel::Diffuse) {
-    bsdfs.diffuse.set(slot, material.diffuse.constant);
-    return;
+// What textures say is looked up one path after the other, once it is known where they are.
+template <FeatureSet F>
+inline void put_bsdfs(PlainModel model, const TextureStore& textures, PlainLanes& lanes) {
+  BsdfLanes& bsdfs = lanes.bsdfs;
+  for (std::uint32_t slot = 0; slot < lanes.size; ++slot) {
+    const Material& material = *bsdfs.material[slot];
+    const TexturePoint at{bsdfs.uv[slot], lanes.met.position[slot], lanes.met.normal[slot]};
+    if (model == PlainModel::Diffuse) {
+      bsdfs.diffuse.set(slot, colour_at<F.textures>(material.diffuse, textures, at));
+      continue;
+    }
+    Bsdf bsdf = model == PlainModel::Lab ? lab_at<F.textures>(material, textures, at)
+                                         : cook_torrance_at<F.textures>(material, textures, at);
+    bsdfs.diffuse.set(slot, bsdf.diffuse);
+    bsdfs.specular.set(slot, bsdf.specular);
+    bsdfs.f0.set(slot, bsdf.f0);
+    bsdfs.alpha[slot] = bsdf.alpha;
   }
-  Bsdf bsdf = cook_torrance_at<false>(material, textures, {});
-  bsdfs.diffuse.set(slot, bsdf.diffuse);
-  bsdfs.specular.set(slot, bsdf.specular);
-  bsdfs.f0.set(slot, bsdf.f0);
-  bsdfs.alpha[slot] = bsdf.alpha;
 }
 
 inline void put_normals(const Geometry& geometry, const std::array<std::uint32_t, 3>& corners,
@@ -65,8 +86,9 @@ inline void put_normals(const Geometry& geometry, const std::array<std::uint32_t
 }
 
 // What a path's ray met, and the numbers by which it goes on.
+template <FeatureSet F>
 inline void put_path(const Scene& scene, const StepNumbers& numbers, std::uint32_t bounce,
-                     const Hit& hit, const Ray& ray, const Rgb& throughput, std::uint32_t slot,
+                     const Hit& hit, const Ray& ray, const PathState& path, std::uint32_t slot,
                      PlainLanes& lanes) {
   const Geometry& geometry = scene.geometries[hit.geometry];
   const auto& corners = geometry.triangles[hit.triangle];
@@ -78,8 +100,12 @@ inline void put_path(const Scene& scene, const StepNumbers& numbers, std::uint32
   met.u[slot] = hit.u;
   met.v[slot] = hit.v;
   met.direction.set(slot, ray.direction);
-  met.throughput.set(slot, throughput);
-  put_bsdf(scene.materials[geometry.material.index], scene.textures, slot, lanes.bsdfs);
+  met.throughput.set(slot, path.throughput);
+  met.roulette_scale[slot] = path.roulette_scale;
+  lanes.bsdfs.material[slot] = &scene.materials[geometry.material.index];
+  if constexpr (F.textures)
+    lanes.bsdfs.uv[slot] =
+        geometry.uvs.empty() ? SurfacePoint{}.uv : uv_of(geometry, corners, hit.u, hit.v);
   ScatteredLanes& scattered = lanes.scattered;
   scattered.bounce[slot] = bounce;
   scattered.lobe[slot] = numbers.lobe;
@@ -89,6 +115,9 @@ inline void put_path(const Scene& scene, const StepNumbers& numbers, std::uint32
 }
 
 inline void put_light(const Light& light, std::uint32_t slot, LampLanes& lamps) {
+  const bool is_surface = (light_kind_bit(light.kind) & surface_light_kinds) != 0;
+  lamps.is_other[slot] = is_surface ? 0 : 1;
+  if (!is_surface) return;
   lamps.is_triangle[slot] = light.kind == LightKind::Triangle ? 1 : 0;
   lamps.emits_both_sides[slot] = light.emits_both_sides ? 1 : 0;
   lamps.position.set(slot, light.position);
@@ -127,6 +156,13 @@ inline void put_lamp(const Scene& scene, const StepNumbers& numbers, std::uint32
                  {lanes.scattered.origin[slot], lanes.scattered.direction[slot], infinity});
 }
 
+// The plain paths' surfaces, once all are put.
+template <FeatureSet F>
+inline void find_surfaces(PlainModel model, const TextureStore& textures, PlainLanes& lanes) {
+  find_points(lanes);
+  put_bsdfs<F>(model, textures, lanes);
+}
+
 // Other paths from the first hits of a block in place of those that have ended (branches.h);
 // returns the lanes of those that go on.
 template <FeatureSet F, class A>
@@ -139,11 +175,11 @@ template <FeatureSet F, class A>
   lanes.clear();
   for_each_lane(of_block, [&](std::uint32_t i) {
     block.paths[i] = PathState{};
-    put_path(context.scene, numbers.lane<F>(i), 0, block.split.hits[i], block.split.camera_rays[i],
-             Rgb(1), lanes.size, lanes);
+    put_path<F>(context.scene, numbers.lane<F>(i), 0, block.split.hits[i],
+                block.split.camera_rays[i], block.paths[i], lanes.size, lanes);
     lane_of[lanes.size++] = i;
   });
-  find_points(lanes);
+  find_surfaces<F>(model, context.scene.textures, lanes);
   LaneMask going_on = 0;
   const LaneMask scattered =
       scatter(model, context.options, context.inverse_roulette_threshold, lanes);

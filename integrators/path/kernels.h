@@ -14,6 +14,8 @@ using TileKernel = TileCounts (*)(const PathContext<A>&, const TilePass&, Film&)
 
 extern template TileCounts render_tile<general_features>(const PathContext<EmbreeAccel>&,
                                                          const TilePass&, Film&);
+extern template TileCounts render_tile<broad_features>(const PathContext<EmbreeAccel>&,
+                                                       const TilePass&, Film&);
 extern template TileCounts render_tile<plain_features>(const PathContext<EmbreeAccel>&,
                                                        const TilePass&, Film&);
 extern template TileCounts render_tile<lab_features>(const PathContext<EmbreeAccel>&,
@@ -78,6 +80,8 @@ template <>
     return {"plain", &render_tile<plain_features, EmbreeAccel>};
   if (!use_general && lab_features.covers(features))
     return {"lab", &render_tile<lab_features, EmbreeAccel>};
+  if (!use_general && broad_features.covers(features))
+    return {"broad", &render_tile<broad_features, EmbreeAccel>};
   return general_kernel<EmbreeAccel>(features);
 }
 

@@ -44,7 +44,7 @@ template <FeatureSet F>
   Vec3f wi_local = point.shading.to_local(wi);
   if (!is_consistent(point, wi, wi_local)) return Rgb(0);
   BsdfEvaluation f = evaluate_bsdf<F.models>(bsdf, wo_local, wi_local);
-  if (F.environment && is_black(f.value)) return Rgb(0);
+  if (is_black(f.value)) return Rgb(0);
   const float pdf = light_pdf * choice;
   const float weight =
       is_delta ? 1.0f : light_sample_weight<F>(options, pdf, path_pdf<F>(guide, wi, f.pdf));
@@ -62,19 +62,28 @@ template <FeatureSet F>
           .shadow_ray = spawn_ray(from, sample.direction)};
 }
 
+struct LightOrSky {
+  LightSample light;
+  bool is_sky;  // its radiance is missing
+};
+template <FeatureSet F>
+[[nodiscard]] inline LightOrSky sample_light_or_sky(const Scene& scene, std::uint32_t index,
+                                                    const SurfacePoint& point, Vec2f u) {
+  constexpr LightKindSet sky = light_kind_bit(LightKind::Environment);
+  if ((F.light_kinds() & sky) != 0 && scene.lights[index].kind == LightKind::Environment)
+    return {sample_sky(*scene.environment, point, u), true};
+  return {
+      sample_light<(F.light_kinds() & ~sky)>(light_tables(scene), scene.lights[index], point, u),
+      false};
+}
+
 template <FeatureSet F, class A>
 [[nodiscard]] inline DirectLight sample_direct_light(const PathContext<A>& context,
                                                      std::uint32_t index, Vec2f u, float choice,
                                                      const SurfacePoint& point, const Bsdf& bsdf,
                                                      const Guide<F>& guide, const Vec3f& wo_local,
                                                      TileCounts& counts) {
-  const Scene& scene = context.scene;
-  constexpr LightKindSet sky = light_kind_bit(LightKind::Environment);
-  const bool is_sky =
-      (F.light_kinds() & sky) != 0 && scene.lights[index].kind == LightKind::Environment;
-  const LightSample light = is_sky ? sample_sky(*scene.environment, point, u)
-                                   : sample_light<(F.light_kinds() & ~sky)>(
-                                         light_tables(scene), scene.lights[index], point, u);
+  const auto [light, is_sky] = sample_light_or_sky<F>(context.scene, index, point, u);
   if (!light.is_valid()) return {};
   Rgb contribution =
       unshadowed_contribution<F>(context.options, point, bsdf, guide, wo_local, light.wi, light.pdf,
@@ -124,26 +133,24 @@ template <class A>
   return light.contribution * light_along(context, light.shadow_ray, medium, counts);
 }
 
-// The lights that are sampled at every hit.
+// Adds light of those that are sampled at every hit.
 template <FeatureSet F, class A>
-[[nodiscard]] inline Rgb light_from_always(const PathContext<A>& context, const SurfacePoint& point,
-                                           const Bsdf& bsdf, const Guide<F>& guide,
-                                           const Vec3f& wo_local,
-                                           [[maybe_unused]] MediaBeside<F> media,
-                                           TileCounts& counts) {
-  Rgb sum(0);
+inline void add_light_of_always(const PathContext<A>& context, const SurfacePoint& point,
+                                const Bsdf& bsdf, const Guide<F>& guide, const Vec3f& wo_local,
+                                const Rgb& throughput, [[maybe_unused]] MediaBeside<F> media,
+                                Rgb& radiance, TileCounts& counts) {
   if constexpr (F.delta_lights) {
     for (const std::uint32_t index : context.scene.light_sampler.always()) {
       DirectLight light =
           sample_direct_light<F>(context, index, Vec2f(0), 1, point, bsdf, guide, wo_local, counts);
+      light.contribution *= throughput;
       if constexpr (F.media)
-        sum += shadowed_in(context, light, medium_towards(media, point, light.shadow_ray.direction),
-                           counts);
+        radiance += shadowed_in(context, light,
+                                medium_towards(media, point, light.shadow_ray.direction), counts);
       else
-        sum += shadowed(context.accelerator, light, counts);
+        radiance += shadowed(context.accelerator, light, counts);
     }
   }
-  return sum;
 }
 
 }  // namespace candela

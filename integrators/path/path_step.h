@@ -264,8 +264,8 @@ template <FeatureSet F, class A>
   const Guide<F> guide = guide_at<F>(context.guide, point, bsdf);
   if (!is_only_delta<F.models>(bsdf) &&
       (!F.strategies || samples_lights(context.options.sampling))) {
-    path.radiance += path.throughput *
-                     light_from_always<F>(context, point, bsdf, guide, wo_local, media, counts);
+    add_light_of_always<F>(context, point, bsdf, guide, wo_local, path.throughput, media,
+                           path.radiance, counts);
     picked = picked_light<F>(context, numbers.light_choice, numbers.light_point, point, bsdf, guide,
                              wo_local, counts);
     picked.contribution *= path.throughput;

@@ -33,14 +33,27 @@ namespace {
   return light;
 }
 
-constexpr FeatureSet features_of(PlainModel model) {
-  return plain_features.with_models(
-      model_bit(model == PlainModel::Diffuse ? BsdfModel::Diffuse : BsdfModel::CookTorrance));
+constexpr BsdfModel bsdf_model(PlainModel model) {
+  switch (model) {
+    case PlainModel::Diffuse:
+      return BsdfModel::Diffuse;
+    case PlainModel::CookTorrance:
+      return BsdfModel::CookTorrance;
+    case PlainModel::Lab:
+      return BsdfModel::Lab;
+  }
 }
+template <PlainModel model>
+inline constexpr FeatureSet features_of = plain_features.with_models(model_bit(bsdf_model(model)));
 
 template <PlainModel model>
 [[nodiscard]] inline Bsdf bsdf_of(const BsdfLanes& bsdfs, std::size_t i) {
   if constexpr (model == PlainModel::Diffuse) return {.diffuse = bsdfs.diffuse[i]};
+  if constexpr (model == PlainModel::Lab)
+    return {.model = BsdfModel::Lab,
+            .alpha = bsdfs.alpha[i],
+            .diffuse = bsdfs.diffuse[i],
+            .specular = bsdfs.specular[i]};
   return {.model = BsdfModel::CookTorrance,
           .alpha = bsdfs.alpha[i],
           .diffuse = bsdfs.diffuse[i],
@@ -49,27 +62,27 @@ template <PlainModel model>
 }
 
 template <PlainModel model>
-[[nodiscard]] inline LampMasks weigh_lamps_of(const RenderOptions& options, PlainLanes& lanes) {
+[[nodiscard]] inline LightMasks weigh_light_by(const RenderOptions& options, PlainLanes& lanes) {
   const MetLanes& met = lanes.met;
-  LampLanes& lamps = lanes.lamps;
+  LightSampleLanes& samples = lanes.light_samples;
   LaneFlags dark, to_trace;
   for (std::size_t i = 0; i < block_size; ++i) {
     SurfacePoint point = point_of(met, i);
     Bsdf bsdf = bsdf_of<model>(lanes.bsdfs, i);
     Rgb contribution(0);
-    if (lamps.pdf[i] > 0)
-      contribution = unshadowed_contribution<features_of(model)>(
-          options, point, bsdf, {}, point.shading.to_local(-met.direction[i]), lamps.wi[i],
-          lamps.pdf[i], false, lamps.probability[i], lamps.radiance[i]);
-    lamps.contribution.set(i, contribution);
+    if (samples.pdf[i] > 0)
+      contribution = unshadowed_contribution<features_of<model>>(
+          options, point, bsdf, {}, point.shading.to_local(-met.direction[i]), samples.wi[i],
+          samples.pdf[i], samples.is_delta[i] != 0, samples.choice[i], samples.radiance[i]);
+    samples.contribution.set(i, contribution);
   }
   for (std::size_t i = 0; i < block_size; ++i) {
-    const std::uint32_t is_valid = flag(lamps.pdf[i] > 0);
-    Rgb contribution = lamps.contribution[i];
+    const std::uint32_t is_valid = flag(samples.pdf[i] > 0);
+    Rgb contribution = samples.contribution[i];
     dark[i] = is_valid & flag(is_black(contribution));
     contribution *= met.throughput[i];
-    lamps.contribution.set(i, contribution);
-    Ray shadow_ray{lamps.shadow_origin[i], lamps.shadow_direction[i]};
+    samples.contribution.set(i, contribution);
+    Ray shadow_ray = samples.shadow_ray(i);
     to_trace[i] = is_valid & flag(!is_black(contribution)) & flag(is_traceable(shadow_ray));
   }
   return {mask_of(dark, lanes), mask_of(to_trace, lanes)};
@@ -91,8 +104,9 @@ template <PlainModel model>
     Bsdf bsdf = bsdf_of<model>(lanes.bsdfs, i);
     PathState path;
     path.throughput = met.throughput[i];
+    path.roulette_scale = met.roulette_scale[i];
     Ray ray;
-    const std::uint32_t is_scattered = flag(scatter_from<features_of(model)>(
+    const std::uint32_t is_scattered = flag(scatter_from<features_of<model>>(
         options, numbers, {}, point, bsdf, point.shading.to_local(-met.direction[i]), ray, path));
     going_on[i] =
         is_scattered & flag(survives_roulette(roulette, bounce, inverse_roulette_threshold, path));
@@ -104,11 +118,14 @@ template <PlainModel model>
   return mask_of(going_on, lanes);
 }
 
-CANDELA_LANES LampMasks weigh_lamps_of_diffuse(const RenderOptions& options, PlainLanes& lanes) {
-  return weigh_lamps_of<PlainModel::Diffuse>(options, lanes);
+CANDELA_LANES LightMasks weigh_light_by_diffuse(const RenderOptions& options, PlainLanes& lanes) {
+  return weigh_light_by<PlainModel::Diffuse>(options, lanes);
 }
-CANDELA_LANES LampMasks weigh_lamps_of_glossy(const RenderOptions& options, PlainLanes& lanes) {
-  return weigh_lamps_of<PlainModel::CookTorrance>(options, lanes);
+CANDELA_LANES LightMasks weigh_light_by_glossy(const RenderOptions& options, PlainLanes& lanes) {
+  return weigh_light_by<PlainModel::CookTorrance>(options, lanes);
+}
+CANDELA_LANES LightMasks weigh_light_by_lab(const RenderOptions& options, PlainLanes& lanes) {
+  return weigh_light_by<PlainModel::Lab>(options, lanes);
 }
 CANDELA_LANES LaneMask scatter_by_diffuse(const RenderOptions& options, float inverse_threshold,
                                           PlainLanes& lanes) {
@@ -117,6 +134,10 @@ CANDELA_LANES LaneMask scatter_by_diffuse(const RenderOptions& options, float in
 CANDELA_LANES LaneMask scatter_by_glossy(const RenderOptions& options, float inverse_threshold,
                                          PlainLanes& lanes) {
   return scatter_by<PlainModel::CookTorrance>(options, inverse_threshold, lanes);
+}
+CANDELA_LANES LaneMask scatter_by_lab(const RenderOptions& options, float inverse_threshold,
+                                      PlainLanes& lanes) {
+  return scatter_by<PlainModel::Lab>(options, inverse_threshold, lanes);
 }
 
 CANDELA_LANES void find_planes(MetLanes& met) {
@@ -147,6 +168,22 @@ CANDELA_LANES void find_shading_normals(MetLanes& met) {
   }
 }
 
+CANDELA_LANES void sample_point_light_in_lanes(const Light& light, PlainLanes& lanes) {
+  for (std::size_t i = 0; i < block_size; ++i)
+    lanes.light_samples.set(
+        i, sample_from_point(light, point_of(lanes.met, i), [](const Vec3f&) { return 1.0f; }));
+}
+CANDELA_LANES void sample_spot_light_in_lanes(const Light& light, PlainLanes& lanes) {
+  for (std::size_t i = 0; i < block_size; ++i)
+    lanes.light_samples.set(
+        i, sample_from_point(light, point_of(lanes.met, i),
+                             [&](const Vec3f& w) { return spot_falloff(light, w); }));
+}
+CANDELA_LANES void sample_directional_light_in_lanes(const Light& light, PlainLanes& lanes) {
+  for (std::size_t i = 0; i < block_size; ++i)
+    lanes.light_samples.set(i, sample_directional_light(light, point_of(lanes.met, i)));
+}
+
 }  // namespace
 
 void find_points(PlainLanes& lanes) {
@@ -158,35 +195,61 @@ void find_points(PlainLanes& lanes) {
 }
 
 CANDELA_LANES LaneMask sample_lamps(PlainLanes& lanes) {
-  LampLanes& lamps = lanes.lamps;
-  LaneFlags near;
+  const LampLanes& lamps = lanes.lamps;
+  LaneFlags left;
   for (std::size_t i = 0; i < block_size; ++i) {
     SurfacePoint point = point_of(lanes.met, i);
     Light light = lamp_of(lamps, i);
     const Vec2f u{lamps.u_x[i], lamps.u_y[i]};
     Vec2f weights = square_to_triangle(u);
     if (lamps.is_triangle[i] == 0) weights = u;
-    near[i] = flag(lamps.is_triangle[i] == 0) & flag(is_near(light, point.position));
-    LightSample sample = light_from_place(light, point, weights);
-    lamps.wi.set(i, sample.wi);
-    lamps.radiance.set(i, sample.radiance);
-    lamps.pdf[i] = sample.pdf;
-    lamps.shadow_origin.set(i, sample.shadow_ray.origin);
-    lamps.shadow_direction.set(i, sample.shadow_ray.direction);
+    left[i] = lamps.is_other[i] |
+              (flag(lamps.is_triangle[i] == 0) & flag(is_near(light, point.position)));
+    lanes.light_samples.set(i, light_from_place(light, point, weights));
+    lanes.light_samples.choice[i] = lamps.probability[i];
   }
-  return mask_of(near, lanes);
+  return mask_of(left, lanes);
 }
 
-LampMasks weigh_lamps(PlainModel model, const RenderOptions& options, PlainLanes& lanes) {
-  return model == PlainModel::Diffuse ? weigh_lamps_of_diffuse(options, lanes)
-                                      : weigh_lamps_of_glossy(options, lanes);
+bool sample_delta_light(const Light& light, PlainLanes& lanes) {
+  switch (light.kind) {
+    case LightKind::Point:
+      sample_point_light_in_lanes(light, lanes);
+      return true;
+    case LightKind::Spot:
+      sample_spot_light_in_lanes(light, lanes);
+      return true;
+    case LightKind::Directional:
+      sample_directional_light_in_lanes(light, lanes);
+      return true;
+    default:
+      return false;
+  }
+}
+
+LightMasks weigh_light(PlainModel model, const RenderOptions& options, PlainLanes& lanes) {
+  switch (model) {
+    case PlainModel::Diffuse:
+      return weigh_light_by_diffuse(options, lanes);
+    case PlainModel::CookTorrance:
+      return weigh_light_by_glossy(options, lanes);
+    case PlainModel::Lab:
+      return weigh_light_by_lab(options, lanes);
+  }
+  return {};
 }
 
 LaneMask scatter(PlainModel model, const RenderOptions& options, float inverse_roulette_threshold,
                  PlainLanes& lanes) {
-  return model == PlainModel::Diffuse
-             ? scatter_by_diffuse(options, inverse_roulette_threshold, lanes)
-             : scatter_by_glossy(options, inverse_roulette_threshold, lanes);
+  switch (model) {
+    case PlainModel::Diffuse:
+      return scatter_by_diffuse(options, inverse_roulette_threshold, lanes);
+    case PlainModel::CookTorrance:
+      return scatter_by_glossy(options, inverse_roulette_threshold, lanes);
+    case PlainModel::Lab:
+      return scatter_by_lab(options, inverse_roulette_threshold, lanes);
+  }
+  return 0;
 }
 
 }  // namespace candela

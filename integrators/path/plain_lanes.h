@@ -39,8 +39,9 @@ struct MetLanes {
   bool any_has_normals = false;         // of the lanes that are filled
   Vec3Lanes normal0, normal1, normal2;  // of the corners
   Lanes<float> u{}, v{};
-  Vec3Lanes direction;   // of the rays
-  Vec3Lanes throughput;  // of the paths
+  Vec3Lanes direction;            // of the rays
+  Vec3Lanes throughput;           // of the paths
+  Lanes<float> roulette_scale{};  // likewise
   // By find_points():
   Vec3Lanes position;
   Vec3Lanes outside;         // the geometric normal, on the front side
@@ -50,29 +51,50 @@ struct MetLanes {
   LaneFlags is_flat{};
 };
 
-// The emitting triangles and quads that the paths' light samples were dealt to (Light), and those
-// samples (LightSample).
+// The lights that the paths' samples were dealt to (Light), and the samples' random numbers.
 struct LampLanes {
   LampLanes() { light.fill(Light::none); }
 
   Lanes<std::uint32_t> light;
+  Lanes<float> probability{};  // with which it was picked
+  // Neither a triangle nor a quad, of which alone there is more:
+  LaneFlags is_other{};
   LaneFlags is_triangle{}, emits_both_sides{};
   Vec3Lanes position, edge1, edge2, normal, emission;
   Lanes<float> area{}, offset{}, near_distance2{};
-  Lanes<float> probability{};
-  Lanes<float> u_x{}, u_y{};  // random numbers
-  // By sample_lamps():
-  Vec3Lanes wi, radiance;
-  Lanes<float> pdf{};
-  Vec3Lanes shadow_origin, shadow_direction;
-  // By weigh_lamps(), as DirectLight's:
-  Vec3Lanes contribution;
+  Lanes<float> u_x{}, u_y{};
 };
 
-// The members of Bsdf that the models have; GGX with Schlick's terms where there is a highlight.
+// What lights' samples have (LightSample), and what they bring (DirectLight).
+struct LightSampleLanes {
+  void set(std::size_t i, const LightSample& sample) {
+    wi.set(i, sample.wi);
+    radiance.set(i, sample.radiance);
+    pdf[i] = sample.pdf;
+    is_delta[i] = sample.is_delta ? 1 : 0;
+    shadow_origin.set(i, sample.shadow_ray.origin);
+    shadow_direction.set(i, sample.shadow_ray.direction);
+    shadow_end[i] = sample.shadow_ray.t_max;
+  }
+  [[nodiscard]] Ray shadow_ray(std::size_t i) const {
+    return {shadow_origin[i], shadow_direction[i], shadow_end[i]};
+  }
+
+  Vec3Lanes wi, radiance;
+  Lanes<float> pdf{};
+  LaneFlags is_delta{};
+  Vec3Lanes shadow_origin, shadow_direction;
+  Lanes<float> shadow_end{};
+  Lanes<float> choice{};   // the probability of the light
+  Vec3Lanes contribution;  // by weigh_light()
+};
+
+// What the surfaces' materials look at, and the members of Bsdf that the models have.
 struct BsdfLanes {
   BsdfLanes() { alpha.fill(1); }
 
+  Lanes<const Material*> material{};
+  Lanes<Vec2f> uv{};
   Vec3Lanes diffuse, specular, f0;
   Lanes<float> alpha;
 };
@@ -96,6 +118,7 @@ struct PlainLanes {
   std::uint32_t size = 0;  // lanes that are filled
   MetLanes met;
   LampLanes lamps;
+  LightSampleLanes light_samples;
   BsdfLanes bsdfs;
   ScatteredLanes scattered;
 };
@@ -111,20 +134,26 @@ struct PlainLanes {
   return point;
 }
 
-enum class PlainModel : std::uint8_t { Diffuse, CookTorrance };
+// CookTorrance: with Schlick's two terms.
+enum class PlainModel : std::uint8_t { Diffuse, CookTorrance, Lab };
+inline constexpr std::array plain_models{PlainModel::Diffuse, PlainModel::CookTorrance,
+                                         PlainModel::Lab};
 
 void find_points(PlainLanes& lanes);
 
-// Light samples by area. Returns the lanes that are left to others, since their lamps want to be
-// sampled by solid angle.
+// Samples of the lamps, by area. Returns the lanes that are left to others: their lamps are no
+// triangles or quads, or want to be sampled by solid angle.
 [[nodiscard]] LaneMask sample_lamps(PlainLanes& lanes);
 
-struct LampMasks {
+// Samples of a point, spot or directional light, for all lanes; false of others.
+[[nodiscard]] bool sample_delta_light(const Light& light, PlainLanes& lanes);
+
+struct LightMasks {
   LaneMask dark = 0;         // there is a light sample, and it brings nothing
   LaneMask shadow_rays = 0;  // to be traced
 };
-[[nodiscard]] LampMasks weigh_lamps(PlainModel model, const RenderOptions& options,
-                                    PlainLanes& lanes);
+[[nodiscard]] LightMasks weigh_light(PlainModel model, const RenderOptions& options,
+                                     PlainLanes& lanes);
 
 // Returns the lanes whose paths go on.
 [[nodiscard]] LaneMask scatter(PlainModel model, const RenderOptions& options,

@@ -35,14 +35,17 @@ class PlainSteps {
     fill();
     size_ = 0;
     if (lanes_.size == 0) return;
-    find_points(lanes_);
-    if (has_lights()) add_light(model);
+    find_surfaces<F>(model, scene().textures, lanes_);
+    if constexpr (F.delta_lights) {
+      for (const std::uint32_t index : lights().always()) add_light_of(index, model);
+    }
+    if (lights().has_table()) add_picked_light(model);
     scatter_paths(model);
   }
 
-  [[nodiscard]] bool has_lights() const {
-    return places_[0].trip->context.scene.light_sampler.has_table();
-  }
+  [[nodiscard]] const PathContext<A>& context() const { return places_[0].trip->context; }
+  [[nodiscard]] const Scene& scene() const { return context().scene; }
+  [[nodiscard]] const LightSampler& lights() const { return scene().light_sampler; }
 
   // Those that are as deep as paths may be end here.
   void fill() {
@@ -52,12 +55,10 @@ class PlainSteps {
       meet_surface(place);
       BlockTrip<A>& trip = *place.trip;
       if (trip.bounce >= trip.context.max_depth) continue;
-      const Scene& scene = trip.context.scene;
       const StepNumbers numbers = numbers_of<F>(trip, place.lane);
-      put_path(scene, numbers, trip.bounce, trip.block.hits[place.lane],
-               trip.block.rays[place.lane], trip.block.paths[place.lane].throughput, lanes_.size,
-               lanes_);
-      if (has_lights()) put_lamp(scene, numbers, lanes_.size, lanes_.lamps);
+      put_path<F>(scene(), numbers, trip.bounce, trip.block.hits[place.lane],
+                  trip.block.rays[place.lane], trip.block.paths[place.lane], lanes_.size, lanes_);
+      if (lights().has_table()) put_lamp(scene(), numbers, lanes_.size, lanes_.lamps);
       places_[lanes_.size++] = place;
     }
   }
@@ -77,49 +78,57 @@ class PlainSteps {
                            block.samples[place.lane]);
   }
 
-  void add_light(PlainModel model) {
-    const LampLanes& lamps = lanes_.lamps;
-    const LaneMask near = sample_lamps(lanes_);
-    const LampMasks masks = weigh_lamps(model, places_[0].trip->context.options, lanes_);
-    for_each_lane(masks.dark & ~near,
-                  [&](std::uint32_t slot) { ++places_[slot].trip->counts.skipped.shadow_rays; });
-    for_each_lane(masks.shadow_rays & ~near, [&](std::uint32_t slot) {
-      add_shadow_ray(places_[slot],
-                     {lamps.shadow_origin[slot], lamps.shadow_direction[slot], shadow_segment_end},
-                     lamps.contribution[slot]);
+  // Of a light that is sampled at every hit.
+  void add_light_of(std::uint32_t index, PlainModel model) {
+    lanes_.light_samples.choice.fill(1);
+    if (!sample_delta_light(scene().lights[index], lanes_))
+      for (std::uint32_t slot = 0; slot < lanes_.size; ++slot) sample_alone(slot, index, Vec2f(0));
+    for_each_lane(weighed_light(model), [&](std::uint32_t slot) {
+      BlockTrip<A>& trip = *places_[slot].trip;
+      const LightSampleLanes& samples = lanes_.light_samples;
+      ++trip.counts.rays.shadow;
+      if (!context().accelerator.occluded(samples.shadow_ray(slot)))
+        trip.block.paths[places_[slot].lane].radiance += samples.contribution[slot];
     });
-    for_each_lane(near, [&](std::uint32_t slot) { add_near_lamp(slot); });
   }
 
-  static void add_shadow_ray(const Place& place, const Ray& ray, const Rgb& contribution) {
-    place.trip->block.shadow_rays[place.lane] = ray;
-    place.trip->block.unshadowed[place.lane] = contribution;
-    place.trip->after.shadow_rays |= 1u << place.lane;
-  }
-
-  // A lamp that is near to its path's surface is sampled by itself.
-  [[gnu::noinline]] void add_near_lamp(std::uint32_t slot) {
-    BlockTrip<A>& trip = *places_[slot].trip;
-    const Scene& scene = trip.context.scene;
+  void add_picked_light(PlainModel model) {
     const LampLanes& lamps = lanes_.lamps;
-    SurfacePoint point = point_of(lanes_.met, slot);
-    const Hit& hit = trip.block.hits[places_[slot].lane];
-    const Material& material = scene.materials[scene.geometries[hit.geometry].material.index];
-    Bsdf bsdf = bsdf_at<F.models, F.textures>(material, scene.textures, texture_point_of(point),
-                                              point.is_front);
-    DirectLight picked = sample_direct_light<F>(
-        trip.context, lamps.light[slot], Vec2f(lamps.u_x[slot], lamps.u_y[slot]),
-        lamps.probability[slot], point, bsdf, {},
-        point.shading.to_local(-lanes_.met.direction[slot]), trip.counts);
-    picked.contribution *= lanes_.met.throughput[slot];
-    if (!is_black(picked.contribution) && is_traceable(picked.shadow_ray))
-      add_shadow_ray(places_[slot], picked.shadow_ray, picked.contribution);
+    const LightSampleLanes& samples = lanes_.light_samples;
+    LaneMask skies = 0;
+    for_each_lane(sample_lamps(lanes_), [&](std::uint32_t slot) {
+      if (sample_alone(slot, lamps.light[slot], {lamps.u_x[slot], lamps.u_y[slot]}))
+        skies |= 1u << slot;
+    });
+    for_each_lane(weighed_light(model), [&](std::uint32_t slot) {
+      const Place& place = places_[slot];
+      PathBlock& block = place.trip->block;
+      block.shadow_rays[place.lane] = samples.shadow_ray(slot);
+      block.unshadowed[place.lane] = samples.contribution[slot];
+      place.trip->after.shadow_rays |= 1u << place.lane;
+      place.trip->after.sky_rays |= (skies >> slot & 1u) << place.lane;
+    });
+  }
+
+  // Of a light that lanes know nothing of; true where it is the sky, whose radiance is still to
+  // come (next_event.h).
+  [[gnu::noinline]] bool sample_alone(std::uint32_t slot, std::uint32_t light, Vec2f u) {
+    const LightOrSky sample = sample_light_or_sky<F>(scene(), light, point_of(lanes_.met, slot), u);
+    lanes_.light_samples.set(slot, sample.light);
+    return sample.is_sky;
+  }
+
+  // Returns the lanes whose shadow rays are to be traced.
+  [[nodiscard]] LaneMask weighed_light(PlainModel model) {
+    const LightMasks masks = weigh_light(model, context().options, lanes_);
+    for_each_lane(masks.dark,
+                  [&](std::uint32_t slot) { ++places_[slot].trip->counts.skipped.shadow_rays; });
+    return masks.shadow_rays;
   }
 
   void scatter_paths(PlainModel model) {
-    const PathContext<A>& context = places_[0].trip->context;
     const LaneMask scattered =
-        scatter(model, context.options, context.inverse_roulette_threshold, lanes_);
+        scatter(model, context().options, context().inverse_roulette_threshold, lanes_);
     for_each_lane(scattered, [&](std::uint32_t slot) {
       const Place& place = places_[slot];
       if (take_scattered(lanes_, slot, place.lane, place.trip->block))

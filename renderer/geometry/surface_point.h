@@ -30,6 +30,13 @@ struct SurfacePoint {
   Vec3f dpdv{0};
 };
 
+// Of a point of a triangle with texture coordinates.
+[[nodiscard]] inline Vec2f uv_of(const Geometry& geometry,
+                                 const std::array<std::uint32_t, 3>& corners, float u, float v) {
+  Vec2f t0 = geometry.uvs[corners[0]];
+  return t0 + (geometry.uvs[corners[1]] - t0) * u + (geometry.uvs[corners[2]] - t0) * v;
+}
+
 namespace surface_point_detail {
 
 struct Corners {
@@ -146,11 +153,10 @@ inline void set_front_normal(const Vec3f& n, SurfacePoint& point) {
     set_front_normal(n, point);
   }
   if (with_uv && !geometry.uvs.empty()) {
-    Vec2f t0 = geometry.uvs[index[0]];
-    Vec2f d1 = geometry.uvs[index[1]] - t0;
-    Vec2f d2 = geometry.uvs[index[2]] - t0;
-    point.uv = t0 + d1 * hit.u + d2 * hit.v;
+    point.uv = uv_of(geometry, index, hit.u, hit.v);
     if (!geometry.reads_tangents) return point;
+    Vec2f d1 = geometry.uvs[index[1]] - geometry.uvs[index[0]];
+    Vec2f d2 = geometry.uvs[index[2]] - geometry.uvs[index[0]];
     const float determinant = difference_of_products(d1.x, d2.y, d1.y, d2.x);
     if (determinant != 0) {
       const Float4 e1 = p1 - p0;
