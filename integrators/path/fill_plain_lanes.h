@@ -16,30 +16,13 @@ class PlainMasks {
   [[nodiscard]] LaneMask of(PlainModel model) const {
     return of_model_[static_cast<std::size_t>(model)];
   }
-  [[nodiscard]] LaneMask all() const { return of_model_[0] | of_model_[1] | of_model_[2]; }
+  [[nodiscard]] LaneMask all() const {
+    return of(PlainModel::Diffuse) | of(PlainModel::CookTorrance) | of(PlainModel::Lab);
+  }
 
  private:
-  std::array<LaneMask, plain_models.size()> of_model_{};
+  std::array<LaneMask, plain_models.size() + 1> of_model_{};
 };
-
-// That of a material that plain_lanes.h knows of.
-[[nodiscard]] inline std::optional<PlainModel> plain_model_of(const Material& material) {
-  if (has_bump(material)) return {};
-  switch (material.model) {
-    case MaterialModel::Diffuse:
-      return PlainModel::Diffuse;
-    case MaterialModel::CookTorrance:
-      if (material.energy_compensation || fresnel_term(material) != FresnelTerm::Schlick ||
-          material.geometry != GeometryModel::SchlickGgx)
-        return {};
-      return PlainModel::CookTorrance;
-    case MaterialModel::Lab:  // with a map it is both, by place
-      if (material.specular.texture) return {};
-      return is_black(material.specular.constant) ? PlainModel::Diffuse : PlainModel::Lab;
-    default:
-      return {};
-  }
-}
 
 // Of the hits those on plain surfaces that stand where the scene says.
 [[nodiscard]] inline PlainMasks plain_lanes_of(const Scene& scene, const HitBlock& hits,
@@ -48,10 +31,13 @@ class PlainMasks {
   for_each_lane(lanes, [&](std::uint32_t i) {
     if (!hits[i].is_hit() || hits[i].is_instanced()) return;
     const Geometry& geometry = scene.geometries[hits[i].geometry];
-    if (const auto model = plain_model_of(scene.materials[geometry.material.index]))
-      plain.add(*model, i);
+    plain.add(scene.materials[geometry.material.index].plain_model, i);
   });
   return plain;
+}
+
+[[nodiscard]] inline TexturePoint texture_point_of(const PlainLanes& lanes, std::uint32_t slot) {
+  return {lanes.bsdfs.uv[slot], lanes.met.position[slot], lanes.met.normal[slot]};
 }
 
 // What textures say is looked up one path after the other, once it is known where they are.
@@ -60,7 +46,7 @@ inline void put_bsdfs(PlainModel model, const TextureStore& textures, PlainLanes
   BsdfLanes& bsdfs = lanes.bsdfs;
   for (std::uint32_t slot = 0; slot < lanes.size; ++slot) {
     const Material& material = *bsdfs.material[slot];
-    const TexturePoint at{bsdfs.uv[slot], lanes.met.position[slot], lanes.met.normal[slot]};
+    const TexturePoint at = texture_point_of(lanes, slot);
     if (model == PlainModel::Diffuse) {
       bsdfs.diffuse.set(slot, colour_at<F.textures>(material.diffuse, textures, at));
       continue;
@@ -71,6 +57,29 @@ inline void put_bsdfs(PlainModel model, const TextureStore& textures, PlainLanes
     bsdfs.specular.set(slot, bsdf.specular);
     bsdfs.f0.set(slot, bsdf.f0);
     bsdfs.alpha[slot] = bsdf.alpha;
+  }
+}
+
+// Likewise, where surfaces have bumps; the triangles are those that hit_of(slot) names.
+template <class HitOf>
+inline void put_bumps(const Scene& scene, const HitOf& hit_of, PlainLanes& lanes) {
+  MetLanes& met = lanes.met;
+  for (std::uint32_t slot = 0; slot < lanes.size; ++slot) {
+    const Material& material = *lanes.bsdfs.material[slot];
+    if (!has_bump(material)) continue;
+    const Hit& hit = hit_of(slot);
+    const Geometry& geometry = scene.geometries[hit.geometry];
+    const Float4 corner0 = to_lanes(met.corner0[slot]);
+    SurfacePoint point;
+    if (!geometry.uvs.empty())
+      set_tangents(geometry, geometry.triangles[hit.triangle],
+                   to_lanes(met.corner1[slot]) - corner0, to_lanes(met.corner2[slot]) - corner0,
+                   point);
+    met.front_normal.set(slot,
+                         shading_normal_at(material, scene.textures, texture_point_of(lanes, slot),
+                                           met.front_normal[slot], point.dpdu, point.dpdv));
+    met.is_flat[slot] = 0;
+    met.all_are_flat = false;
   }
 }
 
@@ -156,11 +165,16 @@ inline void put_lamp(const Scene& scene, const StepNumbers& numbers, std::uint32
                  {lanes.scattered.origin[slot], lanes.scattered.direction[slot], infinity});
 }
 
-// The plain paths' surfaces, once all are put.
-template <FeatureSet F>
-inline void find_surfaces(PlainModel model, const TextureStore& textures, PlainLanes& lanes) {
+// The surfaces, once all paths are put.
+template <FeatureSet F, class HitOf>
+inline void find_surfaces(PlainModel model, const Scene& scene, const HitOf& hit_of,
+                          PlainLanes& lanes) {
   find_points(lanes);
-  put_bsdfs<F>(model, textures, lanes);
+  if constexpr (F.textures) {
+    if (scene.features.bump) put_bumps(scene, hit_of, lanes);
+  }
+  find_frames(lanes);
+  put_bsdfs<F>(model, scene.textures, lanes);
 }
 
 // Other paths from the first hits of a block in place of those that have ended (branches.h);
@@ -179,7 +193,10 @@ template <FeatureSet F, class A>
                 block.split.camera_rays[i], block.paths[i], lanes.size, lanes);
     lane_of[lanes.size++] = i;
   });
-  find_surfaces<F>(model, context.scene.textures, lanes);
+  const auto hit_of = [&](std::uint32_t slot) -> const Hit& {
+    return block.split.hits[lane_of[slot]];
+  };
+  find_surfaces<F>(model, context.scene, hit_of, lanes);
   LaneMask going_on = 0;
   const LaneMask scattered =
       scatter(model, context.options, context.inverse_roulette_threshold, lanes);

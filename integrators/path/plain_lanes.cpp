@@ -34,14 +34,8 @@ namespace {
 }
 
 constexpr BsdfModel bsdf_model(PlainModel model) {
-  switch (model) {
-    case PlainModel::Diffuse:
-      return BsdfModel::Diffuse;
-    case PlainModel::CookTorrance:
-      return BsdfModel::CookTorrance;
-    case PlainModel::Lab:
-      return BsdfModel::Lab;
-  }
+  if (model == PlainModel::CookTorrance) return BsdfModel::CookTorrance;
+  return model == PlainModel::Lab ? BsdfModel::Lab : BsdfModel::Diffuse;
 }
 template <PlainModel model>
 inline constexpr FeatureSet features_of = plain_features.with_models(model_bit(bsdf_model(model)));
@@ -146,40 +140,50 @@ CANDELA_LANES void find_planes(MetLanes& met) {
         met.corner0[i], met.corner1[i], met.corner2[i], met.u[i], met.v[i]);
     const bool is_front = dot(plane.normal, -met.direction[i]) > 0;
     met.position.set(i, plane.position);
-    met.outside.set(i, plane.normal);
+    met.front_normal.set(i, plane.normal);
     met.normal.set(i, is_front ? plane.normal : -plane.normal);
     met.offset[i] = plane.offset;
   }
 }
 
-CANDELA_LANES void find_shading_normals(MetLanes& met) {
+CANDELA_LANES void find_front_normals(MetLanes& met) {
   for (std::uint32_t i = 0; i < block_size; ++i) {
     const float u = met.u[i];
     const float v = met.v[i];
     SurfacePoint point;
-    point.front_normal = met.outside[i];
-    point.geometric_normal = met.normal[i];
+    point.front_normal = met.front_normal[i];
     Vec3f n = met.normal0[i] * (1 - u - v) + met.normal1[i] * u + met.normal2[i] * v;
     if (met.has_normals[i] == 0) n = Vec3f(0);
     surface_point_detail::set_front_normal(n, point);
-    set_shading_frame(point, -met.direction[i]);
-    met.shading_normal.set(i, point.shading.z);
+    met.front_normal.set(i, point.front_normal);
     met.is_flat[i] = flag(point.is_flat);
   }
 }
 
-CANDELA_LANES void sample_point_light_in_lanes(const Light& light, PlainLanes& lanes) {
+CANDELA_LANES void find_bent_frames(MetLanes& met) {
+  for (std::uint32_t i = 0; i < block_size; ++i) {
+    SurfacePoint point;
+    point.front_normal = met.front_normal[i];
+    point.geometric_normal = met.normal[i];
+    point.is_flat = met.is_flat[i] != 0;
+    set_shading_frame(point, -met.direction[i]);
+    met.shading_normal.set(i, point.shading.z);
+  }
+}
+
+// By value: stores to the lanes cannot change the light.
+CANDELA_LANES void sample_point_light_in_lanes(Light light, PlainLanes& lanes) {
   for (std::size_t i = 0; i < block_size; ++i)
     lanes.light_samples.set(
         i, sample_from_point(light, point_of(lanes.met, i), [](const Vec3f&) { return 1.0f; }));
 }
-CANDELA_LANES void sample_spot_light_in_lanes(const Light& light, PlainLanes& lanes) {
+CANDELA_LANES void sample_spot_light_in_lanes(Light light, PlainLanes& lanes) {
   for (std::size_t i = 0; i < block_size; ++i)
     lanes.light_samples.set(
         i, sample_from_point(light, point_of(lanes.met, i),
                              [&](const Vec3f& w) { return spot_falloff(light, w); }));
 }
-CANDELA_LANES void sample_directional_light_in_lanes(const Light& light, PlainLanes& lanes) {
+CANDELA_LANES void sample_directional_light_in_lanes(Light light, PlainLanes& lanes) {
   for (std::size_t i = 0; i < block_size; ++i)
     lanes.light_samples.set(i, sample_directional_light(light, point_of(lanes.met, i)));
 }
@@ -189,9 +193,17 @@ CANDELA_LANES void sample_directional_light_in_lanes(const Light& light, PlainLa
 void find_points(PlainLanes& lanes) {
   MetLanes& met = lanes.met;
   find_planes(met);
-  if (met.any_has_normals) return find_shading_normals(met);
-  met.shading_normal = met.normal;
   met.is_flat.fill(1);
+  met.all_are_flat = !met.any_has_normals;
+  if (met.any_has_normals) find_front_normals(met);
+}
+
+void find_frames(PlainLanes& lanes) {
+  MetLanes& met = lanes.met;
+  if (met.all_are_flat)
+    met.shading_normal = met.normal;
+  else
+    find_bent_frames(met);
 }
 
 CANDELA_LANES LaneMask sample_lamps(PlainLanes& lanes) {
@@ -235,6 +247,8 @@ LightMasks weigh_light(PlainModel model, const RenderOptions& options, PlainLane
       return weigh_light_by_glossy(options, lanes);
     case PlainModel::Lab:
       return weigh_light_by_lab(options, lanes);
+    case PlainModel::None:
+      break;
   }
   return {};
 }
@@ -248,6 +262,8 @@ LaneMask scatter(PlainModel model, const RenderOptions& options, float inverse_r
       return scatter_by_glossy(options, inverse_roulette_threshold, lanes);
     case PlainModel::Lab:
       return scatter_by_lab(options, inverse_roulette_threshold, lanes);
+    case PlainModel::None:
+      break;
   }
   return 0;
 }

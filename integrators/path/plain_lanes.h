@@ -7,6 +7,7 @@
 
 #include "integrators/path/path_step.h"
 #include "renderer/accel/ray_block.h"
+#include "renderer/material/plain_model.h"
 
 namespace candela {
 
@@ -42,13 +43,14 @@ struct MetLanes {
   Vec3Lanes direction;            // of the rays
   Vec3Lanes throughput;           // of the paths
   Lanes<float> roulette_scale{};  // likewise
-  // By find_points():
+  // By find_points(), as SurfacePoint's:
   Vec3Lanes position;
-  Vec3Lanes outside;         // the geometric normal, on the front side
-  Vec3Lanes normal;          // the same, on the ray's side
-  Vec3Lanes shading_normal;  // that of the shading frame
+  Vec3Lanes normal;  // the geometric one, on the ray's side
+  Vec3Lanes front_normal;
   Lanes<float> offset{};
   LaneFlags is_flat{};
+  bool all_are_flat = true;
+  Vec3Lanes shading_normal;  // by find_frames(): that of the shading frame
 };
 
 // The lights that the paths' samples were dealt to (Light), and the samples' random numbers.
@@ -134,12 +136,11 @@ struct PlainLanes {
   return point;
 }
 
-// CookTorrance: with Schlick's two terms.
-enum class PlainModel : std::uint8_t { Diffuse, CookTorrance, Lab };
 inline constexpr std::array plain_models{PlainModel::Diffuse, PlainModel::CookTorrance,
                                          PlainModel::Lab};
 
 void find_points(PlainLanes& lanes);
+void find_frames(PlainLanes& lanes);
 
 // Samples of the lamps, by area. Returns the lanes that are left to others: their lamps are no
 // triangles or quads, or want to be sampled by solid angle.

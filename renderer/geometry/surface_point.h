@@ -124,6 +124,17 @@ inline void set_front_normal(const Vec3f& n, SurfacePoint& point) {
   return halfway2 > 0 ? halfway / std::sqrt(halfway2) : geometric;
 }
 
+// Of a triangle with texture coordinates and these edges from its first corner.
+inline void set_tangents(const Geometry& geometry, const std::array<std::uint32_t, 3>& corners,
+                         Float4 edge1, Float4 edge2, SurfacePoint& point) {
+  Vec2f d1 = geometry.uvs[corners[1]] - geometry.uvs[corners[0]];
+  Vec2f d2 = geometry.uvs[corners[2]] - geometry.uvs[corners[0]];
+  const float determinant = difference_of_products(d1.x, d2.y, d1.y, d2.x);
+  if (determinant == 0) return;
+  point.dpdu = to_vec3(edge1 * d2.y - edge2 * d1.y) / determinant;
+  point.dpdv = to_vec3(edge2 * d1.x - edge1 * d2.x) / determinant;
+}
+
 // All but the shading frame. `instance` may be null. With `with_uv` false, uv and its derivatives
 // stay at their defaults.
 [[nodiscard]] inline SurfacePoint make_triangle_point(const Geometry& geometry,
@@ -154,16 +165,7 @@ inline void set_front_normal(const Vec3f& n, SurfacePoint& point) {
   }
   if (with_uv && !geometry.uvs.empty()) {
     point.uv = uv_of(geometry, index, hit.u, hit.v);
-    if (!geometry.reads_tangents) return point;
-    Vec2f d1 = geometry.uvs[index[1]] - geometry.uvs[index[0]];
-    Vec2f d2 = geometry.uvs[index[2]] - geometry.uvs[index[0]];
-    const float determinant = difference_of_products(d1.x, d2.y, d1.y, d2.x);
-    if (determinant != 0) {
-      const Float4 e1 = p1 - p0;
-      const Float4 e2 = p2 - p0;
-      point.dpdu = to_vec3(e1 * d2.y - e2 * d1.y) / determinant;
-      point.dpdv = to_vec3(e2 * d1.x - e1 * d2.x) / determinant;
-    }
+    if (geometry.reads_tangents) set_tangents(geometry, index, p1 - p0, p2 - p0, point);
   }
   return point;
 }

@@ -28,7 +28,12 @@ template <bool textured = true>
   return clamp_unit(textures.lookup_at(parameter.texture, at)[parameter.channel]);
 }
 
-// Which models bsdf_at() can make of a material. Lab surfaces without a highlight are Lambert's.
+// Lab surfaces without a highlight are Lambert's.
+[[nodiscard]] inline bool has_highlight(const Material& material) {
+  return material.specular.texture || !is_black(material.specular.constant);
+}
+
+// Which models bsdf_at() can make of a material.
 [[nodiscard]] inline ModelSet bsdf_models(const Material& material) {
   switch (material.model) {
     case MaterialModel::Diffuse:
@@ -36,11 +41,8 @@ template <bool textured = true>
     case MaterialModel::CookTorrance:
       return model_bit(material.energy_compensation ? BsdfModel::CompensatedCookTorrance
                                                     : BsdfModel::CookTorrance);
-    case MaterialModel::Lab: {
-      const ModelSet diffuse = model_bit(BsdfModel::Diffuse);
-      if (!material.specular.texture && is_black(material.specular.constant)) return diffuse;
-      return diffuse | model_bit(BsdfModel::Lab);
-    }
+    case MaterialModel::Lab:
+      return model_bit(has_highlight(material) ? BsdfModel::Lab : BsdfModel::Diffuse);
     case MaterialModel::Mirror:
       return model_bit(BsdfModel::Mirror);
     case MaterialModel::Conductor: {
@@ -101,7 +103,7 @@ template <bool textured>
 template <bool textured>
 [[nodiscard]] inline Bsdf lab_at(const Material& material, const TextureStore& textures,
                                  const TexturePoint& at) {
-  Bsdf bsdf{.model = BsdfModel::Lab,
+  Bsdf bsdf{.model = has_highlight(material) ? BsdfModel::Lab : BsdfModel::Diffuse,
             .alpha = material.roughness.constant,
             .diffuse = colour_at<textured>(material.diffuse, textures, at),
             .specular = material.specular.constant};
@@ -110,7 +112,6 @@ template <bool textured>
     bsdf.specular = clamp_unit(Rgb(specular));
     bsdf.alpha = lab_width(clamp_unit(specular.w) * 256);
   }
-  if (is_black(bsdf.specular)) bsdf.model = BsdfModel::Diffuse;
   return bsdf;
 }
 

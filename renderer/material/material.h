@@ -32,6 +32,9 @@ enum class MaterialModel : std::uint8_t {
   Mix,  // at each hit one of its parts: mixed_material.h
 };
 
+// See plain_model.h. CookTorrance: with Schlick's two terms.
+enum class PlainModel : std::uint8_t { None, Diffuse, CookTorrance, Lab };
+
 // Whether light may pass to the other side.
 [[nodiscard]] constexpr bool is_transmissive(MaterialModel model) {
   return model == MaterialModel::Dielectric || model == MaterialModel::ThinDielectric ||
@@ -51,6 +54,7 @@ struct ScalarParameter {
 
 struct Material {
   MaterialModel model = MaterialModel::Diffuse;
+  PlainModel plain_model = PlainModel::None;
   FresnelModel fresnel = FresnelModel::Schlick;
   GeometryModel geometry = GeometryModel::SchlickGgx;
   bool emits_both_sides = false;

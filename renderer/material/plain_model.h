@@ -1,0 +1,25 @@
+// Surfaces that light is reflected by in one of three ways, the same everywhere: the kernels of
+// paths take their steps on such surfaces side by side (integrators/path/plain_lanes.h).
+#pragma once
+
+#include "renderer/material/bsdf_at.h"
+
+namespace candela {
+
+[[nodiscard]] inline PlainModel plain_model_of(const Material& material) {
+  switch (material.model) {
+    case MaterialModel::Diffuse:
+      return PlainModel::Diffuse;
+    case MaterialModel::CookTorrance:
+      if (material.energy_compensation || fresnel_term(material) != FresnelTerm::Schlick ||
+          material.geometry != GeometryModel::SchlickGgx)
+        return PlainModel::None;
+      return PlainModel::CookTorrance;
+    case MaterialModel::Lab:
+      return has_highlight(material) ? PlainModel::Lab : PlainModel::Diffuse;
+    default:
+      return PlainModel::None;
+  }
+}
+
+}  // namespace candela
