@@ -80,7 +80,7 @@ class Branches {
     LaneMask going_on = 0;
     LaneMask single = lanes_;
     if constexpr (F.lanes) {
-      const PlainMasks plain_lanes = plain_lanes_of(context.scene, block.split.hits, lanes_);
+      const PlainMasks plain_lanes = plain_lanes_of<F>(context.scene, block.split.hits, lanes_);
       for (const PlainModel model : plain_models)
         going_on |=
             branch_plain_lanes<F>(context, numbers, model, plain_lanes.of(model), block, lanes);

@@ -52,7 +52,7 @@ struct FeatureSet {
 // (`tools/bench budget`). Scenes with either get the kernel of both. Every path takes its steps
 // alone: what the kernels with lanes are held against.
 inline constexpr FeatureSet general_features{};
-inline constexpr FeatureSet broad_features{.lanes = true};
+inline constexpr FeatureSet broad_features{.spheres = true, .lanes = true};
 inline constexpr FeatureSet media_features{.spheres = true, .media = true};
 
 // For comparisons of estimators.

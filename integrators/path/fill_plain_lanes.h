@@ -25,12 +25,14 @@ class PlainMasks {
 };
 
 // Of the hits those on plain surfaces that stand where the scene says.
+template <FeatureSet F>
 [[nodiscard]] inline PlainMasks plain_lanes_of(const Scene& scene, const HitBlock& hits,
                                                LaneMask lanes) {
   PlainMasks plain;
   for_each_lane(lanes, [&](std::uint32_t i) {
     if (!hits[i].is_hit() || hits[i].is_instanced()) return;
     const Geometry& geometry = scene.geometries[hits[i].geometry];
+    if (F.spheres && !geometry.spheres.empty()) return;
     plain.add(scene.materials[geometry.material.index].plain_model, i);
   });
   return plain;
