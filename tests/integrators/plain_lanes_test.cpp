@@ -1,10 +1,13 @@
-// The plain kernel's steps of many paths at once (path/plain_lanes.h) against the general kernel's,
-// one by one: the same bits and the same counts, whatever the surfaces, lamps and options.
+// The steps of many paths at once (path/plain_lanes.h) against the general kernel's, one by one:
+// the same bits and the same counts, whatever the surfaces, lights and options.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "tests/image/crafted_files.h"
+#include "tests/image/temporary_folder.h"
 #include "tests/integrators/sample_ranges.h"
 #include "tests/scenes/description.h"
+#include "tests/scenes/exact_sphere.h"
 #include "tests/scenes/meshes.h"
 #include "tests/scenes/render_scene.h"
 
@@ -63,15 +66,75 @@ SceneDescription room_of_many_lamps() {
   return scene;
 }
 
+description::ImageHandle add_image(SceneDescription& scene, const TemporaryFolder& folder,
+                                   const std::string& name, const crafted::Samples& texel) {
+  scene.images.push_back({folder.put(name, crafted::png_rgba(8, 8, texel)),
+                          description::Encoding::Linear,
+                          description::Wrap::Repeat,
+                          {}});
+  return description::ImageHandle(scene.images.size() - 1);
+}
+
+// Maps of colours, of highlights that are black in places, of heights and of normals.
+SceneDescription room_of_maps(const TemporaryFolder& folder) {
+  SceneDescription scene = room_of_all_kinds();
+  const auto colours = add_image(scene, folder, "colours.png", [](int x, int y, int c) {
+    return 30u * unsigned(x ^ y) + 9u * unsigned(c);
+  });
+  const auto highlights = add_image(scene, folder, "highlights.png", [](int x, int y, int c) {
+    return x < 4 ? 0u : 60u + 20u * unsigned(y) + 3u * unsigned(c);
+  });
+  const auto heights = add_image(scene, folder, "heights.png",
+                                 [](int x, int y, int) { return 17u * unsigned(x ^ (7 - y)); });
+  const auto normals = add_image(scene, folder, "normals.png", [](int x, int y, int c) {
+    return c == 2 ? 230u : 128u + 7u * unsigned(c == 0 ? x : y);
+  });
+  const auto surface = [&](decltype(description::Material::model) model) -> description::Material& {
+    return scene.materials[add_material(scene, std::move(model)).index];
+  };
+  const auto last = [&] { return MaterialHandle(scene.materials.size() - 1); };
+  description::Material& bumpy = surface(description::DiffuseMaterial{{Vec3d(0.9), colours}});
+  bumpy.height = heights;
+  bumpy.height_scale = 0.1;
+  add_mesh(scene, quad({-0.9, -0.5, -0.95}, {0.8, 0, 0}, {0, 0.8, 0}), last());
+  CookTorranceMaterial rough = glossy(0.3);
+  rough.diffuse.map = colours;
+  surface(rough).normal_map = normals;
+  add_mesh(scene, quad({0.1, -0.5, -0.95}, {0.8, 0, 0.1}, {0, 0.8, 0}), last());
+  surface(description::LabMaterial{.diffuse = {Vec3d(0.5), colours},
+                                   .specular = {Vec3d(1), highlights}});
+  add_mesh(scene, quad({-0.6, -0.7, 0.2}, {0.9, 0.1, 0}, {0, 0.6, -0.3}), last());
+  surface(description::LabMaterial{
+      .diffuse = {Vec3d(0.4), {}}, .specular = {Vec3d(0.3), {}}, .shininess = 40});
+  add_mesh(scene, quad({-0.9, -0.95, -0.9}, {0, 0, 1.8}, {1.8, 0, 0}), last());
+  return scene;
+}
+
+// What lanes leave to single steps, so that paths come from there and go there: glass, mirrors,
+// spheres and instances.
+SceneDescription room_of_strangers(const TemporaryFolder& folder) {
+  SceneDescription scene = room_of_maps(folder);
+  const auto glass = add_material(scene, description::DielectricMaterial{});
+  add_mesh(scene, sphere({0.5, 0.1, 0.5}, 0.3, 4), glass);
+  const auto mirror = add_material(scene, description::MirrorMaterial{{Vec3d(0.9), {}}});
+  add_mesh(scene, quad({-0.98, -0.9, -0.9}, {0, 0, 1.5}, {0, 1.5, 0}), mirror);
+  add_mesh(scene, exact_sphere(0.2), add_material(scene, diffuse({0.2, 0.8, 0.4})),
+           at_place({-0.5, 0, 0.5}));
+  const auto box_mesh = add_mesh(scene, box({0, 0, 0}, {0.2, 0.2, 0.2}),
+                                 add_material(scene, diffuse({0.8, 0.2, 0.4})));
+  add_instance(scene, box_mesh, at_place({0.3, 0.4, 0.1}));
+  return scene;
+}
+
 void expect_general(const SceneDescription& description, RenderSettings settings,
-                    const std::string& what) {
+                    const std::string& what, const std::string& kernel = "path/plain") {
   settings.options.aovs = all_aovs;
   const Scene scene = compiled(description, settings.options);
   const RenderResult together = rendered(scene, settings);
   settings.options.use_general_kernel = true;
   const RenderResult alone = rendered(scene, settings);
-  ASSERT_EQ(together.statistics.kernel, "path/plain") << what;
-  ASSERT_EQ(alone.statistics.kernel, "path/general") << what;
+  ASSERT_EQ(together.statistics.kernel, kernel) << what;
+  ASSERT_NE(alone.statistics.kernel, kernel) << what;
   EXPECT_GT(mean_of(alone.film.to_image(false)), 0.01) << what;
   EXPECT_EQ(together.film.to_image(true).values, alone.film.to_image(true).values) << what;
   EXPECT_EQ(together.statistics.rays.indirect, alone.statistics.rays.indirect) << what;
@@ -114,6 +177,48 @@ TEST(Agreement_PlainLanes, AreSingleStepsUpToADepth) {
       settings.options.splitting = splitting;
       expect_general(room_of_lamps(), settings, fmt::format("depth {}, {}", depth, splitting));
     }
+  }
+}
+
+TEST(Agreement_PlainLanes, AreSingleStepsWhateverMapsSay) {
+  const TemporaryFolder folder;
+  for (const int splitting : {1, 3}) {
+    RenderSettings settings = settings_of(32, 32);
+    settings.options.splitting = splitting;
+    const std::string what = fmt::format("splitting {}", splitting);
+    expect_general(room_of_maps(folder), settings, what, "path/broad");
+    expect_general(room_of_strangers(folder), settings, what + ", strangers", "path/broad");
+  }
+}
+
+// Lights that are sampled at every hit, of each kind, or picked, where they are more than four.
+TEST(Agreement_PlainLanes, AreSingleStepsUnderLightsWithoutArea) {
+  const TemporaryFolder folder;
+  const RenderSettings settings = settings_of(32, 32);
+  SceneDescription scene = room_of_strangers(folder);
+  const auto check = [&](const auto& light, const std::string& what) {
+    add_light(scene, light);
+    expect_general(scene, settings, what, "path/broad");
+  };
+  check(description::PointLight{{0.2, 0.3, 0.4}, {0.2, 0.3, 0.1}}, "a point");
+  check(description::SpotLight{{0, 0.2, 0.9}, {0, -0.6, -0.8}, Vec3d(3), 0.2, 0.6}, "a spot");
+  check(description::DirectionalLight{{0, 0.6, 0.8}, {1, 0.9, 0.8}}, "a sun");
+  check(
+      description::ProjectionLight{
+          .position = {0.1, 0.1, 0.8}, .intensity = Vec3d(2), .image = description::ImageHandle(0)},
+      "a projector");
+  check(description::PointLight{{-0.5, 0.6, 0.1}, {0.1, 0.1, 0.4}}, "more than four");
+  check(description::ConstantEnvironment{{0.3, 0.4, 0.5}}, "a sky");
+}
+
+TEST(Agreement_PlainLanes, AreSingleStepsUnderASky) {
+  const TemporaryFolder folder;
+  SceneDescription scene = room_of_maps(folder);
+  add_light(scene, description::ConstantEnvironment{{0.3, 0.4, 0.5}});
+  for (const int splitting : {1, 3}) {
+    RenderSettings settings = settings_of(32, 32);
+    settings.options.splitting = splitting;
+    expect_general(scene, settings, fmt::format("splitting {}", splitting), "path/broad");
   }
 }
 
