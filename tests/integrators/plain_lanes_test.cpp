@@ -214,7 +214,9 @@ TEST(Agreement_PlainLanes, AreSingleStepsUnderLightsWithoutArea) {
 TEST(Agreement_PlainLanes, AreSingleStepsUnderASky) {
   const TemporaryFolder folder;
   SceneDescription scene = room_of_maps(folder);
-  add_light(scene, description::ConstantEnvironment{{0.3, 0.4, 0.5}});
+  description::LatLongEnvironment sky;
+  sky.image = description::ImageHandle(0);
+  add_light(scene, sky);
   for (const int splitting : {1, 3}) {
     RenderSettings settings = settings_of(32, 32);
     settings.options.splitting = splitting;

@@ -71,6 +71,7 @@ TEST(Unit_BsdfAt, LabMapsCarryTheExponentInAlpha) {
   EXPECT_FLOAT_EQ(bsdf.alpha, std::sqrt(2 / (64.0f / 255 * 256 + 2)));
 }
 
+// One with a map of highlights stays what it is where the map is black, but reflects as much.
 TEST(Unit_BsdfAt, LabWithoutHighlightIsDiffuse) {
   const Picture black({0, 0, 0, 255});
   Material material{.model = MaterialModel::Lab};
@@ -78,8 +79,11 @@ TEST(Unit_BsdfAt, LabWithoutHighlightIsDiffuse) {
   EXPECT_EQ(bsdf_at(material, black.store, {}, true).model, BsdfModel::Diffuse);
   EXPECT_EQ(bsdf_models(material), model_bit(BsdfModel::Diffuse));
   material.specular.texture = black.handle;
-  EXPECT_EQ(bsdf_at(material, black.store, {}, true).model, BsdfModel::Diffuse);
-  EXPECT_EQ(bsdf_models(material), model_bit(BsdfModel::Diffuse) | model_bit(BsdfModel::Lab));
+  EXPECT_EQ(bsdf_models(material), model_bit(BsdfModel::Lab));
+  const Bsdf bsdf = bsdf_at(material, black.store, {}, true);
+  const BsdfEvaluation f = evaluate_bsdf(bsdf, normalize(Vec3f(0.6f, 0, 0.8f)), Vec3f(0, 0, 1));
+  EXPECT_FLOAT_EQ(f.value.x, 0.6f * inverse_pi);
+  EXPECT_FLOAT_EQ(f.pdf, inverse_pi);
 }
 
 // Whatever bsdf_at() makes lies in the set that bsdf_models() names.
