@@ -62,19 +62,17 @@ inline void put_bsdfs(PlainModel model, const TextureStore& textures, PlainLanes
   }
 }
 
-// Likewise, where surfaces have bumps; the triangles are those that hit_of(slot) names.
-template <class HitOf>
-inline void put_bumps(const Scene& scene, const HitOf& hit_of, PlainLanes& lanes) {
+// Likewise, where surfaces have bumps.
+inline void put_bumps(const Scene& scene, PlainLanes& lanes) {
   MetLanes& met = lanes.met;
   for (std::uint32_t slot = 0; slot < lanes.size; ++slot) {
     const Material& material = *lanes.bsdfs.material[slot];
     if (!has_bump(material)) continue;
-    const Hit& hit = hit_of(slot);
-    const Geometry& geometry = scene.geometries[hit.geometry];
+    const Geometry& geometry = scene.geometries[met.hit[slot]->geometry];
     const Float4 corner0 = to_lanes(met.corner0[slot]);
     SurfacePoint point;
     if (!geometry.uvs.empty())
-      set_tangents(geometry, geometry.triangles[hit.triangle],
+      set_tangents(geometry, geometry.triangles[met.hit[slot]->triangle],
                    to_lanes(met.corner1[slot]) - corner0, to_lanes(met.corner2[slot]) - corner0,
                    point);
     met.front_normal.set(slot,
@@ -104,6 +102,7 @@ inline void put_path(const Scene& scene, const StepNumbers& numbers, std::uint32
   const Geometry& geometry = scene.geometries[hit.geometry];
   const auto& corners = geometry.triangles[hit.triangle];
   MetLanes& met = lanes.met;
+  met.hit[slot] = &hit;
   met.corner0.set(slot, geometry.positions[corners[0]]);
   met.corner1.set(slot, geometry.positions[corners[1]]);
   met.corner2.set(slot, geometry.positions[corners[2]]);
@@ -168,12 +167,11 @@ inline void put_lamp(const Scene& scene, const StepNumbers& numbers, std::uint32
 }
 
 // The surfaces, once all paths are put.
-template <FeatureSet F, class HitOf>
-inline void find_surfaces(PlainModel model, const Scene& scene, const HitOf& hit_of,
-                          PlainLanes& lanes) {
+template <FeatureSet F>
+inline void find_surfaces(PlainModel model, const Scene& scene, PlainLanes& lanes) {
   find_points(lanes);
   if constexpr (F.textures) {
-    if (scene.features.bump) put_bumps(scene, hit_of, lanes);
+    if (scene.features.bump) put_bumps(scene, lanes);
   }
   find_frames(lanes);
   put_bsdfs<F>(model, scene.textures, lanes);
@@ -195,10 +193,7 @@ template <FeatureSet F, class A>
                 block.split.camera_rays[i], block.paths[i], lanes.size, lanes);
     lane_of[lanes.size++] = i;
   });
-  const auto hit_of = [&](std::uint32_t slot) -> const Hit& {
-    return block.split.hits[lane_of[slot]];
-  };
-  find_surfaces<F>(model, context.scene, hit_of, lanes);
+  find_surfaces<F>(model, context.scene, lanes);
   LaneMask going_on = 0;
   const LaneMask scattered =
       scatter(model, context.options, context.inverse_roulette_threshold, lanes);

@@ -35,6 +35,7 @@ struct MetLanes {
     direction.z.fill(-1);
   }
 
+  Lanes<const Hit*> hit{};
   Vec3Lanes corner0, corner1, corner2;
   LaneFlags has_normals{};
   bool any_has_normals = false;         // of the lanes that are filled

@@ -35,10 +35,7 @@ class PlainSteps {
     fill();
     size_ = 0;
     if (lanes_.size == 0) return;
-    const auto hit_of = [this](std::uint32_t slot) -> const Hit& {
-      return places_[slot].trip->block.hits[places_[slot].lane];
-    };
-    find_surfaces<F>(model, scene(), hit_of, lanes_);
+    find_surfaces<F>(model, scene(), lanes_);
     if constexpr (F.delta_lights) {
       for (const std::uint32_t index : lights().always()) add_light_of(index, model);
     }
