@@ -211,6 +211,17 @@ TEST(Agreement_PlainLanes, AreSingleStepsUnderLightsWithoutArea) {
   check(description::ConstantEnvironment{{0.3, 0.4, 0.5}}, "a sky");
 }
 
+TEST(Agreement_PlainLanes, AreSingleStepsUnderLampsThatAreNoPlainTriangles) {
+  const TemporaryFolder folder;
+  SceneDescription scene = room_of_maps(folder);
+  add_mesh(scene, exact_sphere(0.1), add_material(scene, diffuse(Vec3d(0)), Vec3d(9)),
+           at_place({-0.6, 0.3, 0.3}));
+  const auto textured = add_material(scene, diffuse(Vec3d(0)), {6, 5, 4});
+  scene.materials[textured.index].emission_map = description::ImageHandle(0);
+  add_mesh(scene, quad({0.98, -0.3, -0.3}, {0, 0, 0.6}, {0, 0.6, 0}), textured);
+  expect_general(scene, settings_of(32, 32), "a ball and a screen", "path/broad");
+}
+
 TEST(Agreement_PlainLanes, AreSingleStepsUnderASky) {
   const TemporaryFolder folder;
   SceneDescription scene = room_of_maps(folder);
