@@ -47,13 +47,15 @@ struct FeatureSet {
   }
 };
 
-// Everything but media and spheres, which few scenes have: with media, paths know what they are in
-// and shadow rays what they cross; spheres alone take .5 % more instructions on glass_and_metal
-// (`tools/bench budget`). Scenes with either get the kernel of both. Every path takes its steps
-// alone: what the kernels with lanes are held against.
+// Every path takes its steps alone: what the kernels with lanes are held against. Everything but
+// media and spheres, which few scenes have; those with either get the next.
 inline constexpr FeatureSet general_features{};
-inline constexpr FeatureSet broad_features{.spheres = true, .lanes = true};
+
+// With media, paths know what they are in and shadow rays what they cross.
 inline constexpr FeatureSet media_features{.spheres = true, .media = true};
+
+// Everything but media. That it has spheres costs other scenes nothing (docs/decisions.md).
+inline constexpr FeatureSet broad_features{.spheres = true, .lanes = true};
 
 // For comparisons of estimators.
 inline constexpr FeatureSet strategy_features{.spheres = true, .media = true, .strategies = true};
