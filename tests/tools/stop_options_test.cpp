@@ -71,7 +71,7 @@ TEST(Unit_StopOptions, TheScenesOwnSamplesCountOnlyWithoutARule) {
   EXPECT_EQ(both.stats["max_samples"], 17);
   EXPECT_EQ(both.stats["stop"]["by"], "spp");
   EXPECT_EQ(both.stats["spp"], 17);
-  EXPECT_EQ(run_of({"--time", "1s"}).stats["stop"]["by"], "time");
+  EXPECT_EQ(run_of({"--time", "3s"}).stats["stop"]["by"], "time");
 }
 
 TEST(Unit_StopOptions, ReplicatesAndClampAreTold) {
