@@ -1,5 +1,5 @@
-// Surfaces that light is reflected by in one of three ways, the same everywhere: the kernels of
-// paths take their steps on such surfaces side by side (integrators/path/plain_lanes.h).
+// Surfaces whose BSDF is of one of three models, the same one whatever textures say: paths take
+// their steps on such surfaces side by side (integrators/path/plain_lanes.h).
 #pragma once
 
 #include "renderer/material/bsdf_at.h"
