@@ -73,7 +73,7 @@ inline constexpr FeatureSet plain_features{
     .lanes = true,
     .models = model_bit(BsdfModel::Diffuse) | model_bit(BsdfModel::CookTorrance)};
 
-// The course's scenes: floor takes 7 % less time than by the general kernel, the teapot 2 %.
+// The course's scenes. With lanes in the broad kernel this gains little (docs/decisions.md).
 inline constexpr FeatureSet lab_features{
     .instances = false,
     .thin_lens = false,
