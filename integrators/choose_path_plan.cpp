@@ -1,6 +1,8 @@
 #include "integrators/choose_path_plan.h"
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
 #include <vector>
 
 #include "integrators/trial.h"
@@ -11,80 +13,84 @@ namespace candela {
 namespace {
 
 constexpr std::uint32_t trial_splitting = 4;  // of the second trial
-constexpr float low_threshold = 0.5f;         // of the third
+constexpr float low_threshold = 0.25f;        // of the third
 constexpr int tile_size = 4;
 
 // The same tile as it is, with splitting, and with a low roulette threshold.
 struct Trials {
-  Trial whole;
-  Trial split;
-  Trial patient;
+  std::optional<Trial> whole;
+  std::optional<Trial> split;    // unless there shall be one path
+  std::optional<Trial> patient;  // unless the options name a threshold
 };
 
 // What relMSE weighs the tiles' variances by.
-double weight_of(const Trials& tile, double picture_mean) {
-  const double mean = (tile.whole.mean + tile.split.mean) / 2;
-  return relative_weight(mean, picture_mean);
-}
-
-double weighted_error(const std::vector<Trials>& tiles, Trial Trials::*trial) {
-  double picture_mean = 0;
-  for (const Trials& tile : tiles) picture_mean += (tile.whole.mean + tile.split.mean) / 2;
-  picture_mean /= static_cast<double>(tiles.size());
-  if (!(picture_mean > 0)) return 0;
-  std::vector<double> errors;
+std::vector<double> weights_of(const std::vector<Trials>& tiles) {
+  std::vector<double> means;
   for (const Trials& tile : tiles)
-    errors.push_back((tile.*trial).variance * weight_of(tile, picture_mean));
-  return trimmed_sum(std::move(errors));
+    means.push_back(tile.split ? (tile.whole->mean + tile.split->mean) / 2 : tile.whole->mean);
+  const double picture_mean =
+      std::accumulate(means.begin(), means.end(), 0.0) / static_cast<double>(tiles.size());
+  std::vector<double> weights;
+  for (const double mean : means)
+    weights.push_back(picture_mean > 0 ? relative_weight(mean, picture_mean) : 0);
+  return weights;
 }
 
-double total_cost(const std::vector<Trials>& tiles, Trial Trials::*trial) {
-  double cost = 0;
-  for (const Trials& tile : tiles) cost += (tile.*trial).cost;
-  return cost;
-}
-
-// Of the camera samples, or of one path that goes on from each: variance and cost.
+// A part of the samples: variance and cost.
 struct Share {
   double error = 0;
   double cost = 0;
 };
 
+Share total(const std::vector<Trials>& tiles, std::optional<Trial> Trials::*trial) {
+  const std::vector<double> weights = weights_of(tiles);
+  std::vector<double> errors;
+  Share sum;
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    errors.push_back((tiles[i].*trial)->variance * weights[i]);
+    sum.cost += (tiles[i].*trial)->cost;
+  }
+  sum.error = trimmed_sum(std::move(errors));
+  return sum;
+}
+
 // See choose_path_plan.h for the letters.
 struct Model {
-  float threshold = 1;  // of the first two trials
-  Share first;          // A, c0
-  Share onward;         // B, c1
-  Share patient;        // the same of the third trial
+  Share first;                   // A, c0
+  Share onward;                  // B, c1 of the first two trials
+  std::optional<Share> patient;  // B, c1 of the third
 
   // What a given error costs.
   [[nodiscard]] double effort(const PathPlan& plan) const {
-    const Share& path = plan.roulette_threshold == threshold ? onward : patient;
+    const Share& path = patient && plan.roulette_threshold == low_threshold ? *patient : onward;
     const double k = plan.splitting;
     return (first.error + path.error / k) * (first.cost + path.cost * k);
   }
 };
 
-Model fit(const std::vector<Trials>& tiles, float threshold) {
+Model fit(const std::vector<Trials>& tiles) {
   constexpr double k = trial_splitting;
-  const Share whole{weighted_error(tiles, &Trials::whole), total_cost(tiles, &Trials::whole)};
-  const Share split{weighted_error(tiles, &Trials::split), total_cost(tiles, &Trials::split)};
-  const Share patient{weighted_error(tiles, &Trials::patient), total_cost(tiles, &Trials::patient)};
-  Model model;
-  model.threshold = threshold;
-  model.onward.error = std::clamp((whole.error - split.error) * k / (k - 1), 0.0, whole.error);
-  model.onward.cost = (split.cost - whole.cost) / (k - 1);
-  model.first = {whole.error - model.onward.error, whole.cost - model.onward.cost};
-  model.patient.error = std::max(patient.error - model.first.error, 0.0);
-  model.patient.cost = patient.cost - model.first.cost;
+  const Share whole = total(tiles, &Trials::whole);
+  Model model{{}, whole, {}};
+  if (tiles.front().split) {
+    const Share split = total(tiles, &Trials::split);
+    model.onward.error = std::clamp((whole.error - split.error) * k / (k - 1), 0.0, whole.error);
+    model.onward.cost = (split.cost - whole.cost) / (k - 1);
+    model.first = {whole.error - model.onward.error, whole.cost - model.onward.cost};
+  }
+  if (tiles.front().patient) {
+    const Share patient = total(tiles, &Trials::patient);
+    model.patient = {std::max(patient.error - model.first.error, 0.0),
+                     patient.cost - model.first.cost};
+  }
   return model;
 }
 
-// What the options leave open, the cheapest sample first.
+// What the options leave open.
 std::vector<PathPlan> plans_of(const RenderOptions& options) {
   std::vector<PathPlan> plans;
   for (const std::uint32_t splitting : {1u, 2u, 4u}) {
-    for (const float threshold : {1.0f, low_threshold}) {
+    for (const float threshold : {default_roulette_threshold, low_threshold}) {
       PathPlan plan{splitting, threshold};
       if (options.splitting) plan.splitting = static_cast<std::uint32_t>(*options.splitting);
       if (options.roulette_threshold) plan.roulette_threshold = *options.roulette_threshold;
@@ -94,12 +100,12 @@ std::vector<PathPlan> plans_of(const RenderOptions& options) {
   return plans;
 }
 
-PathPlan best_plan(const std::vector<Trials>& tiles, const std::vector<PathPlan>& plans) {
+PathPlan best_plan(const std::vector<Trials>& tiles, const RenderOptions& options) {
   constexpr double least_gain = 1.05;
-  PathPlan best = plans.front();
-  const Model model = fit(tiles, best.roulette_threshold);
+  PathPlan best = plan_without_trial(options);
+  const Model model = fit(tiles);
   double lowest = model.effort(best) / least_gain;
-  for (const PathPlan& plan : plans) {
+  for (const PathPlan& plan : plans_of(options)) {
     const double effort = model.effort(plan);
     if (effort >= lowest) continue;
     lowest = effort;
@@ -122,30 +128,35 @@ std::uint32_t trial_tiles(const RenderOptions& options) {
 
 }  // namespace
 
+PathPlan plan_without_trial(const RenderOptions& options) {
+  return {static_cast<std::uint32_t>(options.splitting.value_or(1)),
+          options.roulette_threshold.value_or(default_roulette_threshold)};
+}
+
 PathPlan choose_path_plan(const RenderOptions& options, const TileFunction& render_tile,
                           const CancelFlag* cancel) {
-  const std::vector<PathPlan> plans = plans_of(options);
-  if (options.splitting && options.roulette_threshold) return plans.front();
+  if (options.splitting && options.roulette_threshold) return plan_without_trial(options);
   const std::uint64_t seed = mix_bits(options.seed + 2);  // none that the picture uses
   std::vector<Trials> tiles(trial_tiles(options));
-  if (tiles.empty()) return plans.front();
+  if (tiles.empty()) return plan_without_trial(options);
   parallel_for(tiles.size(), [&](std::size_t i) {
     if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return;
     TilePass pass;
     pass.tile = trial_tile(options, tile_size, seed, static_cast<std::uint32_t>(i));
     pass.range = {0, trial_samples};
     pass.seed = seed;
-    pass.plan.roulette_threshold = plans.front().roulette_threshold;
-    tiles[i].whole = run_trial(pass, options, render_tile);
-    TilePass split = pass;
-    split.plan.splitting = trial_splitting;
-    tiles[i].split = run_trial(split, options, render_tile);
-    if (options.roulette_threshold) return;
-    TilePass patient = pass;
-    patient.plan.roulette_threshold = low_threshold;
-    tiles[i].patient = run_trial(patient, options, render_tile);
+    const auto tried = [&](std::uint32_t splitting, float threshold) {
+      pass.plan = {splitting, threshold};
+      return run_trial(pass, options, render_tile);
+    };
+    const float threshold = plan_without_trial(options).roulette_threshold;
+    tiles[i].whole = tried(1, threshold);
+    if (options.splitting != 1) tiles[i].split = tried(trial_splitting, threshold);
+    if (!options.roulette_threshold) tiles[i].patient = tried(1, low_threshold);
   });
-  return best_plan(tiles, plans);
+  if (cancel != nullptr && cancel->load(std::memory_order_relaxed))
+    return plan_without_trial(options);
+  return best_plan(tiles, options);
 }
 
 }  // namespace candela

@@ -6,6 +6,9 @@
 
 namespace candela {
 
+// Where neither options nor a trial name another (docs/decisions.md).
+inline constexpr float default_roulette_threshold = 0.5f;
+
 struct PathPlan {
   std::uint32_t splitting = 1;  // paths that go on from each first hit
   // Russian roulette ends no path whose throughput is at least this, in (0, 1].

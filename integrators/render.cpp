@@ -88,7 +88,6 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
   if (scene.features.media) {  // branches.h
     rounds.guiding = Guiding::Off;
     rounds.splitting = 1;
-    if (!rounds.roulette_threshold) rounds.roulette_threshold = 1.0f;
   }
   RenderResult result{Film(options.width, options.height, rendered_rect(options), options.aovs,
                            replicates_of(options), film_balance(options)),

@@ -1,5 +1,6 @@
 // `--ray-limit`: how near a render is to the cost of its rays alone.
 
+#include "integrators/choose_path_plan.h"
 #include "integrators/path/kernels.h"
 #include "integrators/render.h"
 #include "renderer/base/thread_clock.h"
@@ -49,12 +50,7 @@ std::optional<RayLimit> measure(const Scene& scene, const A& accelerator,
   RayLimit limit;
   volatile double sink = 0;
   const auto measure_tile = [&](const PixelRect& tile) {
-    const TilePass pass{tile,
-                        {0, samples},
-                        nullptr,
-                        options.seed,
-                        PathPlan{static_cast<std::uint32_t>(options.splitting.value_or(1)),
-                                 options.roulette_threshold.value_or(1.0f)}};
+    const TilePass pass{tile, {0, samples}, nullptr, options.seed, plan_without_trial(options)};
     recorder.rays().clear();
     recorded.render(recording, pass, film);
     const double start = thread_cpu_seconds();

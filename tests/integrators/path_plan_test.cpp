@@ -196,19 +196,28 @@ TEST(Unit_Splitting, IsChosenWhereItPays) {
 }
 
 TEST(Unit_RouletteThreshold, IsLowWhereLongPathsPay) {
-  EXPECT_EQ(found_plan(lamp_in_a_box(), settings_of(96, 64)).roulette_threshold, 0.5f)
+  EXPECT_EQ(found_plan(lamp_in_a_box(), settings_of(96, 64)).roulette_threshold, 0.25f)
       << "light that bounces";
-  EXPECT_EQ(found_plan(floor_under_lamps(), settings_of(96, 64)).roulette_threshold, 1.0f)
+  EXPECT_EQ(found_plan(floor_under_lamps(), settings_of(96, 64)).roulette_threshold, 0.5f)
       << "noise of the first hit";
-  EXPECT_EQ(found_plan(lamp_in_a_box(), settings_of(16, 64)).roulette_threshold, 1.0f)
+  EXPECT_EQ(found_plan(lamp_in_a_box(), settings_of(16, 64)).roulette_threshold, 0.5f)
       << "too small for a trial";
+}
+
+// A scene with media cannot be split, and has a trial for its roulette nevertheless.
+TEST(Unit_RouletteThreshold, IsTriedInMediaToo) {
+  SceneDescription scene = lamp_in_a_box();
+  scene.cameras[0].medium = add_medium(scene, Vec3d(0.01), Vec3d(0.0));
+  const PathPlan plan = found_plan(scene, settings_of(96, 64));
+  EXPECT_EQ(plan.roulette_threshold, 0.25f);
+  EXPECT_EQ(plan.splitting, 1u);
 }
 
 TEST(Unit_RouletteThreshold, WhatTheOptionsSayStays) {
   RenderSettings settings = settings_of(96, 64);
   settings.options.crop = PixelRect{0, 0, 4, 4};
   settings.options.splitting.reset();
-  for (const float threshold : {0.25f, 0.5f}) {
+  for (const float threshold : {0.25f, 0.5f, 1.0f}) {
     settings.options.roulette_threshold = threshold;
     const PathPlan split = rendered(lamp_in_a_box(), settings).statistics.plan;
     EXPECT_EQ(split.roulette_threshold, threshold);
@@ -218,7 +227,7 @@ TEST(Unit_RouletteThreshold, WhatTheOptionsSayStays) {
   settings.options.roulette_threshold.reset();
   const PathPlan patient = rendered(lamp_in_a_box(), settings).statistics.plan;
   EXPECT_EQ(patient.splitting, 3u);
-  EXPECT_EQ(patient.roulette_threshold, 0.5f);
+  EXPECT_EQ(patient.roulette_threshold, 0.25f);
 }
 
 }  // namespace

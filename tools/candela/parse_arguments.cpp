@@ -121,7 +121,7 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
   add_value(command, "--splitting", "N|auto", render.splitting, parse_splitting,
             "Paths that go on from the first hit of a camera ray [auto: what a trial finds best]");
   add_value(command, "--roulette", "X|auto", render.roulette, parse_roulette,
-            "Throughput from which on no path is ended at random [auto: 1 or .5, by a trial]");
+            "Throughput from which on no path is ended at random [auto: .5, or .25 by a trial]");
   add_choice(command, "--guiding", "guiding", render.guiding, guiding_choices(),
              "Whether paths follow what others learned of the light; auto: where a trial says that "
              "it pays [off]");
