@@ -156,7 +156,9 @@ CompileOptions compile_options(const RenderOptions& options) {
                                                                        : LightSampling::Triangles,
           .keeps_media = options.integrator == IntegratorKind::Path,
           .samples_constant_environment =
-              options.samples_constant_sky || !counts_met_light(options.sampling)};
+              options.samples_constant_sky || !counts_met_light(options.sampling),
+          .compensates_sky = options.integrator == IntegratorKind::Path &&
+                             options.sampling == SamplingStrategy::Mis};
 }
 
 }  // namespace candela

@@ -58,11 +58,11 @@ inline void add_environment(const Scene& scene, const RenderOptions& options, st
     if (!scene.environment) return;
     const Environment& environment = *scene.environment;
     if (bounce == 0 && (options.transparent || !environment.is_seen_by_camera)) return;
-    EnvironmentPoint point = environment_point(environment, wi);
-    Rgb radiance = environment_radiance(environment, scene.textures, point);
+    Rgb radiance =
+        environment_radiance(environment, scene.textures, environment_point(environment, wi));
     const bool is_unsampled = path.is_delta || scene.environment_light == Light::none;
     const float pdf = is_unsampled ? 0.0f
-                                   : environment_pdf(environment, point) *
+                                   : environment_pdf(environment, wi) *
                                          scene.light_sampler.probability(scene.environment_light);
     add_met_light<F>(options, radiance, pdf, path);
   }

@@ -7,6 +7,7 @@
 #include "renderer/base/parallel.h"
 #include "renderer/light/cell_weights.h"
 #include "renderer/light/luminance_rows.h"
+#include "renderer/light/sky_cells.h"
 #include "renderer/math/colour.h"
 
 namespace candela {
@@ -92,13 +93,6 @@ std::uint64_t set_rows(const TextureStore& textures, const Face& face, GridSize 
   return invalid_count;
 }
 
-// `faces` of the same number of rows each.
-void set_distribution(Environment& environment, const CellWeights& cells, std::uint32_t faces) {
-  environment.distribution = distribution_of(cells, merged_cells(cells, faces));
-  environment.mean_luminance =
-      total_weight(cells) / (4 * pi_double) * luminance(Vec3d(environment.scale));
-}
-
 // Of the cell's centre, near enough to the mean over the cell: (s, t) in [-1, 1]^2 on the face at
 // distance 1 has the solid angle ds dt / r^3.
 double cube_cell_solid_angle(std::uint32_t column, std::uint32_t row, GridSize face_size) {
@@ -116,11 +110,51 @@ std::array<Vec3f, 3> orthonormal_rows(const Mat3d& world_from_map) {
   return {Vec3f(x), Vec3f(y), Vec3f(z)};
 }
 
-double cell_solid_angle(EnvironmentMapping mapping, std::uint32_t row, GridSize size) {
+// Cubes' cells have the six faces' rows one below the other.
+double cell_solid_angle(EnvironmentMapping mapping, std::uint32_t column, std::uint32_t row,
+                        GridSize size) {
+  if (mapping == EnvironmentMapping::Cube) {
+    const GridSize face{size.columns, size.rows / 6};
+    return cube_cell_solid_angle(column, row % face.rows, face);
+  }
   if (mapping == EnvironmentMapping::EqualArea)
     return 4 * pi_double / (static_cast<double>(size.columns) * size.rows);
   return 4 * pi_double / size.columns * std::sin(pi_double * (row + 0.5) / size.rows) *
          std::sin(0.5 * pi_double / size.rows);
+}
+
+std::uint32_t index_of(float place, std::uint32_t count) {
+  return std::min(static_cast<std::uint32_t>(place * static_cast<float>(count)), count - 1);
+}
+
+// Of the cell that a direction in the map's axes lies in.
+double value_at(EnvironmentMapping mapping, const CellWeights& cells, const Vec3f& direction) {
+  const auto& [columns, rows] = cells.size;
+  if (mapping == EnvironmentMapping::Cube) {
+    const CubePoint point = cube_point(direction);
+    const std::uint32_t row = index_of(point.st.y, rows / 6);
+    return cells.at(index_of(point.st.x, columns),
+                    static_cast<std::uint32_t>(point.face) * (rows / 6) + row);
+  }
+  Vec2f st = mapping == EnvironmentMapping::EqualArea ? equal_area_sphere_to_square(direction)
+                                                      : lat_long_point(direction);
+  return cells.at(index_of(st.x, columns), index_of(st.y, rows));
+}
+
+// `cells`: the light of cells of the map, which has `faces` of the same number of rows each.
+void set_distribution(Environment& environment, CellWeights cells, std::uint32_t faces) {
+  const EnvironmentMapping mapping = environment.mapping;
+  environment.mean_luminance =
+      total_weight(cells) / (4 * pi_double) * luminance(Vec3d(environment.scale));
+  const std::uint32_t merged = merged_cells(cells, faces);
+  for (std::uint32_t row = 0; row < cells.size.rows; ++row)
+    for (std::uint32_t column = 0; column < cells.size.columns; ++column)
+      cells.at(column, row) /= cell_solid_angle(mapping, column, row, cells.size);
+  const auto luminance_at = [&](const Vec3f& polar) {
+    return value_at(mapping, cells, environment_detail::from_polar(mapping, polar));
+  };
+  environment.distribution =
+      SkyDistribution(distribution_of(sky_cells(cells.values.size(), merged, luminance_at)));
 }
 
 // Sets what follows from the one image of an environment that has its mapping and scale. Returns
@@ -130,12 +164,12 @@ std::uint64_t set_map(Environment& environment, const Face& face, const TextureS
   environment.faces[0] = face.texture;
   environment.half_texel[0] = face.half_texel();
   const GridSize size = grid_size(face, textures, max_cells);
-  const auto solid_angle = [&](std::uint32_t /*column*/, std::uint32_t row) {
-    return cell_solid_angle(environment.mapping, row, size);
+  const auto solid_angle = [&](std::uint32_t column, std::uint32_t row) {
+    return cell_solid_angle(environment.mapping, column, row, size);
   };
   CellWeights cells(size);
   const std::uint64_t invalid = set_rows(textures, face, size, 0, solid_angle, cells);
-  set_distribution(environment, cells, 1);
+  set_distribution(environment, std::move(cells), 1);
   return invalid;
 }
 
@@ -196,7 +230,7 @@ Environment build_environment(const description::CubeEnvironment& cube,
         set_rows(textures, faces[i], size, i * size.rows, solid_angle, cells);
     warn_of_invalid(textures, faces[i], images[cube.faces[i].index].span, invalid, diagnostics);
   }
-  set_distribution(environment, cells, 6);
+  set_distribution(environment, std::move(cells), 6);
   return environment;
 }
 

@@ -51,7 +51,7 @@ double second_moment(const CellWeights& cells, std::uint32_t side) {
 
 std::uint32_t merged_cells(const CellWeights& cells, std::uint32_t faces) {
   constexpr std::size_t few_cells = std::size_t{1} << 15;  // 160 kB
-  constexpr double largest_moment = 1.05;
+  constexpr double largest_moment = 1.02;
   const std::uint32_t face_rows = cells.size.rows / faces;
   std::uint32_t side = 1;
   while (cells.values.size() / side / side > few_cells && cells.size.columns % (2 * side) == 0 &&
@@ -60,15 +60,12 @@ std::uint32_t merged_cells(const CellWeights& cells, std::uint32_t faces) {
   return side;
 }
 
-GridDistribution distribution_of(const CellWeights& cells, std::uint32_t side) {
-  const GridSize size{cells.size.columns / side, cells.size.rows / side};
-  GridDistributionBuilder grid(size.columns, size.rows);
-  parallel_for(size.rows, [&](std::size_t i) {
-    const auto row = static_cast<std::uint32_t>(i);
-    std::vector<double> weights(size.columns);
-    for (std::uint32_t column = 0; column < size.columns; ++column)
-      weights[column] = sums_of(cells, column * side, row * side, side).weights;
-    grid.set_row(row, weights);
+GridDistribution distribution_of(const CellWeights& cells) {
+  const auto& [columns, rows] = cells.size;
+  GridDistributionBuilder grid(columns, rows);
+  parallel_for(rows, [&](std::size_t row) {
+    grid.set_row(static_cast<std::uint32_t>(row),
+                 std::span(cells.values).subspan(row * columns, columns));
   });
   return std::move(grid).build();
 }

@@ -39,11 +39,10 @@ struct CellWeights {
 [[nodiscard]] double second_moment(const CellWeights& cells, std::uint32_t side);
 
 // How many cells a side to merge: as few as leave no more cells than caches hold easily, or the
-// most for which the second moment stays below 1.05. A power of two; it divides the columns and the
+// most for which the second moment stays below 1.02. A power of two; it divides the columns and the
 // rows of each of `faces`, which lie one below the other.
 [[nodiscard]] std::uint32_t merged_cells(const CellWeights& cells, std::uint32_t faces);
 
-// With `side` x `side` cells as one.
-[[nodiscard]] GridDistribution distribution_of(const CellWeights& cells, std::uint32_t side);
+[[nodiscard]] GridDistribution distribution_of(const CellWeights& cells);
 
 }  // namespace candela

@@ -7,20 +7,20 @@
 // Latitude-longitude: row 0 is +y of the map, the centre column looks along -z, and columns to the
 // right of it turn towards +x: what a viewer with +y up sees. u = 1/2 + atan2(x, -z) / (2 pi).
 //
-// Sampling follows the luminance of the map on a grid of its own texels (coarser for large maps);
-// a constant is sampled uniformly. Made by build_environment.h.
+// Sampling follows the luminance of the map on about as many cells as it has texels, or fewer
+// (sky_distribution.h); a constant is sampled uniformly. Made by build_environment.h.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
 #include "renderer/light/cube_map.h"
-#include "renderer/light/equal_area_map.h"
 #include "renderer/light/image_radiance.h"
 #include "renderer/light/lat_long_map.h"
+#include "renderer/light/sky_distribution.h"
 #include "renderer/math/constants.h"
 #include "renderer/math/vec.h"
-#include "renderer/sampling/distribution.h"
+#include "renderer/sampling/equal_area.h"
 #include "renderer/sampling/warp.h"
 
 namespace candela {
@@ -37,8 +37,8 @@ struct Environment {
 
   // Maps. Half a texel in uv, by face: lookups stay this far from the ends that do not wrap.
   std::array<Vec2f, 6> half_texel{};
-  // Cells of the map; Cube: the faces' rows one below the other. Empty: black everywhere.
-  GridDistribution distribution;
+  // Of polar axes (to_polar()). Without cells: black everywhere.
+  SkyDistribution distribution;
   double mean_luminance = 0;  // over the sphere
 
   [[nodiscard]] bool is_constant() const { return mapping == EnvironmentMapping::Constant; }
@@ -59,6 +59,13 @@ namespace environment_detail {
 [[nodiscard]] inline Vec3f to_world(const Environment& e, const Vec3f& d) {
   return e.map_from_world[0] * d.x + e.map_from_world[1] * d.y + e.map_from_world[2] * d.z;
 }
+// The map's axes, turned so that +y is its pole: equal-area maps have it at +z.
+[[nodiscard]] inline Vec3f to_polar(EnvironmentMapping mapping, const Vec3f& d) {
+  return mapping == EnvironmentMapping::EqualArea ? Vec3f{d.x, d.z, -d.y} : d;
+}
+[[nodiscard]] inline Vec3f from_polar(EnvironmentMapping mapping, const Vec3f& d) {
+  return mapping == EnvironmentMapping::EqualArea ? Vec3f{d.x, -d.z, d.y} : d;
+}
 // Rows of files count from the top, v from the bottom.
 [[nodiscard]] inline Vec2f uv_of(Vec2f st) {
   return {st.x, 1 - st.y};
@@ -70,7 +77,7 @@ namespace environment_detail {
 
 }  // namespace environment_detail
 
-// The place of a direction on the map, which its radiance and its density have in common.
+// The place of a direction on the map.
 struct EnvironmentPoint {
   CubePoint on_cube{};  // Cube
   Vec2f on_map{0.5f};   // LatLong, EqualArea
@@ -123,45 +130,20 @@ struct EnvironmentPoint {
 }
 
 // The density of sample_environment() at a direction.
-[[nodiscard]] inline float environment_pdf(const Environment& environment,
-                                           const EnvironmentPoint& point) {
-  if (environment.is_black()) return 0;
-  switch (environment.mapping) {
-    case EnvironmentMapping::Constant:
-      return inverse_pi * 0.25f;
-    case EnvironmentMapping::Cube:
-      return cube_pdf(environment.distribution, point.on_cube);
-    case EnvironmentMapping::LatLong:
-      return lat_long_pdf(environment.distribution, point.on_map);
-    case EnvironmentMapping::EqualArea:
-      return equal_area_pdf(environment.distribution, point.on_map);
-  }
-  return 0;
-}
 [[nodiscard]] inline float environment_pdf(const Environment& environment, const Vec3f& direction) {
-  return environment_pdf(environment, environment_point(environment, direction));
+  using namespace environment_detail;
+  if (environment.is_black()) return 0;
+  if (environment.is_constant()) return inverse_pi * 0.25f;
+  return environment.distribution.pdf(
+      to_polar(environment.mapping, to_map(environment, direction)));
 }
 
 [[nodiscard]] inline EnvironmentSample sample_environment(const Environment& environment, Vec2f u) {
   using namespace environment_detail;
   if (environment.is_black()) return {};
-  switch (environment.mapping) {
-    case EnvironmentMapping::Constant:
-      return {square_to_uniform_sphere(u), inverse_pi * 0.25f};
-    case EnvironmentMapping::Cube: {
-      const MapSample s = sample_cube(environment.distribution, u);
-      return {to_world(environment, s.direction), s.pdf};
-    }
-    case EnvironmentMapping::LatLong: {
-      const MapSample s = sample_lat_long(environment.distribution, u);
-      return {to_world(environment, s.direction), s.pdf};
-    }
-    case EnvironmentMapping::EqualArea: {
-      const MapSample s = sample_equal_area(environment.distribution, u);
-      return {to_world(environment, s.direction), s.pdf};
-    }
-  }
-  return {};
+  if (environment.is_constant()) return {square_to_uniform_sphere(u), inverse_pi * 0.25f};
+  const SkySample s = environment.distribution.sample(u);
+  return {to_world(environment, from_polar(environment.mapping, s.direction)), s.pdf};
 }
 
 }  // namespace candela

@@ -27,6 +27,8 @@ struct CompileOptions {
   // Whether light samples look for a constant environment, too. Where directions are drawn from
   // BSDFs these find it as well, and a shadow ray less a hit is worth more than the second sample.
   bool samples_constant_environment = true;
+  // Whether directions from BSDFs find the sky as well as light samples do (sky_distribution.h).
+  bool compensates_sky = false;
 };
 
 // Validates, then compiles. Errors name the file and line of what cannot be rendered.

@@ -4,6 +4,8 @@
 #include "renderer/light/make_light.h"
 #include "renderer/light/sample_light.h"
 #include "renderer/math/colour.h"
+#include "renderer/sampling/hash.h"
+#include "renderer/sampling/sampler.h"
 #include "tests/light/directions.h"
 #include "tests/light/map_images.h"
 #include "tests/statistics/moments.h"
@@ -87,6 +89,9 @@ std::vector<NamedMap> all_maps() {
   maps.push_back({"merged cube", smooth_cube()});
   maps.push_back({"equal-area", varied_equal_area()});
   maps.push_back({"coarse equal-area", varied_equal_area(100)});
+  maps.push_back({"compensated", varied_lat_long()});
+  Environment& environment = maps.back().map.environment;
+  environment.distribution = compensated(environment.distribution);
   return maps;
 }
 
@@ -113,8 +118,59 @@ TEST(Statistical_Environment, SamplesFitTheDensity) {
 }
 
 TEST(Unit_Environment, TablesOfSmoothSkiesAreCoarserThanTheirTexels) {
-  EXPECT_EQ(smooth_lat_long().environment.distribution.columns(), 256u);
-  EXPECT_EQ(smooth_cube().environment.distribution.columns(), 48u);
+  EXPECT_EQ(smooth_lat_long().environment.distribution.cells().columns(), 256u);
+  EXPECT_EQ(smooth_cube().environment.distribution.cells().columns(), 164u);  // of 332
+}
+
+// [Karlik19]: p - 1/2 of an even sky's share, at least p / 10. A quarter of the sky lies in the two
+// rows at the poles, where 1 - cos(theta) is below a quarter.
+TEST(Unit_Environment, CompensationTakesOffHalfTheMean) {
+  const double weights[4] = {3, 0.2, 1, 1};
+  const double even[4] = {0.125, 0.375, 0.375, 0.125};
+  GridDistributionBuilder grid(4, 4);
+  double expected[4];
+  double total = 0;
+  for (std::uint32_t row = 0; row < 4; ++row) {
+    grid.set_row(row, std::vector<double>(4, weights[row]));
+    const double p = weights[row] / 5.2;
+    expected[row] = std::max(p - 0.5 * even[row], 0.1 * p);
+    total += expected[row];
+  }
+  const SkyDistribution sky = compensated(SkyDistribution(std::move(grid).build()));
+  for (std::uint32_t row = 0; row < 4; ++row)
+    for (std::uint32_t column = 0; column < 4; ++column)
+      EXPECT_NEAR(sky.cells().probability(column, row), expected[row] / total / 4, 1e-6) << row;
+}
+
+// Of the light on a floor, by sixteen well spread points a time: relative to the mean's square.
+double noise_on_a_floor(const MapEnvironment& map, const Vec3f& up) {
+  statistics::Moments means;
+  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+    double sum = 0;
+    for (std::uint32_t i = 0; i < 16; ++i) {
+      const Vec2f u = Sampler(mix_bits(seed), i).sample_2d(0, Dimension::LightPoint);
+      const EnvironmentSample s = sample_environment(map.environment, u);
+      sum += static_cast<double>(average(map.radiance(s.direction)) *
+                                 std::max(0.0f, dot(up, s.direction)) / s.pdf);
+    }
+    means.add(sum / 16);
+  }
+  return means.variance() / (means.mean() * means.mean());
+}
+
+// The horizon is a line of the square, whatever the map (on a diamond they have five times the
+// noise), and so are walls' sides, if across columns.
+TEST(Statistical_Environment, WellSpreadPointsStayWellSpreadOverAFloor) {
+  const auto even = [](int, int) { return Vec3f(1); };
+  std::array<description::Image, 6> faces;
+  faces.fill(write_float_map("even_face", 32, 32, even));
+  const MapEnvironment cube_map = cube(faces);
+  const MapEnvironment square = equal_area(write_float_map("even_square", 64, 64, even));
+  const double native =
+      noise_on_a_floor(lat_long(write_float_map("even", 96, 48, even)), {0, 1, 0});
+  EXPECT_LT(native, 0.01);  // independent numbers: 5 / 3 / 16
+  EXPECT_NEAR(noise_on_a_floor(cube_map, {0, 1, 0}) / native, 1, 0.15);
+  EXPECT_NEAR(noise_on_a_floor(square, {0, 0, 1}) / native, 1, 0.15);
 }
 
 // The polar rows by themselves, where a cell's solid angle shrinks to nothing.

@@ -22,18 +22,27 @@ using light_test::MapEnvironment;
 using light_test::write_byte_map;
 using light_test::write_float_map;
 
-TEST(Unit_CubeMap, PointAndDirectionAreInverse) {
+// Of OpenGL's table, written out by hand: which world axis each image axis follows on each face.
+struct CubeFace {
+  Vec3f axis, right, down;
+};
+constexpr CubeFace cube_faces[6] = {
+    {{1, 0, 0}, {0, 0, -1}, {0, -1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
+    {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},   {{0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
+    {{0, 0, 1}, {1, 0, 0}, {0, -1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, -1, 0}}};
+
+TEST(Unit_CubeMap, PointsLieInTheirDirection) {
   for (std::uint64_t i = 0; i < 10'000; ++i) {
     const Vec3f d = light_test::random_direction(i, 1);
     const CubePoint point = cube_point(d);
-    const Vec3f back = normalize(cube_direction(point.face, point.st));
-    ASSERT_LT(length(back - d), 1e-6f);
+    const CubeFace& face = cube_faces[point.face];
+    Vec3f back = face.axis + face.right * (2 * point.st.x - 1) + face.down * (2 * point.st.y - 1);
+    ASSERT_LT(length(normalize(back) - d), 1e-6f);
     ASSERT_TRUE(point.st.x >= 0 && point.st.x <= 1 && point.st.y >= 0 && point.st.y <= 1);
   }
 }
 
-// 2 x 2 faces, every texel of its own colour (face, column, row). The directions are written out
-// by hand from OpenGL's table: which world axis each image axis follows on each face.
+// 2 x 2 faces, every texel of its own colour (face, column, row).
 TEST(Unit_CubeMap, FacesAndCornersLieAsOpenGlLaysThem) {
   std::array<description::Image, 6> images;
   for (std::size_t face = 0; face < 6; ++face)
@@ -42,20 +51,14 @@ TEST(Unit_CubeMap, FacesAndCornersLieAsOpenGlLaysThem) {
     });
   const MapEnvironment map = cube(images);
   EXPECT_TRUE(map.diagnostics.list().empty());
-  struct Face {
-    Vec3f axis, right, down;
-  };
-  const Face faces[6] = {{{1, 0, 0}, {0, 0, -1}, {0, -1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
-                         {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},   {{0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
-                         {{0, 0, 1}, {1, 0, 0}, {0, -1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, -1, 0}}};
   const auto decoded = [](double value) { return std::pow(value / 255, 2.2); };
   for (int i = 0; i < 6; ++i) {
     const double red = decoded(40 * (i + 1));
-    EXPECT_NEAR(map.radiance(faces[i].axis).x, red, 1e-5) << i;
+    EXPECT_NEAR(map.radiance(cube_faces[i].axis).x, red, 1e-5) << i;
     for (int x = 0; x < 2; ++x)
       for (int y = 0; y < 2; ++y) {
-        const Vec3f d = faces[i].axis + faces[i].right * (static_cast<float>(x) - 0.5f) +
-                        faces[i].down * (static_cast<float>(y) - 0.5f);
+        const Vec3f d = cube_faces[i].axis + cube_faces[i].right * (static_cast<float>(x) - 0.5f) +
+                        cube_faces[i].down * (static_cast<float>(y) - 0.5f);
         const Rgb seen = map.radiance(normalize(d));
         EXPECT_NEAR(seen.x, red, 1e-5) << i << x << y;
         EXPECT_NEAR(seen.y, decoded(100 * x + 50), 1e-5) << i << x << y;
@@ -174,12 +177,15 @@ TEST(Unit_Environment, BlackOnesAreNoLight) {
 
 // Wherever there is light there is density: else next-event estimation would lose it.
 void expect_density_where_light(const MapEnvironment& map) {
+  Environment beside_bsdfs = map.environment;
+  beside_bsdfs.distribution = compensated(map.environment.distribution);
   int lit = 0;
   for (std::uint64_t i = 0; i < 200'000; ++i) {
     const Vec3f d = light_test::random_direction(i, 4);
     if (is_black(map.radiance(d))) continue;
     ++lit;
     ASSERT_GT(map.pdf(d), 0) << d.x << " " << d.y << " " << d.z;
+    ASSERT_GT(environment_pdf(beside_bsdfs, d), 0) << d.x << " " << d.y << " " << d.z;
   }
   EXPECT_GT(lit, 100);
 }
@@ -192,9 +198,11 @@ Vec3f sparse_texel(int x, int y) {
 
 TEST(Unit_Environment, DensityIsPositiveWhereverLightIs) {
   const description::Image image = write_float_map("sparse", 64, 32, sparse_texel);
+  const description::Image square = write_float_map("sparse_square", 48, 48, sparse_texel);
   for (const std::size_t max_cells :
        {default_environment_cells, std::size_t{300}, std::size_t{7}}) {
     expect_density_where_light(lat_long(image, Mat3d(1.0), max_cells));
+    expect_density_where_light(equal_area(square, Mat3d(1.0), max_cells));
     std::array<description::Image, 6> faces;
     faces.fill(image);
     faces[2] = write_float_map("sparse_other_size", 9, 21, sparse_texel);
@@ -205,14 +213,14 @@ TEST(Unit_Environment, DensityIsPositiveWhereverLightIs) {
 TEST(Unit_Environment, LargeMapsGetCoarserGrids) {
   const description::Image image = write_float_map("large", 64, 32, sparse_texel);
   const MapEnvironment map = lat_long(image, Mat3d(1.0), 128);
-  EXPECT_EQ(map.environment.distribution.columns(), 16u);
-  EXPECT_EQ(map.environment.distribution.rows(), 8u);
+  EXPECT_EQ(map.environment.distribution.cells().columns(), 16u);
+  EXPECT_EQ(map.environment.distribution.cells().rows(), 8u);
 }
 
 void expect_small_grid(const MapEnvironment& map) {
   const std::size_t texels = map.textures.info(map.environment.faces[0]).bytes;
-  EXPECT_LE(map.environment.distribution.bytes(), texels);
-  EXPECT_GE(map.environment.distribution.bytes(), texels / 3);  // no coarser than need be
+  EXPECT_LE(map.environment.distribution.cells().bytes(), texels);
+  EXPECT_GE(map.environment.distribution.cells().bytes(), texels / 3);  // no coarser than need be
 }
 
 TEST(Unit_Environment, GridsTakeNoMoreMemoryThanTheirMaps) {

@@ -1,0 +1,96 @@
+#include "renderer/light/sky_cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/base/parallel.h"
+#include "renderer/light/sky_distribution.h"
+
+namespace candela {
+namespace {
+
+GridSize size_of(std::size_t count) {
+  const auto rows = static_cast<std::uint32_t>(std::sqrt(0.5 * static_cast<double>(count)));
+  const std::uint32_t even = std::max(rows - rows % 2, 2u);
+  return {2 * even, even};
+}
+
+// The middle of part `part` of all that is around, of length 1.
+Vec2f towards(std::uint32_t part, std::uint32_t parts) {
+  return normalize(sky_chord(4 * (static_cast<float>(part) + 0.5f) / static_cast<float>(parts)));
+}
+
+// The polar angle's sine and cosine in the middle of part `part`.
+Vec2f polar(std::uint32_t part, std::uint32_t parts) {
+  const bool is_south = 2 * part >= parts;
+  const std::uint32_t from_pole = is_south ? parts - 1 - part : part;
+  const double height = 2 * (from_pole + 0.5) / parts;
+  const double versine = 0.5 * height * height;
+  const double cosine = 1 - 2 * versine;
+  return Vec2f(2 * std::sqrt(versine * (1 - versine)), is_south ? -cosine : cosine);
+}
+
+// The mean of k x k points of each cell.
+CellWeights gathered(GridSize size, std::uint32_t k,
+                     const std::function<double(const Vec3f&)>& luminance) {
+  std::vector<Vec2f> around;
+  for (std::uint32_t i = 0; i < k * size.columns; ++i)
+    around.push_back(towards(i, k * size.columns));
+  CellWeights cells(size);
+  parallel_for(size.rows, [&](std::size_t i) {
+    const auto row = static_cast<std::uint32_t>(i);
+    for (std::uint32_t y = k * row; y < k * (row + 1); ++y) {
+      const Vec2f sin_cos = polar(y, k * size.rows);
+      for (std::uint32_t x = 0; x < around.size(); ++x)
+        cells.at(x / k, row) +=
+            luminance({sin_cos.x * around[x].x, sin_cos.y, sin_cos.x * around[x].y}) / (k * k);
+    }
+  });
+  return cells;
+}
+
+double largest_of_neighbours(const CellWeights& cells, std::uint32_t column, std::uint32_t row) {
+  const std::uint32_t columns = cells.size.columns;
+  double largest = 0;
+  for (std::uint32_t y = row > 0 ? row - 1 : 0; y <= std::min(row + 1, cells.size.rows - 1); ++y)
+    for (const std::uint32_t x : {column + columns - 1, column, column + 1})
+      largest = std::max(largest, cells.at(x % columns, y));
+  return largest;
+}
+
+// Dark cells beside bright ones get a little.
+CellWeights grown(const CellWeights& cells) {
+  constexpr double share = 0x1p-6;
+  CellWeights result = cells;
+  parallel_for(cells.size.rows, [&](std::size_t i) {
+    const auto row = static_cast<std::uint32_t>(i);
+    for (std::uint32_t column = 0; column < cells.size.columns; ++column)
+      if (cells.at(column, row) == 0)
+        result.at(column, row) = share * largest_of_neighbours(cells, column, row);
+  });
+  return result;
+}
+
+}  // namespace
+
+double sky_cell_solid_angle(GridSize size, std::uint32_t column, std::uint32_t row) {
+  const std::uint32_t from_pole = std::min(row, size.rows - 1 - row);
+  const double cosines = 4.0 * (2 * from_pole + 1) / (static_cast<double>(size.rows) * size.rows);
+  const std::uint32_t quarter = size.columns / 4;
+  const auto azimuth = [&](std::uint32_t edge) {
+    return std::atan2(static_cast<double>(edge), static_cast<double>(quarter - edge));
+  };
+  return cosines * (azimuth(column % quarter + 1) - azimuth(column % quarter));
+}
+
+CellWeights sky_cells(std::size_t count, std::uint32_t merged,
+                      const std::function<double(const Vec3f&)>& luminance) {
+  CellWeights cells =
+      grown(gathered(size_of(count / merged / merged), std::max(merged, 2u), luminance));
+  for (std::uint32_t column = 0; column < cells.size.columns; ++column)
+    for (std::uint32_t row = 0; row < cells.size.rows; ++row)
+      cells.at(column, row) *= sky_cell_solid_angle(cells.size, column, row);
+  return cells;
+}
+
+}  // namespace candela
