@@ -36,6 +36,22 @@ TEST(Unit_CompileEnvironment, OneSkyIsItself) {
   EXPECT_TRUE(diagnostics.list().empty());
 }
 
+// Light samples that stand alone keep the plain density.
+TEST(Unit_CompileEnvironment, IsCompensatedBesideDirectionsFromBsdfsAlone) {
+  const auto table = [](IntegratorKind integrator, SamplingStrategy sampling) {
+    RenderOptions options = settings_of(4, 1).options;
+    options.integrator = integrator;
+    options.sampling = sampling;
+    return compiled(with_map(), options).environment->distribution;
+  };
+  const auto first_cell = [](const SkyDistribution& sky) { return sky.cells().probability(0, 0); };
+  const SkyDistribution plain = table(IntegratorKind::Path, SamplingStrategy::Light);
+  const SkyDistribution beside = table(IntegratorKind::Path, SamplingStrategy::Mis);
+  EXPECT_EQ(first_cell(beside), first_cell(compensated(plain)));
+  EXPECT_GT(std::abs(first_cell(beside) / first_cell(plain) - 1), 0.05);
+  EXPECT_EQ(first_cell(table(IntegratorKind::Report, SamplingStrategy::Mis)), first_cell(plain));
+}
+
 TEST(Unit_CompileEnvironment, BlackSkiesAreKeptWhereThereIsNoOther) {
   SceneDescription scene = small_room();
   TextureStore textures;

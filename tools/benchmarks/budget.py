@@ -52,7 +52,7 @@ class Count:
 def counted(options, name, scene, *more):
     # --strict decodes the textures before the first tile; else the first that asks pays for it.
     words = [options.program, "render", scene, "-o", options.out / f"{name}.exr", "--size", SIZE,
-             "--spp", SPP, "--threads", 1, "--strict", "--quiet", *more]
+             "--spp", SPP, "--threads", 1, "--strict", "--quiet", "--roulette", 1, *more]
     profile = callgrind.count(options.out / f"{name}.callgrind", words)
     embree, library = callgrind.embree_of(profile)
     return Count(round(profile.total / SAMPLES, 1), round(embree / SAMPLES, 1),
