@@ -19,9 +19,9 @@
 
 namespace candela {
 
-// (1 - t, t) for a quarter's t in [0, 1), turned by the quarters before it: (x, z).
+// (1 - t, t) for a quarter's t in [0, 1], turned by the quarters before it: (x, z). In [0, 4].
 [[nodiscard]] inline Vec2f sky_chord(float quarters) {
-  const float whole = std::floor(quarters);
+  const float whole = std::min(std::floor(quarters), 3.0f);
   const float t = quarters - whole;
   const bool is_odd = whole == 1 || whole == 3;
   Vec2f chord = is_odd ? Vec2f{-t, 1 - t} : Vec2f{1 - t, t};

@@ -122,6 +122,17 @@ TEST(Unit_Environment, TablesOfSmoothSkiesAreCoarserThanTheirTexels) {
   EXPECT_EQ(smooth_cube().environment.distribution.cells().columns(), 164u);  // of 332
 }
 
+TEST(Unit_Environment, ColumnsGoAllAround) {
+  for (int i = 0; i <= 64; ++i) {
+    const float quarters = static_cast<float>(i) / 16;
+    Vec2f chord = sky_chord(quarters);
+    EXPECT_FLOAT_EQ(std::abs(chord.x) + std::abs(chord.y), 1);
+    EXPECT_NEAR(std::remainder(sky_quarters(chord.x, chord.y) - quarters, 4.0f), 0, 1e-6) << i;
+  }
+  EXPECT_EQ(sky_chord(1), Vec2f(0, 1));
+  EXPECT_EQ(sky_chord(4), sky_chord(0));
+}
+
 // [Karlik19]: p - 1/2 of an even sky's share, at least p / 10. A quarter of the sky lies in the two
 // rows at the poles, where 1 - cos(theta) is below a quarter.
 TEST(Unit_Environment, CompensationTakesOffHalfTheMean) {
