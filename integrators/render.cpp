@@ -157,7 +157,8 @@ CompileOptions compile_options(const RenderOptions& options) {
           .keeps_media = options.integrator == IntegratorKind::Path,
           .samples_constant_environment =
               options.samples_constant_sky || !counts_met_light(options.sampling),
-          .compensates_sky = options.integrator == IntegratorKind::Path &&
+          .compensates_sky = options.compensates_sky &&
+                             options.integrator == IntegratorKind::Path &&
                              options.sampling == SamplingStrategy::Mis};
 }
 

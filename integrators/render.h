@@ -76,6 +76,9 @@ struct RenderOptions {
   // path: light samples for a constant environment, which BSDF samples find as well; strategies
   // that count no light that paths meet have them anyway.
   bool samples_constant_sky = false;
+  // path by Mis: light samples leave to BSDF samples what these find as well of an environment
+  // (sky_distribution.h); compile() heeds it.
+  bool compensates_sky = true;
   LightSampling light_sampling = LightSampling::Area;  // path; compile() heeds it
   SpecularModel specular = SpecularModel::Blinn;
   // whitted and raster: normals as the lab's code interpolates them, neither made unit nor turned

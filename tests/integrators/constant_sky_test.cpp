@@ -13,20 +13,12 @@ using description::SceneDescription;
 
 // A ground, a glossy ball and a cloud under the sky.
 SceneDescription landscape() {
-  SceneDescription scene;
+  SceneDescription scene = ball_on_ground({-0.6, 0, 0});
   add_light(scene, description::ConstantEnvironment{{0.4, 0.6, 1.0}, true});
-  add_mesh(scene, quad({-2, -0.5, 2}, {4, 0, 0}, {0, 0, -4}),
-           add_material(scene, description::DiffuseMaterial{{Vec3d(0.5), {}, {}}}));
-  description::CookTorranceMaterial glossy;
-  glossy.diffuse.factor = Vec3d(0.2);
-  glossy.specular.factor = Vec3d(0.6);
-  glossy.roughness.factor = 0.3;
-  add_mesh(scene, sphere({-0.6, 0, 0}, 0.5, 2), add_material(scene, glossy));
   const auto cloud = add_medium(scene, Vec3d(0.1), Vec3d(3), 0.5);
   const auto boundary = add_material(scene, description::InterfaceMaterial{});
   scene.materials[boundary.index].media = {cloud, {}};
   add_mesh(scene, sphere({0.6, 0, 0}, 0.5, 2), boundary);
-  set_camera(scene, {0, 1, 4}, {0, 0, 0}, 45);
   return scene;
 }
 

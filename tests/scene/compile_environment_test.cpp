@@ -38,10 +38,12 @@ TEST(Unit_CompileEnvironment, OneSkyIsItself) {
 
 // Light samples that stand alone keep the plain density.
 TEST(Unit_CompileEnvironment, IsCompensatedBesideDirectionsFromBsdfsAlone) {
-  const auto table = [](IntegratorKind integrator, SamplingStrategy sampling) {
+  const auto table = [](IntegratorKind integrator, SamplingStrategy sampling,
+                        bool compensates = true) {
     RenderOptions options = settings_of(4, 1).options;
     options.integrator = integrator;
     options.sampling = sampling;
+    options.compensates_sky = compensates;
     return compiled(with_map(), options).environment->distribution;
   };
   const auto first_cell = [](const SkyDistribution& sky) { return sky.cells().probability(0, 0); };
@@ -50,6 +52,8 @@ TEST(Unit_CompileEnvironment, IsCompensatedBesideDirectionsFromBsdfsAlone) {
   EXPECT_EQ(first_cell(beside), first_cell(compensated(plain)));
   EXPECT_GT(std::abs(first_cell(beside) / first_cell(plain) - 1), 0.05);
   EXPECT_EQ(first_cell(table(IntegratorKind::Report, SamplingStrategy::Mis)), first_cell(plain));
+  EXPECT_EQ(first_cell(table(IntegratorKind::Path, SamplingStrategy::Mis, false)),
+            first_cell(plain));
 }
 
 TEST(Unit_CompileEnvironment, BlackSkiesAreKeptWhereThereIsNoOther) {

@@ -64,6 +64,19 @@ SceneDescription small_room() {
   return scene;
 }
 
+SceneDescription ball_on_ground(const Vec3d& ball_centre) {
+  SceneDescription scene = empty_scene();
+  add_mesh(scene, quad({-2, -0.5, 2}, {4, 0, 0}, {0, 0, -4}),
+           add_material(scene, diffuse(Vec3d(0.5))));
+  description::CookTorranceMaterial glossy;
+  glossy.diffuse.factor = Vec3d(0.2);
+  glossy.specular.factor = Vec3d(0.6);
+  glossy.roughness.factor = 0.3;
+  add_mesh(scene, sphere(ball_centre, 0.5, 2), add_material(scene, glossy));
+  set_camera(scene, {0, 1, 4}, {0, 0, 0}, 45);
+  return scene;
+}
+
 SceneDescription furnace(description::Mesh inward_surface, double albedo, double emission) {
   SceneDescription scene = empty_scene();
   const MaterialHandle wall =

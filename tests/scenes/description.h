@@ -55,6 +55,9 @@ void set_camera(description::SceneDescription& scene, const Vec3d& eye, const Ve
 // Camera at z = 3.5. All diffuse, every length O(1): the small scene that most tests can use.
 [[nodiscard]] description::SceneDescription small_room();
 
+// A diffuse ground, a ball of radius 1/2 on it that is glossy too, a camera before them; no light.
+[[nodiscard]] description::SceneDescription ball_on_ground(const Vec3d& ball_centre);
+
 // A closed surface about the origin, facing inwards, of reflectance `albedo` and emission
 // `emission` everywhere: radiance within is emission / (1 - albedo) [white furnace]. Camera at the
 // origin.

@@ -41,6 +41,7 @@ TECHNIQUES = (  # a row is a line
     Technique("no path guiding (off: where a trial says that it pays)", {"guiding": "auto"}),
     Technique("Sobol points (off: plain random numbers)", {"sampler": "independent"}),
     Technique("no light samples for a constant sky", {"sky_samples": "on"}),
+    Technique("dim parts of skies left to BSDF samples", {"sky_compensation": "off"}),
     Technique("more camera rays at lamps' edges", {"lamp_rays": 0}),
     Technique("two triangles as one lamp (off: apart)", {"light_sampling": "triangles"}),
     Technique("near lamps by area (off: by solid angle)", {"light_sampling": "solid_angle"}),

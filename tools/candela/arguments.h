@@ -71,6 +71,7 @@ struct RenderArguments {
   std::optional<Heuristic> heuristic;
   std::optional<SamplerKind> sampler;
   std::optional<bool> samples_constant_sky;
+  std::optional<bool> compensates_sky;
   std::optional<int> lamp_rays;
   std::optional<LightSampling> light_sampling;
   std::optional<SpecularModel> specular;

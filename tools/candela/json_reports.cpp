@@ -93,6 +93,7 @@ void add_options(Json& json, const RenderReport& report) {
       json["heuristic"] = name_of(options.heuristic, heuristic_choices());
       json["sampler"] = name_of(options.sampler, sampler_choices());
       json["sky_samples"] = options.samples_constant_sky;
+      json["sky_compensation"] = options.compensates_sky;
       json["lamp_rays"] = options.lamp_rays;
       json["light_sampling"] = name_of(options.light_sampling, light_sampling_choices());
     }

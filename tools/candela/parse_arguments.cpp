@@ -147,6 +147,8 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
              "Scrambled Sobol points or, for comparisons, plain random numbers [sobol]");
   add_value(command, "--sky-samples", "on|off", render.samples_constant_sky, parse_switch,
             "Light samples for a constant environment, which BSDF samples find as well [off]");
+  add_value(command, "--sky-compensation", "on|off", render.compensates_sky, parse_switch,
+            "With mis: light samples leave to BSDF samples the dim parts of an environment [on]");
   add_value(command, "--lamp-rays", "N", render.lamp_rays, integer_between(0, max_lamp_rays),
             "Camera rays a sample that look for lamps alone in pixels that lamps cover in part, at "
             "most [8]");

@@ -23,11 +23,12 @@ std::string strategy_text(const RenderOptions& options) {
   switch (options.integrator) {
     case IntegratorKind::Path:
       return fmt::format(
-          " sampling={} heuristic={} sampler={} sky_samples={} lamp_rays={} "
-          "light_sampling={}",
+          " sampling={} heuristic={} sampler={} sky_samples={} sky_compensation={} "
+          "lamp_rays={} light_sampling={}",
           sampling_name(options), name_of(options.heuristic, heuristic_choices()),
           name_of(options.sampler, sampler_choices()), options.samples_constant_sky ? "on" : "off",
-          options.lamp_rays, name_of(options.light_sampling, light_sampling_choices()));
+          options.compensates_sky ? "on" : "off", options.lamp_rays,
+          name_of(options.light_sampling, light_sampling_choices()));
     case IntegratorKind::Report:
       return fmt::format(" sampling={} rr={}", sampling_name(options), options.report_p_rr);
     case IntegratorKind::Whitted:

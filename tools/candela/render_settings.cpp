@@ -125,6 +125,7 @@ void refuse_what_only_path_does(const RenderArguments& arguments, const RenderOp
   refuse(arguments.guiding.has_value(), "--guiding");
   refuse(arguments.sampler.has_value(), "--sampler");
   refuse(arguments.samples_constant_sky.has_value(), "--sky-samples");
+  refuse(arguments.compensates_sky.has_value(), "--sky-compensation");
   refuse(arguments.lamp_rays.has_value(), "--lamp-rays");
   refuse(arguments.light_sampling.has_value(), "--light-sampling");
 }
@@ -330,6 +331,7 @@ RenderSettings settled(const RenderArguments& arguments,
   options.sampler = arguments.sampler.value_or(options.sampler);
   options.samples_constant_sky =
       arguments.samples_constant_sky.value_or(options.samples_constant_sky);
+  options.compensates_sky = arguments.compensates_sky.value_or(options.compensates_sky);
   constexpr int default_lamp_rays = 8;
   options.lamp_rays = arguments.lamp_rays.value_or(default_lamp_rays);
   options.light_sampling = arguments.light_sampling.value_or(options.light_sampling);
