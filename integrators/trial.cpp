@@ -10,12 +10,11 @@ namespace {
 
 constexpr std::uint32_t trial_replicates = 4;
 
-// In bounces: fitted to the times of twelve scenes with and without splitting (docs/decisions.md).
-// Samples that are skipped count as if they were not: whether they are must not change the picture.
-double cost_of(const TileCounts& counts) {
-  return 0.55 * static_cast<double>(counts.rays.camera + counts.skipped.samples) +
-         static_cast<double>(counts.rays.indirect) +
-         0.1 * static_cast<double>(counts.rays.shadow + counts.rays.lamp);
+// In bounces. Samples that are skipped count as if they were not: whether they are must not change
+// the picture.
+double bounces_of(const TileCounts& counts) {
+  const std::uint64_t cost = cost_of(counts.rays) + cost_of({.camera = counts.skipped.samples});
+  return static_cast<double>(cost) / static_cast<double>(cost_of_bounce);
 }
 
 }  // namespace
@@ -24,7 +23,7 @@ Trial run_trial(const TilePass& pass, const RenderOptions& options,
                 const TileFunction& render_tile) {
   Film film(options.width, options.height, pass.tile, 0, trial_replicates, film_balance(options));
   Trial trial;
-  trial.cost = cost_of(render_tile(pass, film));
+  trial.cost = bounces_of(render_tile(pass, film));
   for (std::size_t i = 0; i < film.pixel_count(); ++i) {
     const Vec3d mean = film.mean(i);
     trial.mean += sum_of_components(mean);

@@ -15,7 +15,7 @@ inline void start(BlockTrip<A>& trip) {
   const PathContext<A>& context = trip.context;
   PathBlock& block = trip.block;
   CameraNumbers numbers;
-  numbers.draw<F>(context.camera, trip.samplers, Dimension::Filter, Dimension::Lens);
+  numbers.draw(context.camera, trip.samplers, Dimension::Filter, Dimension::Lens);
   for_each_lane(trip.place.lanes, [&](std::uint32_t i) {
     block.paths[i] = PathState{};
     if constexpr (F.media) block.media[i] = context.camera.medium;
@@ -23,16 +23,10 @@ inline void start(BlockTrip<A>& trip) {
     block.samples[i].has_hit = false;
     Vec2f place = context.filter.sample(unit_point(numbers.filter, i));
     block.samples[i].weight = context.filter.weight(place);
-    Ray ray =
-        camera_ray<F>(context, place, unit_point(numbers.lens, i), trip.place.x, trip.place.y);
+    Ray ray = camera_ray(context, place, unit_point(numbers.lens, i), trip.place.x, trip.place.y);
     if (set_ray(block, i, ray)) trip.alive |= 1u << i;
   });
   trip.counts.rays.camera += lane_count(trip.place.lanes);
-}
-
-// In units of a camera ray, roughly: those of a pixel are traced as a packet.
-[[nodiscard]] inline std::uint64_t ray_cost(const RayCounts& rays) {
-  return rays.camera + rays.lamp + 4 * rays.indirect + 2 * rays.shadow;
 }
 
 // The paths of a block have ended.
@@ -51,7 +45,7 @@ inline void finish(BlockTrip<A>& trip, Film& film, TileCounts& counts) {
     add_or_count(block.samples[i], trip.place.x, trip.place.y, trip.place.first + i,
                  context.options.clamp, film, trip.counts);
   });
-  film.add_cost(trip.place.x, trip.place.y, static_cast<std::uint32_t>(ray_cost(trip.counts.rays)));
+  film.add_cost(trip.place.x, trip.place.y, static_cast<std::uint32_t>(cost_of(trip.counts.rays)));
   counts.add(trip.counts);
 }
 
@@ -82,7 +76,7 @@ inline void add_background(const BackgroundPixels& background, const SampleRange
   for (std::uint32_t i = range.first; i < range.end; ++i)
     add_or_count(background.sample(), x, y, i, clamp, film, counts);
   const std::uint32_t count = range.end - range.first;
-  film.add_cost(x, y, static_cast<std::uint32_t>(ray_cost({.camera = count})));
+  film.add_cost(x, y, static_cast<std::uint32_t>(cost_of({.camera = count})));
   counts.skipped.samples += count;
 }
 

@@ -94,6 +94,27 @@ double mean_radiance(const Film& film) {
   return sum / (3.0 * static_cast<double>(film.pixel_count()));
 }
 
+// The part of relMSE that each pixel brings, in rows from the top: an unbiased but very noisy
+// estimate for each. All 0 for a black picture. Two replicates in each pixel at least.
+std::vector<double> pixel_errors(const Film& film) {
+  std::vector<double> errors(film.pixel_count(), 0.0);
+  const double mean = mean_radiance(film);
+  const double epsilon = 1e-2 * mean * mean;  // compare.h
+  if (!(epsilon > 0)) return errors;          // a black picture
+  constexpr int block_size = 64;
+  const std::vector<PixelRect> blocks = tiles_of(film.crop(), block_size);
+  parallel_for(blocks.size(), [&](std::size_t b) {
+    const std::vector<NeighbourLevel> levels = neighbour_levels(film, blocks[b]);
+    std::size_t next = 0;
+    for (int y = blocks[b].y0; y < blocks[b].y1; ++y)
+      for (int x = blocks[b].x0; x < blocks[b].x1; ++x) {
+        const std::size_t i = film.index(x, y);
+        errors[i] = relative_error(film, i, levels[next++], epsilon);
+      }
+  });
+  return errors;
+}
+
 // Of the pixels' errors.
 struct ErrorSums {
   double sum = 0;
@@ -125,25 +146,6 @@ Interval interval_of(const ErrorSums& errors, double pixels, double replicates) 
 }
 
 }  // namespace
-
-std::vector<double> pixel_errors(const Film& film) {
-  std::vector<double> errors(film.pixel_count(), 0.0);
-  const double mean = mean_radiance(film);
-  const double epsilon = 1e-2 * mean * mean;  // compare.h
-  if (!(epsilon > 0)) return errors;          // a black picture
-  constexpr int block_size = 64;
-  const std::vector<PixelRect> blocks = tiles_of(film.crop(), block_size);
-  parallel_for(blocks.size(), [&](std::size_t b) {
-    const std::vector<NeighbourLevel> levels = neighbour_levels(film, blocks[b]);
-    std::size_t next = 0;
-    for (int y = blocks[b].y0; y < blocks[b].y1; ++y)
-      for (int x = blocks[b].x0; x < blocks[b].x1; ++x) {
-        const std::size_t i = film.index(x, y);
-        errors[i] = relative_error(film, i, levels[next++], epsilon);
-      }
-  });
-  return errors;
-}
 
 std::optional<ErrorEstimate> estimate_error(const Film& film) {
   const std::uint32_t replicates = std::min(film.min_samples(), film.replicates());

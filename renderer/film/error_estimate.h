@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "renderer/film/film.h"
 
@@ -20,10 +19,6 @@ struct ErrorEstimate {
   Interval interval95;     // of relmse, by Student's t
   double heavy_tails = 0;  // share of the pixels where it cannot be trusted (heavy_tails.h)
 };
-
-// The part of relMSE that each pixel brings, in rows from the top: an unbiased but very noisy
-// estimate for each. All 0 for a black picture. Two replicates in each pixel at least.
-[[nodiscard]] std::vector<double> pixel_errors(const Film& film);
 
 // None where some pixel has no two replicates.
 [[nodiscard]] std::optional<ErrorEstimate> estimate_error(const Film& film);

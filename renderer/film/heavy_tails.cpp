@@ -24,6 +24,12 @@ bool is_dominated(const Shares& shares) {
   return shares.size() > 1 && *std::max_element(shares.begin(), shares.end()) > suspicious * total;
 }
 
+Shares shares_of(const Film& film, std::size_t i) {
+  Shares shares(film.replicates(), 0.0);
+  add_pixel(film, i, shares);
+  return shares;
+}
+
 // As a whole, by a firefly; or in most pixels that have any light, each by another one.
 bool is_heavy(const Film& film, const PixelRect& region) {
   Shares whole(film.replicates(), 0.0);
@@ -31,16 +37,19 @@ bool is_heavy(const Film& film, const PixelRect& region) {
   int dominated = 0;
   for (int y = region.y0; y < region.y1; ++y)
     for (int x = region.x0; x < region.x1; ++x) {
-      Shares pixel(film.replicates(), 0.0);
-      add_pixel(film, film.index(x, y), pixel);
-      if (max_component(film.mean(film.index(x, y))) > 0) ++lit;
-      if (is_dominated(pixel)) ++dominated;
-      add_pixel(film, film.index(x, y), whole);
+      const std::size_t i = film.index(x, y);
+      if (max_component(film.mean(i)) > 0) ++lit;
+      if (is_dominated(film, i)) ++dominated;
+      add_pixel(film, i, whole);
     }
   return is_dominated(whole) || 2 * dominated > lit;
 }
 
 }  // namespace
+
+bool is_dominated(const Film& film, std::size_t i) {
+  return is_dominated(shares_of(film, i));
+}
 
 std::vector<bool> heavy_tail_mask(const Film& film) {
   constexpr int region_size = 8;

@@ -1,91 +1,107 @@
 #include "renderer/film/sample_density.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
-#include "renderer/film/error_estimate.h"
+#include "renderer/base/parallel.h"
 #include "renderer/film/heavy_tails.h"
+#include "renderer/film/variance.h"
 #include "renderer/sampling/sampler_block.h"
 
 namespace candela {
 namespace {
 
-// Means over (2 radius + 1)^2 pixels, fewer at the edges; along rows, then along columns.
-std::vector<double> smoothed(const std::vector<double>& values, int width, int height, int radius) {
-  const auto mean_along = [radius](const std::vector<double>& in, int count, int lines,
-                                   auto place) {
-    std::vector<double> out(in.size());
-    std::vector<double> sums(static_cast<std::size_t>(count) + 1, 0.0);
-    for (int line = 0; line < lines; ++line) {
-      for (int i = 0; i < count; ++i)
-        sums[static_cast<std::size_t>(i) + 1] =
-            sums[static_cast<std::size_t>(i)] + in[place(i, line)];
-      for (int i = 0; i < count; ++i) {
-        const int begin = std::max(i - radius, 0);
-        const int end = std::min(i + radius + 1, count);
-        out[place(i, line)] =
-            (sums[static_cast<std::size_t>(end)] - sums[static_cast<std::size_t>(begin)]) /
-            (end - begin);
-      }
-    }
-    return out;
-  };
-  const auto row = [width](int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-           static_cast<std::size_t>(x);
-  };
-  const auto column = [&row](int y, int x) { return row(x, y); };
-  return mean_along(mean_along(values, width, height, row), height, width, column);
-}
-
 std::size_t colour_of(int x, int y) {
   return static_cast<std::size_t>(x + y) & 1;
 }
 
-// The pixels of one colour, pushed together along rows. Where a row ends with the other colour, its
-// last pixel stands twice.
-Film pixels_of(const Film& film, std::size_t colour) {
-  const int width = (film.full_width() + 1) / 2;
-  Film pixels(width, film.full_height(), {0, 0, width, film.full_height()}, 0, film.replicates());
-  for (int y = 0; y < film.full_height(); ++y)
-    for (int x = 0; x < width; ++x) {
-      const int wanted = 2 * x + (colour_of(0, y) == colour ? 0 : 1);
-      const int there = wanted < film.full_width() ? wanted : wanted - 2;
-      pixels.take_pixel(pixels.index(x, y), film, film.index(there, y));
-    }
-  return pixels;
+int first_of_row(int y, std::size_t colour) {
+  return colour_of(0, y) == colour ? 0 : 1;
 }
 
-// What the pixels of one colour, as pixels_of() has them, say over all pixels: means over those of
-// 7x7.
-std::vector<double> spread(const std::vector<double>& of_colour, std::size_t colour,
-                           const Film& pilot) {
-  constexpr int radius = 3;
-  const auto width = static_cast<std::size_t>(pilot.full_width());
-  std::vector<double> values(pilot.pixel_count(), 0.0);
-  std::vector<double> counts(pilot.pixel_count(), 0.0);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::size_t x = i % width;
-    const std::size_t y = i / width;
-    if (colour_of(static_cast<int>(x), static_cast<int>(y)) != colour) continue;
-    values[i] = of_colour[y * ((width + 1) / 2) + x / 2];
-    counts[i] = 1;
+// How many of the colour are in the rows above row y.
+std::size_t pixels_before(int y, const Film& film, std::size_t colour) {
+  const auto all = static_cast<std::size_t>(y) * static_cast<std::size_t>(film.full_width());
+  return (all + (colour == 0 ? 1 : 0)) / 2;  // the pixel at (0, 0) is of colour 0
+}
+
+// Calls f with the index of each pixel of the colour, in rows from the top.
+template <class F>
+void for_each_pixel(const Film& film, std::size_t colour, const F& f) {
+  for (int y = 0; y < film.full_height(); ++y)
+    for (int x = first_of_row(y, colour); x < film.full_width(); x += 2) f(film.index(x, y));
+}
+
+// How much a pixel has to say about another one: by |dx| and |dy|.
+constexpr int reach = 5;
+constexpr auto weights_of_places = [] {
+  std::array<std::array<double, reach + 1>, reach + 1> weights{};
+  for (int dy = 0; dy <= reach; ++dy)
+    for (int dx = 0; dx <= reach; ++dx)
+      weights[static_cast<std::size_t>(dy)][static_cast<std::size_t>(dx)] =
+          1.0 / (1 + 2 * (dx * dx + dy * dy));
+  return weights;
+}();
+
+// What a pixel's own samples say.
+struct Sign {
+  double root_of_error = 0;  // of its part of relMSE
+  double cost = 0;
+};
+
+double mean_radiance(const Film& film, std::size_t colour) {
+  double sum = 0;
+  std::size_t count = 0;
+  for_each_pixel(film, colour, [&](std::size_t i) {
+    sum += sum_of_components(film.mean(i)) / 3;
+    ++count;
+  });
+  return sum / static_cast<double>(count);
+}
+
+// Of the pixels of one colour; those of the other stay empty. A pixel that met rare light says too
+// little of its error, by its own high mean: by all that such light brings it would decide for
+// those that are near by, where samples would seldom meet any.
+std::vector<Sign> signs_of(std::size_t colour, const Film& film) {
+  const double mean = mean_radiance(film, colour);
+  const double epsilon = 1e-2 * mean * mean;  // compare.h
+  std::vector<Sign> signs(film.pixel_count());
+  for_each_pixel(film, colour, [&](std::size_t i) {
+    signs[i].cost = film.cost(i);
+    if (!(epsilon > 0)) return;
+    const Vec3d level = film.mean(i);
+    const Vec3d errors = variance_of_mean(film, i) / (level * level + epsilon);
+    signs[i].root_of_error = std::sqrt(sum_of_components(errors) / 3);
+  });
+  return signs;
+}
+
+// Neyman's allocation for a pixel of the other colour: the weighted mean of the roots near by over
+// the root of the mean cost.
+double value_at(int x, int y, const std::vector<Sign>& signs, const Film& pilot) {
+  const int last_x = std::min(x + reach, pilot.full_width() - 1);
+  const int last_y = std::min(y + reach, pilot.full_height() - 1);
+  Sign sum;
+  double weights = 0;
+  for (int at_y = std::max(y - reach, 0); at_y <= last_y; ++at_y) {
+    const auto& of_row = weights_of_places[static_cast<std::size_t>(std::abs(at_y - y))];
+    int at_x = std::max(x - reach, 0);
+    if (colour_of(at_x, at_y) == colour_of(x, y)) ++at_x;
+    for (; at_x <= last_x; at_x += 2) {
+      const double weight = of_row[static_cast<std::size_t>(std::abs(at_x - x))];
+      const Sign& sign = signs[pilot.index(at_x, at_y)];
+      sum.root_of_error += weight * sign.root_of_error;
+      sum.cost += weight * sign.cost;
+      weights += weight;
+    }
   }
-  values = smoothed(values, pilot.full_width(), pilot.full_height(), radius);
-  counts = smoothed(counts, pilot.full_width(), pilot.full_height(), radius);
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] /= counts[i];
-  return values;
+  return sum.root_of_error / weights / std::sqrt(std::max(sum.cost / weights, 1.0));
 }
 
 double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-std::vector<double> costs_of(const Film& film) {
-  std::vector<double> costs(film.pixel_count());
-  for (std::size_t i = 0; i < costs.size(); ++i) costs[i] = film.cost(i);
-  return costs;
 }
 
 // To ten times the mean that is then left: one firefly shall not take all.
@@ -98,27 +114,39 @@ void limit_fireflies(std::vector<double>& values) {
   }
 }
 
-double heavy_tailed_share(const Film& film) {
-  const std::vector<bool> mask = heavy_tail_mask(film);
-  return static_cast<double>(std::count(mask.begin(), mask.end(), true)) /
-         static_cast<double>(mask.size());
+// The share of the samples that all pixels get alike, by what pixels of one colour say: all of them
+// where light comes in samples too rare for a pilot to know anything.
+double share_for_all(std::size_t colour, const Film& film) {
+  std::size_t lit = 0;
+  std::size_t dominated = 0;
+  for_each_pixel(film, colour, [&](std::size_t i) {
+    if (!(max_component(film.mean(i)) > 0)) return;
+    ++lit;
+    if (is_dominated(film, i)) ++dominated;
+  });
+  if (lit == 0) return 1;
+  const double rare = static_cast<double>(dominated) / static_cast<double>(lit);
+  constexpr double least = 0.1;
+  constexpr double some = 0.75;  // up to here pilots know enough
+  return least + (1 - least) * std::max(rare - some, 0.0) / (1 - some);
 }
 
-// What the pixels of one colour say that all pixels should get, relative to a mean of 1.
-std::vector<double> density_by(std::size_t colour, const Film& pilot) {
-  const Film pixels = pixels_of(pilot, colour);
-  const std::vector<double> costs = spread(costs_of(pixels), colour, pilot);
-  std::vector<double> roots = spread(pixel_errors(pixels), colour, pilot);
-  for (std::size_t i = 0; i < roots.size(); ++i)
-    roots[i] = std::sqrt(std::max(roots[i], 0.0) / std::max(costs[i], 1.0));
-  limit_fireflies(roots);
-  // The share of the samples that all pixels get alike; all of them where light comes in samples
-  // too rare for a pilot to know anything.
-  constexpr double least_alike = 0.1;
-  const double alike = std::max(least_alike, heavy_tailed_share(pixels));
-  const double mean = mean_of(roots);
-  for (double& root : roots) root = mean > 0 ? alike + (1 - alike) * root / mean : 1.0;
-  return roots;
+// What the pixels of the other colour say that those of `colour` should get, in rows from the top,
+// relative to a mean of 1.
+std::vector<double> density_of(std::size_t colour, const Film& pilot) {
+  const std::vector<Sign> signs = signs_of(1 - colour, pilot);
+  std::vector<double> values(pixels_before(pilot.full_height(), pilot, colour));
+  parallel_for(static_cast<std::size_t>(pilot.full_height()), [&](std::size_t row) {
+    const int y = static_cast<int>(row);
+    std::size_t next = pixels_before(y, pilot, colour);
+    for (int x = first_of_row(y, colour); x < pilot.full_width(); x += 2)
+      values[next++] = value_at(x, y, signs, pilot);
+  });
+  limit_fireflies(values);
+  const double alike = share_for_all(1 - colour, pilot);
+  const double mean = mean_of(values);
+  for (double& value : values) value = mean > 0 ? alike + (1 - alike) * value / mean : 1.0;
+  return values;
 }
 
 }  // namespace
@@ -126,16 +154,14 @@ std::vector<double> density_by(std::size_t colour, const Film& pilot) {
 SampleDensity::SampleDensity(const Film& pilot)
     : width_(static_cast<std::size_t>(pilot.full_width())),
       replicates_(pilot.replicates()),
-      pilot_samples_(pilot.samples(0)) {
-  const std::array<std::vector<double>, 2> by{density_by(0, pilot), density_by(1, pilot)};
-  values_.reserve(pilot.pixel_count());
-  for (std::size_t i = 0; i < pilot.pixel_count(); ++i) {
-    const std::size_t colour =
-        colour_of(static_cast<int>(i % width_), static_cast<int>(i / width_));
-    values_.push_back(static_cast<float>(by[1 - colour][i]));
-    colours_[colour].values.push_back(static_cast<double>(values_.back()));
-  }
-  for (Colour& colour : colours_) {
+      pilot_samples_(pilot.samples(0)),
+      values_(pilot.pixel_count()) {
+  for (std::size_t c = 0; c < colours_.size(); ++c) {
+    Colour& colour = colours_[c];
+    colour.values = density_of(c, pilot);
+    std::size_t next = 0;
+    for_each_pixel(pilot, c,
+                   [&](std::size_t i) { values_[i] = static_cast<float>(colour.values[next++]); });
     std::sort(colour.values.begin(), colour.values.end());
     colour.sums = colour.values;
     for (std::size_t i = colour.sums.size() - 1; i-- > 0;) colour.sums[i] += colour.sums[i + 1];

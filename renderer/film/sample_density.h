@@ -2,7 +2,7 @@
 //
 // relMSE falls fastest for the same work if a pixel's samples are proportional to the root of its
 // part of relMSE over what a sample costs there (Neyman's allocation). A pilot of few samples knows
-// that part roughly, so it is smoothed, and some samples go to all pixels alike.
+// that root roughly, so it is a mean over pixels near by, and some samples go to all pixels alike.
 //
 // The pilot's samples stay in the picture, and those that follow continue its sequences. That is
 // unbiased since no pixel's own samples have a say in how many it gets: pixels are coloured as a

@@ -59,6 +59,37 @@ TEST(Unit_SampleDensity, OneFireflyDoesNotTakeAll) {
   EXPECT_GT(density.at(5, 5), 0.09f);
 }
 
+// How many times the error would be what it is with the same samples everywhere, were all pixels
+// alike.
+double loss(const SampleDensity& density) {
+  double sum = 0;
+  double inverse_sum = 0;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      sum += static_cast<double>(density.at(x, y));
+      inverse_sum += 1 / static_cast<double>(density.at(x, y));
+    }
+  return sum * inverse_sum / (size * size * size * size);
+}
+
+// Flashes of a hundredfold brightness in some samples on a ground of this brightness, alike
+// everywhere.
+Film flashing_pilot(double share_of_samples, double ground) {
+  std::uniform_real_distribution<double> between(0, 1);
+  return test::synthetic_film(size, 16, 4, 5, [&](std::mt19937_64& random, int, int) {
+    return between(random) < share_of_samples ? 100 : ground * (0.5 + between(random));
+  });
+}
+
+// Where a pixel has met a flash others near by are as likely to.
+TEST(Unit_SampleDensity, FlashesDoNotDrawSamples) {
+  EXPECT_LT(loss(SampleDensity(flashing_pilot(0.002, 1))), 1.2);
+}
+
+TEST(Unit_SampleDensity, WhereFlashesAreAllTheLightAllGetNearlyTheSame) {
+  EXPECT_LT(loss(SampleDensity(flashing_pilot(0.002, 0))), 1.02);
+}
+
 // Counts join from pass to pass: the pilot's, or a multiple of the replicates, and never fewer.
 TEST(Unit_SampleDensity, CountsRiseWithTheMeanAndFillTheReplicates) {
   const SampleDensity density(
