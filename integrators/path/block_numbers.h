@@ -14,9 +14,8 @@ static_assert(sampler_lanes == block_size);
 }
 
 // Whether anything in the scene reads the number that picks a lobe.
-template <FeatureSet F>
 [[nodiscard]] inline bool needs_lobes(const Scene& scene) {
-  return (F.models & scene.features.bsdf_models & models_with_lobes) != 0;
+  return (scene.features.bsdf_models & models_with_lobes) != 0;
 }
 
 class BlockNumbers {
@@ -36,17 +35,15 @@ class BlockNumbers {
       if (scene.features.scattering_media)
         samplers.sample_1d(bounce, Dimension::FreeFlight, free_flight_);
     }
-    draw_material<F>(scene, samplers, bounce);
+    draw_material(scene, samplers, bounce);
   }
-  template <FeatureSet F>
   void draw_material(const Scene& scene, const SamplerBlock& samplers, std::uint32_t bounce) {
-    if (F.textures && scene.features.mixes)
-      samplers.sample_1d(bounce, Dimension::MaterialChoice, material_);
+    if (scene.features.mixes) samplers.sample_1d(bounce, Dimension::MaterialChoice, material_);
   }
   // What a path takes that goes on.
   template <FeatureSet F>
   void draw_direction(const Scene& scene, const SamplerBlock& samplers, std::uint32_t bounce) {
-    if (needs_lobes<F>(scene)) samplers.sample_1d(bounce, Dimension::LobeChoice, lobe_);
+    if (needs_lobes(scene)) samplers.sample_1d(bounce, Dimension::LobeChoice, lobe_);
     samplers.sample_2d(bounce, Dimension::Direction, direction_);
     if constexpr (F.guided) samplers.sample_1d(bounce, Dimension::GuideChoice, guide_choice_);
     if (bounce >= first_bounce_with_roulette)
@@ -88,15 +85,14 @@ inline void draw_hit(const Scene& scene, const Sampler& sampler, std::uint32_t b
                                ? point.x
                                : sampler.sample_1d_bits(bounce, Dimension::LightChoice);
   }
-  if (F.textures && scene.features.mixes)
-    numbers.material = sampler.sample_1d(bounce, Dimension::MaterialChoice);
+  if (scene.features.mixes) numbers.material = sampler.sample_1d(bounce, Dimension::MaterialChoice);
   if (F.media && scene.features.scattering_media)
     numbers.free_flight = sampler.sample_1d_bits(bounce, Dimension::FreeFlight);
 }
 template <FeatureSet F>
 inline void draw_direction(const Scene& scene, const Sampler& sampler, std::uint32_t bounce,
                            StepNumbers& numbers) {
-  if (needs_lobes<F>(scene)) numbers.lobe = sampler.sample_1d(bounce, Dimension::LobeChoice);
+  if (needs_lobes(scene)) numbers.lobe = sampler.sample_1d(bounce, Dimension::LobeChoice);
   numbers.direction = sampler.sample_2d(bounce, Dimension::Direction);
   if constexpr (F.guided) numbers.guide_choice = sampler.sample_1d(bounce, Dimension::GuideChoice);
   if (bounce >= first_bounce_with_roulette)

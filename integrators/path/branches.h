@@ -23,11 +23,10 @@ template <FeatureSet F, class A>
   Vec3f wo = -ray.direction;
   SurfacePoint point = met_point_at<F>(scene, hit, wo);
   const Material& material =
-      material_at<F>(scene, scene.geometries[hit.geometry], point, numbers.material);
-  set_material_frame<F>(scene, material, wo, point);
+      material_at(scene, scene.geometries[hit.geometry], point, numbers.material);
+  set_material_frame(scene, material, wo, point);
   PathState path;
-  Bsdf bsdf = bsdf_at<F.models, F.textures>(material, scene.textures, texture_point_of(point),
-                                            point.is_front);
+  Bsdf bsdf = bsdf_at(material, scene.textures, texture_point_of(point), point.is_front);
   const bool goes_on =
       scatter_from<F>(context.options, numbers, guide_at<F>(context.guide, point, bsdf), point,
                       bsdf, point.shading.to_local(wo), ray, path);
@@ -75,7 +74,7 @@ class Branches {
                                PathBlock& block, PlainLanes& lanes) {
     own_.emplace(pixel_, first_sample_, splitting_, branch_);
     BlockNumbers numbers;
-    numbers.draw_material<F>(context.scene, unsplit, 0);
+    numbers.draw_material(context.scene, unsplit, 0);
     numbers.draw_direction<F>(context.scene, *own_, 0);
     LaneMask going_on = 0;
     LaneMask single = lanes_;

@@ -7,12 +7,11 @@
 namespace candela {
 
 // Of one sample at a place that the filter chose (filter importance sampling).
-template <FeatureSet F, class A>
+template <class A>
 [[nodiscard]] inline Ray camera_ray(const PathContext<A>& context, Vec2f place, Vec2f lens, int x,
                                     int y) {
   Vec2f film{(static_cast<float>(x) + 0.5f + place.x) / static_cast<float>(context.options.width),
              (static_cast<float>(y) + 0.5f + place.y) / static_cast<float>(context.options.height)};
-  if constexpr (!F.thin_lens) return context.camera.generate_ray(film, Vec2f(0));
   return context.camera.generate_ray(film, lens);
 }
 
@@ -21,11 +20,10 @@ struct CameraNumbers {
   SobolPointLanes filter;
   SobolPointLanes lens{};
 
-  template <FeatureSet F>
   void draw(const Camera& camera, const SamplerBlock& samplers, Dimension of_filter,
             Dimension of_lens) {
     samplers.sample_2d(0, of_filter, filter);
-    if (F.thin_lens && camera.lens_radius > 0) samplers.sample_2d(0, of_lens, lens);
+    if (camera.lens_radius > 0) samplers.sample_2d(0, of_lens, lens);
   }
 };
 

@@ -43,18 +43,17 @@ template <FeatureSet F>
 }
 
 // What textures say is looked up one path after the other, once it is known where they are.
-template <FeatureSet F>
 inline void put_bsdfs(PlainModel model, const TextureStore& textures, PlainLanes& lanes) {
   BsdfLanes& bsdfs = lanes.bsdfs;
   for (std::uint32_t slot = 0; slot < lanes.size; ++slot) {
     const Material& material = *bsdfs.material[slot];
     const TexturePoint at = texture_point_of(lanes, slot);
     if (model == PlainModel::Diffuse) {
-      bsdfs.diffuse.set(slot, colour_at<F.textures>(material.diffuse, textures, at));
+      bsdfs.diffuse.set(slot, colour_at(material.diffuse, textures, at));
       continue;
     }
-    Bsdf bsdf = model == PlainModel::Lab ? lab_at<F.textures>(material, textures, at)
-                                         : cook_torrance_at<F.textures>(material, textures, at);
+    Bsdf bsdf = model == PlainModel::Lab ? lab_at(material, textures, at)
+                                         : cook_torrance_at(material, textures, at);
     bsdfs.diffuse.set(slot, bsdf.diffuse);
     bsdfs.specular.set(slot, bsdf.specular);
     bsdfs.f0.set(slot, bsdf.f0);
@@ -95,7 +94,6 @@ inline void put_normals(const Geometry& geometry, const std::array<std::uint32_t
 }
 
 // What a path's ray met, and the numbers by which it goes on.
-template <FeatureSet F>
 inline void put_path(const Scene& scene, const StepNumbers& numbers, std::uint32_t bounce,
                      const Hit& hit, const Ray& ray, const PathState& path, std::uint32_t slot,
                      PlainLanes& lanes) {
@@ -113,9 +111,8 @@ inline void put_path(const Scene& scene, const StepNumbers& numbers, std::uint32
   met.throughput.set(slot, path.throughput);
   met.roulette_scale[slot] = path.roulette_scale;
   lanes.bsdfs.material[slot] = &scene.materials[geometry.material.index];
-  if constexpr (F.textures)
-    lanes.bsdfs.uv[slot] =
-        geometry.uvs.empty() ? SurfacePoint{}.uv : uv_of(geometry, corners, hit.u, hit.v);
+  lanes.bsdfs.uv[slot] =
+      geometry.uvs.empty() ? SurfacePoint{}.uv : uv_of(geometry, corners, hit.u, hit.v);
   ScatteredLanes& scattered = lanes.scattered;
   scattered.bounce[slot] = bounce;
   scattered.lobe[slot] = numbers.lobe;
@@ -167,14 +164,11 @@ inline void put_lamp(const Scene& scene, const StepNumbers& numbers, std::uint32
 }
 
 // The surfaces, once all paths are put.
-template <FeatureSet F>
 inline void find_surfaces(PlainModel model, const Scene& scene, PlainLanes& lanes) {
   find_points(lanes);
-  if constexpr (F.textures) {
-    if (scene.features.bump) put_bumps(scene, lanes);
-  }
+  if (scene.features.bump) put_bumps(scene, lanes);
   find_frames(lanes);
-  put_bsdfs<F>(model, scene.textures, lanes);
+  put_bsdfs(model, scene.textures, lanes);
 }
 
 // Other paths from the first hits of a block in place of those that have ended (branches.h);
@@ -189,11 +183,11 @@ template <FeatureSet F, class A>
   lanes.clear();
   for_each_lane(of_block, [&](std::uint32_t i) {
     block.paths[i] = PathState{};
-    put_path<F>(context.scene, numbers.lane<F>(i), 0, block.split.hits[i],
-                block.split.camera_rays[i], block.paths[i], lanes.size, lanes);
+    put_path(context.scene, numbers.lane<F>(i), 0, block.split.hits[i], block.split.camera_rays[i],
+             block.paths[i], lanes.size, lanes);
     lane_of[lanes.size++] = i;
   });
-  find_surfaces<F>(model, context.scene, lanes);
+  find_surfaces(model, context.scene, lanes);
   LaneMask going_on = 0;
   const LaneMask scattered =
       scatter(model, context.options, context.inverse_roulette_threshold, lanes);

@@ -14,12 +14,8 @@ using TileKernel = TileCounts (*)(const PathContext<A>&, const TilePass&, Film&)
 
 extern template TileCounts render_tile<general_features>(const PathContext<EmbreeAccel>&,
                                                          const TilePass&, Film&);
-extern template TileCounts render_tile<broad_features>(const PathContext<EmbreeAccel>&,
-                                                       const TilePass&, Film&);
-extern template TileCounts render_tile<plain_features>(const PathContext<EmbreeAccel>&,
-                                                       const TilePass&, Film&);
-extern template TileCounts render_tile<lab_features>(const PathContext<EmbreeAccel>&,
-                                                     const TilePass&, Film&);
+extern template TileCounts render_tile<lane_features>(const PathContext<EmbreeAccel>&,
+                                                      const TilePass&, Film&);
 extern template TileCounts render_tile<general_features>(const PathContext<BvhAccel>&,
                                                          const TilePass&, Film&);
 extern template TileCounts render_tile<general_features>(
@@ -66,8 +62,8 @@ template <class A>
   return {"general", &render_tile<general_features, A>};
 }
 
-// The smallest instance that covers the scene. The reference BVH and the recorder have only those
-// of general_kernel().
+// With lanes where the scene and the options allow. The reference BVH and the recorder have only
+// those of general_kernel().
 template <class A>
 [[nodiscard]] PathKernel<A> select_path_kernel(const SceneFeatures& features,
                                                bool /*use_general*/) {
@@ -76,12 +72,8 @@ template <class A>
 template <>
 [[nodiscard]] inline PathKernel<EmbreeAccel> select_path_kernel(const SceneFeatures& features,
                                                                 bool use_general) {
-  if (!use_general && plain_features.covers(features))
-    return {"plain", &render_tile<plain_features, EmbreeAccel>};
-  if (!use_general && lab_features.covers(features))
-    return {"lab", &render_tile<lab_features, EmbreeAccel>};
-  if (!use_general && broad_features.covers(features))
-    return {"broad", &render_tile<broad_features, EmbreeAccel>};
+  if (!use_general && lane_features.covers(features))
+    return {"lanes", &render_tile<lane_features, EmbreeAccel>};
   return general_kernel<EmbreeAccel>(features);
 }
 

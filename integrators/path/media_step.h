@@ -102,8 +102,8 @@ template <FeatureSet F, class A>
   const Geometry& geometry = scene.geometries[flight.hit.geometry];
   Vec3f wo = -ray.direction;
   SurfacePoint point = met_point_at<F>(scene, flight.hit, wo);
-  const Material& material = material_at<F>(scene, geometry, point, numbers.material);
-  set_material_frame<F>(scene, material, wo, point);
+  const Material& material = material_at(scene, geometry, point, numbers.material);
+  set_material_frame(scene, material, wo, point);
   if (geometry.is_emissive() && (bounce > 0 || context.lamp_rays == 0))
     add_emission<F>(scene, context.options, geometry, flight.hit, from, ray.direction,
                     flight.distance, path);

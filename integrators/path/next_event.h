@@ -70,7 +70,7 @@ template <FeatureSet F>
 [[nodiscard]] inline LightOrSky sample_light_or_sky(const Scene& scene, std::uint32_t index,
                                                     const SurfacePoint& point, Vec2f u) {
   constexpr LightKindSet sky = light_kind_bit(LightKind::Environment);
-  if ((F.light_kinds() & sky) != 0 && scene.lights[index].kind == LightKind::Environment)
+  if (scene.lights[index].kind == LightKind::Environment)
     return {sample_sky(*scene.environment, point, u), true};
   return {
       sample_light<(F.light_kinds() & ~sky)>(light_tables(scene), scene.lights[index], point, u),
@@ -139,17 +139,15 @@ inline void add_light_of_always(const PathContext<A>& context, const SurfacePoin
                                 const Bsdf& bsdf, const Guide<F>& guide, const Vec3f& wo_local,
                                 const Rgb& throughput, [[maybe_unused]] MediaBeside<F> media,
                                 Rgb& radiance, TileCounts& counts) {
-  if constexpr (F.delta_lights) {
-    for (const std::uint32_t index : context.scene.light_sampler.always()) {
-      DirectLight light =
-          sample_direct_light<F>(context, index, Vec2f(0), 1, point, bsdf, guide, wo_local, counts);
-      light.contribution *= throughput;
-      if constexpr (F.media)
-        radiance += shadowed_in(context, light,
-                                medium_towards(media, point, light.shadow_ray.direction), counts);
-      else
-        radiance += shadowed(context.accelerator, light, counts);
-    }
+  for (const std::uint32_t index : context.scene.light_sampler.always()) {
+    DirectLight light =
+        sample_direct_light<F>(context, index, Vec2f(0), 1, point, bsdf, guide, wo_local, counts);
+    light.contribution *= throughput;
+    if constexpr (F.media)
+      radiance += shadowed_in(context, light,
+                              medium_towards(media, point, light.shadow_ray.direction), counts);
+    else
+      radiance += shadowed(context.accelerator, light, counts);
   }
 }
 

@@ -54,18 +54,16 @@ inline void add_met_light(const RenderOptions& options, const Rgb& radiance, flo
 template <FeatureSet F>
 inline void add_environment(const Scene& scene, const RenderOptions& options, std::uint32_t bounce,
                             const Vec3f& wi, PathState& path) {
-  if constexpr (F.environment) {
-    if (!scene.environment) return;
-    const Environment& environment = *scene.environment;
-    if (bounce == 0 && (options.transparent || !environment.is_seen_by_camera)) return;
-    Rgb radiance =
-        environment_radiance(environment, scene.textures, environment_point(environment, wi));
-    const bool is_unsampled = path.is_delta || scene.environment_light == Light::none;
-    const float pdf = is_unsampled ? 0.0f
-                                   : environment_pdf(environment, wi) *
-                                         scene.light_sampler.probability(scene.environment_light);
-    add_met_light<F>(options, radiance, pdf, path);
-  }
+  if (!scene.environment) return;
+  const Environment& environment = *scene.environment;
+  if (bounce == 0 && (options.transparent || !environment.is_seen_by_camera)) return;
+  Rgb radiance =
+      environment_radiance(environment, scene.textures, environment_point(environment, wi));
+  const bool is_unsampled = path.is_delta || scene.environment_light == Light::none;
+  const float pdf = is_unsampled ? 0.0f
+                                 : environment_pdf(environment, wi) *
+                                       scene.light_sampler.probability(scene.environment_light);
+  add_met_light<F>(options, radiance, pdf, path);
 }
 
 // As add_emission(), of a sphere.
@@ -109,9 +107,7 @@ inline void add_emission(const Scene& scene, const RenderOptions& options, const
   }
   const float pdf = path.is_delta ? 0.0f : met_triangle_pdf(scene, index, from, path, wi, distance);
   Rgb radiance = triangle_light_radiance(light, -wi);
-  if constexpr (F.textures) {
-    if (light.texture) radiance *= emission_factor(light, geometry, scene.textures, hit.u, hit.v);
-  }
+  if (light.texture) radiance *= emission_factor(light, geometry, scene.textures, hit.u, hit.v);
   add_met_light<F>(options, radiance, pdf, path);
 }
 
@@ -124,14 +120,11 @@ template <class A>
 }
 
 // The material that a hit meets: of mixtures the part that u in [0, 1) chooses.
-template <FeatureSet F>
 [[nodiscard]] inline const Material& material_at(const Scene& scene, const Geometry& geometry,
                                                  const SurfacePoint& point, float u) {
   const Material& material = scene.materials[geometry.material.index];
-  if constexpr (F.textures) {
-    if (material.model == MaterialModel::Mix)
-      return material_of_mix(scene.materials, material, scene.textures, texture_point_of(point), u);
-  }
+  if (material.model == MaterialModel::Mix)
+    return material_of_mix(scene.materials, material, scene.textures, texture_point_of(point), u);
   return material;
 }
 
@@ -140,38 +133,30 @@ template <FeatureSet F>
 [[nodiscard]] inline SurfacePoint met_point_at(const Scene& scene, const Hit& hit,
                                                const Vec3f& wo) {
   const Instance* instance = nullptr;
-  if constexpr (F.instances) {
-    if (hit.is_instanced()) instance = &scene.instances[hit.instance];
-  }
+  if (hit.is_instanced()) instance = &scene.instances[hit.instance];
   const Geometry& geometry = scene.geometries[hit.geometry];
-  if constexpr (F.spheres) return make_surface_point(geometry, instance, hit, wo, F.textures);
-  return make_triangle_point(geometry, instance, hit, wo, F.textures);
+  if constexpr (F.spheres) return make_surface_point(geometry, instance, hit, wo, true);
+  return make_triangle_point(geometry, instance, hit, wo, true);
 }
 
-template <FeatureSet F>
 inline void set_material_frame(const Scene& scene, const Material& material, const Vec3f& wo,
                                SurfacePoint& point) {
-  if constexpr (F.textures) {
-    if (has_bump(material)) {
-      point.front_normal = shading_normal_at(material, scene.textures, texture_point_of(point),
-                                             point.front_normal, point.dpdu, point.dpdv);
-      point.is_flat = false;
-    }
+  if (has_bump(material)) {
+    point.front_normal = shading_normal_at(material, scene.textures, texture_point_of(point),
+                                           point.front_normal, point.dpdu, point.dpdv);
+    point.is_flat = false;
   }
   set_shading_frame(point, wo);
-  if constexpr (F.textures) {
-    if (material.is_anisotropic)
-      point.shading = frame_from_normal_and_tangent(point.shading.z, point.dpdu);
-  }
-  if (F.models == plain_features.models || !is_transmissive(material.model))
-    point.receiving_normal = point.shading.z;
+  if (material.is_anisotropic)
+    point.shading = frame_from_normal_and_tangent(point.shading.z, point.dpdu);
+  if (!is_transmissive(material.model)) point.receiving_normal = point.shading.z;
 }
 
 template <FeatureSet F>
 [[nodiscard]] inline SurfacePoint surface_point_at(const Scene& scene, const Hit& hit,
                                                    const Material& material, const Vec3f& wo) {
   SurfacePoint point = met_point_at<F>(scene, hit, wo);
-  set_material_frame<F>(scene, material, wo, point);
+  set_material_frame(scene, material, wo, point);
   return point;
 }
 
@@ -183,8 +168,7 @@ template <FeatureSet F>
   const Geometry& geometry = scene.geometries[hit.geometry];
   Vec3f wo = -ray.direction;
   SurfacePoint point = surface_point_at<F>(scene, hit, material, wo);
-  Bsdf bsdf = bsdf_at<F.models, F.textures>(material, scene.textures, texture_point_of(point),
-                                            point.is_front);
+  Bsdf bsdf = bsdf_at(material, scene.textures, texture_point_of(point), point.is_front);
   record_first_hit(scene, camera, geometry, point, bsdf, point.shading.to_local(wo), sample);
 }
 
@@ -253,13 +237,12 @@ template <FeatureSet F>
 // Adds the light that reaches the surface straight from lights and continues the path; false where
 // it ends. The picked light's is left to the caller, who traces its shadow ray.
 template <FeatureSet F, class A>
-[[nodiscard]] inline bool leave_by_model(const PathContext<A>& context, const StepNumbers& numbers,
-                                         std::uint32_t bounce, const SurfacePoint& point,
-                                         const Material& material, const Vec3f& wo,
-                                         MediaBeside<F> media, Ray& ray, PathState& path,
-                                         DirectLight& picked, TileCounts& counts) {
-  Bsdf bsdf = bsdf_at<F.models, F.textures>(material, context.scene.textures,
-                                            texture_point_of(point), point.is_front);
+[[nodiscard]] inline bool leave_surface(const PathContext<A>& context, const StepNumbers& numbers,
+                                        std::uint32_t bounce, const SurfacePoint& point,
+                                        const Material& material, const Vec3f& wo,
+                                        MediaBeside<F> media, Ray& ray, PathState& path,
+                                        DirectLight& picked, TileCounts& counts) {
+  Bsdf bsdf = bsdf_at(material, context.scene.textures, texture_point_of(point), point.is_front);
   Vec3f wo_local = point.shading.to_local(wo);
   const Guide<F> guide = guide_at<F>(context.guide, point, bsdf);
   if (!is_only_delta<F.models>(bsdf) &&
@@ -274,27 +257,6 @@ template <FeatureSet F, class A>
          survives_roulette(numbers.roulette, bounce, context.inverse_roulette_threshold, path);
 }
 
-// In the plain kernel a body for each of the two models.
-template <FeatureSet F, class A>
-[[nodiscard]] inline bool leave_surface(const PathContext<A>& context, const StepNumbers& numbers,
-                                        std::uint32_t bounce, const SurfacePoint& point,
-                                        const Material& material, const Vec3f& wo,
-                                        MediaBeside<F> media, Ray& ray, PathState& path,
-                                        DirectLight& picked, TileCounts& counts) {
-  if constexpr (F.models == plain_features.models) {
-    constexpr FeatureSet glossy = F.with_models(model_bit(BsdfModel::CookTorrance));
-    constexpr FeatureSet diffuse = F.with_models(model_bit(BsdfModel::Diffuse));
-    if (material.model == MaterialModel::CookTorrance)
-      return leave_by_model<glossy>(context, numbers, bounce, point, material, wo, media, ray, path,
-                                    picked, counts);
-    return leave_by_model<diffuse>(context, numbers, bounce, point, material, wo, media, ray, path,
-                                   picked, counts);
-  } else {
-    return leave_by_model<F>(context, numbers, bounce, point, material, wo, media, ray, path,
-                             picked, counts);
-  }
-}
-
 // From the surface that the path's ray met to its next ray, which takes its place; false where the
 // path ends.
 // `first_hit`: what the film's layers keep of the camera ray.
@@ -306,8 +268,8 @@ template <FeatureSet F, class A>
   const Geometry& geometry = scene.geometries[hit.geometry];
   Vec3f wo = -ray.direction;
   SurfacePoint point = met_point_at<F>(scene, hit, wo);
-  const Material& material = material_at<F>(scene, geometry, point, numbers.material);
-  set_material_frame<F>(scene, material, wo, point);
+  const Material& material = material_at(scene, geometry, point, numbers.material);
+  set_material_frame(scene, material, wo, point);
   if (is_emission_met(context, geometry, bounce))
     add_emission<F>(scene, context.options, geometry, hit, ray.origin, ray.direction, hit.t, path);
   if (bounce == 0 && context.options.aovs != 0)

@@ -38,7 +38,7 @@ constexpr BsdfModel bsdf_model(PlainModel model) {
   return model == PlainModel::Lab ? BsdfModel::Lab : BsdfModel::Diffuse;
 }
 template <PlainModel model>
-inline constexpr FeatureSet features_of = plain_features.with_models(model_bit(bsdf_model(model)));
+inline constexpr FeatureSet features_of = lane_features.with_models(model_bit(bsdf_model(model)));
 
 template <PlainModel model>
 [[nodiscard]] inline Bsdf bsdf_of(const BsdfLanes& bsdfs, std::size_t i) {

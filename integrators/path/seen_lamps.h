@@ -20,16 +20,16 @@ inline void aim_lamp_rays(int x, int y, PathContext<A>& context) {
 
 // Rays through places in a part of the pixel, by numbers that no path's camera ray takes; returns
 // the lanes of those that can be traced.
-template <FeatureSet F, class A>
+template <class A>
 [[nodiscard]] inline LaneMask aim_at_lamps(const PathContext<A>& context,
                                            const SamplerBlock& samplers, const FilterPart& part,
                                            int x, int y, LaneMask lanes, RayBlock& rays) {
   CameraNumbers numbers;
-  numbers.draw<F>(context.camera, samplers, Dimension::LampFilter, Dimension::LampLens);
+  numbers.draw(context.camera, samplers, Dimension::LampFilter, Dimension::LampLens);
   LaneMask traceable = 0;
   for_each_lane(lanes, [&](std::uint32_t i) {
     Vec2f place = context.filter.sample(part.number(unit_point(numbers.filter, i)));
-    rays[i] = camera_ray<F>(context, place, unit_point(numbers.lens, i), x, y);
+    rays[i] = camera_ray(context, place, unit_point(numbers.lens, i), x, y);
     if (is_traceable(rays[i])) traceable |= 1u << i;
   });
   return traceable;
@@ -57,8 +57,8 @@ template <FeatureSet F, class A>
   RayBlock rays;
   for (std::uint32_t k = 0; k < count; ++k) {
     const SamplerBlock samplers(trip.pixel, trip.place.first, count, k);
-    const LaneMask traced = aim_at_lamps<F>(context, samplers, context.lamp_part, trip.place.x,
-                                            trip.place.y, trip.place.lanes, rays);
+    const LaneMask traced = aim_at_lamps(context, samplers, context.lamp_part, trip.place.x,
+                                         trip.place.y, trip.place.lanes, rays);
     const HitBlock hits =
         intersect_lanes(context.accelerator, rays, traced, 0, trip.place.is_whole());
     for_each_lane(traced, [&](std::uint32_t i) {

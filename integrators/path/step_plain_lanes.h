@@ -35,10 +35,8 @@ class PlainSteps {
     fill();
     size_ = 0;
     if (lanes_.size == 0) return;
-    find_surfaces<F>(model, scene(), lanes_);
-    if constexpr (F.delta_lights) {
-      for (const std::uint32_t index : lights().always()) add_light_of(index, model);
-    }
+    find_surfaces(model, scene(), lanes_);
+    for (const std::uint32_t index : lights().always()) add_light_of(index, model);
     if (lights().has_table()) add_picked_light(model);
     scatter_paths(model);
   }
@@ -56,8 +54,8 @@ class PlainSteps {
       BlockTrip<A>& trip = *place.trip;
       if (trip.bounce >= trip.context.max_depth) continue;
       const StepNumbers numbers = numbers_of<F>(trip, place.lane);
-      put_path<F>(scene(), numbers, trip.bounce, trip.block.hits[place.lane],
-                  trip.block.rays[place.lane], trip.block.paths[place.lane], lanes_.size, lanes_);
+      put_path(scene(), numbers, trip.bounce, trip.block.hits[place.lane],
+               trip.block.rays[place.lane], trip.block.paths[place.lane], lanes_.size, lanes_);
       if (lights().has_table()) put_lamp(scene(), numbers, lanes_.size, lanes_.lamps);
       places_[lanes_.size++] = place;
     }

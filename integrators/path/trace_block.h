@@ -66,7 +66,7 @@ inline void step_lane(BlockTrip<A>& trip, std::uint32_t i) {
     block.shadow_rays[i] = picked.shadow_ray;
     block.unshadowed[i] = picked.contribution;
     after.shadow_rays |= 1u << i;
-    if (F.environment && picked.lacks_sky) after.sky_rays |= 1u << i;
+    if (picked.lacks_sky) after.sky_rays |= 1u << i;
   }
   if constexpr (F.guided) {
     if (context.training != nullptr && goes_on && !path.is_delta)
@@ -108,12 +108,10 @@ template <FeatureSet F, class A>
 inline void add_direct_light(const PathContext<A>& context, const LanesAfterStep& after,
                              PathBlock& block, TileCounts& counts) {
   const LaneMask arriving = trace_shadow_rays<F>(context, after.shadow_rays, block, counts);
-  if constexpr (F.environment) {
-    for_each_lane(arriving & after.sky_rays, [&](std::uint32_t i) {
-      block.unshadowed[i] *= environment_radiance(
-          *context.scene.environment, context.scene.textures, block.shadow_rays[i].direction);
-    });
-  }
+  for_each_lane(arriving & after.sky_rays, [&](std::uint32_t i) {
+    block.unshadowed[i] *= environment_radiance(*context.scene.environment, context.scene.textures,
+                                                block.shadow_rays[i].direction);
+  });
   for_each_lane(arriving, [&](std::uint32_t i) { block.paths[i].radiance += block.unshadowed[i]; });
 }
 

@@ -42,9 +42,6 @@ struct LightTables {
 template <LightKindSet kinds = all_light_kinds>
 [[nodiscard]] inline LightSample sample_light(const LightTables& tables, const Light& light,
                                               const SurfacePoint& from, Vec2f u) {
-  if constexpr (kinds == surface_light_kinds)
-    return light.kind == LightKind::Triangle ? sample_triangle_light(light, from, u)
-                                             : sample_quad_light(light, from, u);
   switch (light.kind) {
     case LightKind::Point:
     case LightKind::Spot:

@@ -15,16 +15,14 @@
 
 namespace candela {
 
-template <bool textured = true>
 [[nodiscard]] inline Rgb colour_at(const ColourParameter& parameter, const TextureStore& textures,
                                    const TexturePoint& at) {
-  if (!textured || !parameter.texture) return parameter.constant;
+  if (!parameter.texture) return parameter.constant;
   return clamp_unit(Rgb(textures.lookup_at(parameter.texture, at)));
 }
-template <bool textured = true>
 [[nodiscard]] inline float scalar_at(const ScalarParameter& parameter, const TextureStore& textures,
                                      const TexturePoint& at) {
-  if (!textured || !parameter.texture) return parameter.constant;
+  if (!parameter.texture) return parameter.constant;
   return clamp_unit(textures.lookup_at(parameter.texture, at)[parameter.channel]);
 }
 
@@ -82,7 +80,6 @@ inline void limit_reflectance(Rgb& diffuse, Rgb& specular) {
   specular /= sum;
 }
 
-template <bool textured>
 [[nodiscard]] inline Bsdf cook_torrance_at(const Material& material, const TextureStore& textures,
                                            const TexturePoint& at) {
   Bsdf bsdf{.model = material.energy_compensation ? BsdfModel::CompensatedCookTorrance
@@ -90,9 +87,9 @@ template <bool textured>
             .fresnel = fresnel_term(material),
             .geometry = material.geometry == GeometryModel::Smith ? GeometryTerm::Smith
                                                                   : GeometryTerm::SchlickGgx,
-            .alpha = ggx_width(scalar_at<textured>(material.roughness, textures, at)),
-            .diffuse = colour_at<textured>(material.diffuse, textures, at),
-            .specular = colour_at<textured>(material.specular, textures, at),
+            .alpha = ggx_width(scalar_at(material.roughness, textures, at)),
+            .diffuse = colour_at(material.diffuse, textures, at),
+            .specular = colour_at(material.specular, textures, at),
             .f0 = material.f0,
             .eta = material.eta,
             .k = material.k};
@@ -100,14 +97,13 @@ template <bool textured>
   return bsdf;
 }
 
-template <bool textured>
 [[nodiscard]] inline Bsdf lab_at(const Material& material, const TextureStore& textures,
                                  const TexturePoint& at) {
   Bsdf bsdf{.model = has_highlight(material) ? BsdfModel::Lab : BsdfModel::Diffuse,
             .alpha = material.roughness.constant,
-            .diffuse = colour_at<textured>(material.diffuse, textures, at),
+            .diffuse = colour_at(material.diffuse, textures, at),
             .specular = material.specular.constant};
-  if (textured && material.specular.texture) {
+  if (material.specular.texture) {
     const Vec4f specular = textures.lookup_at(material.specular.texture, at);
     bsdf.specular = clamp_unit(Rgb(specular));
     bsdf.alpha = lab_width(clamp_unit(specular.w) * 256);
@@ -124,22 +120,19 @@ struct MetalIndex {
 
 // eta and k, or those with eta = 1 that give a textured reflectance r at normal incidence:
 // k = 2 sqrt(r / (1 - r)).
-template <bool textured>
 [[nodiscard]] inline MetalIndex metal_index_at(const Material& material,
                                                const TextureStore& textures,
                                                const TexturePoint& at) {
-  if (!textured || !material.specular.texture) return {material.eta, material.k};
-  Rgb r = glm::min(colour_at<textured>(material.specular, textures, at),
-                   Rgb{largest_metal_reflectance});
+  if (!material.specular.texture) return {material.eta, material.k};
+  Rgb r = glm::min(colour_at(material.specular, textures, at), Rgb{largest_metal_reflectance});
   return {Rgb{1},
           {2 * std::sqrt(r.x / (1 - r.x)), 2 * std::sqrt(r.y / (1 - r.y)),
            2 * std::sqrt(r.z / (1 - r.z))}};
 }
 
-template <bool textured>
 [[nodiscard]] inline Bsdf conductor_at(const Material& material, const TextureStore& textures,
                                        const TexturePoint& at) {
-  const float alpha = scalar_at<textured>(material.roughness, textures, at);
+  const float alpha = scalar_at(material.roughness, textures, at);
   if (material.energy_compensation && alpha >= smallest_ggx_width)
     return {.model = BsdfModel::CompensatedCookTorrance,
             .fresnel = FresnelTerm::Conductor,
@@ -149,7 +142,7 @@ template <bool textured>
             .f0 = material.f0,
             .eta = material.eta,
             .k = material.k};
-  MetalIndex metal = metal_index_at<textured>(material, textures, at);
+  MetalIndex metal = metal_index_at(material, textures, at);
   return {.model = BsdfModel::Conductor,
           .is_smooth = !(alpha >= smallest_ggx_width),
           .alpha = ggx_width(alpha),
@@ -158,21 +151,19 @@ template <bool textured>
 }
 
 // The smaller of two widths counts as at least the smallest where the larger one is rough.
-template <bool textured>
 [[nodiscard]] inline Vec2f widths_at(const Material& material, const TextureStore& textures,
                                      const TexturePoint& at) {
-  const float along = scalar_at<textured>(material.roughness, textures, at);
+  const float along = scalar_at(material.roughness, textures, at);
   if (!material.is_anisotropic) return {along, along};
-  return {along, scalar_at<textured>(material.roughness_across, textures, at)};
+  return {along, scalar_at(material.roughness_across, textures, at)};
 }
 
-template <bool textured>
 [[nodiscard]] inline Bsdf anisotropic_conductor_at(const Material& material,
                                                    const TextureStore& textures,
                                                    const TexturePoint& at) {
-  const Vec2f widths = widths_at<textured>(material, textures, at);
+  const Vec2f widths = widths_at(material, textures, at);
   const bool is_smooth = !(std::max(widths.x, widths.y) >= smallest_ggx_width);
-  MetalIndex metal = metal_index_at<textured>(material, textures, at);
+  MetalIndex metal = metal_index_at(material, textures, at);
   return {.model = is_smooth ? BsdfModel::Conductor : BsdfModel::AnisotropicConductor,
           .is_smooth = is_smooth,
           .alpha = ggx_width(widths.x),
@@ -181,12 +172,11 @@ template <bool textured>
           .alpha_across = ggx_width(widths.y)};
 }
 
-template <bool textured>
 [[nodiscard]] inline Bsdf anisotropic_dielectric_at(const Material& material,
                                                     const TextureStore& textures,
                                                     const TexturePoint& at, bool is_front_side) {
   const float eta = is_front_side ? material.eta.x : 1 / material.eta.x;
-  const Vec2f widths = widths_at<textured>(material, textures, at);
+  const Vec2f widths = widths_at(material, textures, at);
   const bool is_smooth = is_smooth_dielectric(std::max(widths.x, widths.y), eta);
   // What float can tell from smooth (is_smooth_dielectric()).
   const float least =
@@ -200,46 +190,42 @@ template <bool textured>
           .alpha_across = ggx_width(std::max(widths.y, least))};
 }
 
-template <bool textured>
 [[nodiscard]] inline Bsdf sheet_at(const Material& material, const TextureStore& textures,
                                    const TexturePoint& at) {
   Bsdf bsdf{.model = BsdfModel::DiffuseTransmission,
-            .diffuse = colour_at<textured>(material.diffuse, textures, at),
+            .diffuse = colour_at(material.diffuse, textures, at),
             .eta = Rgb{1},
-            .transmittance = colour_at<textured>(material.specular, textures, at)};
+            .transmittance = colour_at(material.specular, textures, at)};
   limit_reflectance(bsdf.diffuse, bsdf.transmittance);
   return bsdf;
 }
 
 // Coats that float cannot tell from smooth are smooth: their width is 0.
-template <bool textured>
 [[nodiscard]] inline Vec2f coat_widths_at(const Material& material, const TextureStore& textures,
                                           const TexturePoint& at) {
-  const Vec2f widths = widths_at<textured>(material, textures, at);
+  const Vec2f widths = widths_at(material, textures, at);
   if (!(std::max(widths.x, widths.y) >= smallest_ggx_width)) return {0, 0};
   return ggx_width(widths);
 }
 
-template <bool textured>
 [[nodiscard]] inline Bsdf coated_diffuse_at(const Material& material, const TextureStore& textures,
                                             const TexturePoint& at) {
-  const Vec2f widths = coat_widths_at<textured>(material, textures, at);
+  const Vec2f widths = coat_widths_at(material, textures, at);
   return {.model = BsdfModel::CoatedDiffuse,
           .alpha = widths.x,
-          .diffuse = coated_reflectance(*material.coat, std::sqrt(widths.x * widths.y),
-                                        colour_at<textured>(material.diffuse, textures, at),
-                                        material.coat_bounces),
+          .diffuse =
+              coated_reflectance(*material.coat, std::sqrt(widths.x * widths.y),
+                                 colour_at(material.diffuse, textures, at), material.coat_bounces),
           .alpha_across = widths.y,
           .coat = material.coat.get()};
 }
 
-template <bool textured>
 [[nodiscard]] inline Bsdf coated_conductor_at(const Material& material,
                                               const TextureStore& textures,
                                               const TexturePoint& at) {
-  const Vec2f coat = coat_widths_at<textured>(material, textures, at);
-  const Vec2f metal{scalar_at<textured>(material.metal_roughness, textures, at),
-                    scalar_at<textured>(material.metal_roughness_across, textures, at)};
+  const Vec2f coat = coat_widths_at(material, textures, at);
+  const Vec2f metal{scalar_at(material.metal_roughness, textures, at),
+                    scalar_at(material.metal_roughness_across, textures, at)};
   const float eta = material.coat->eta();
   const Vec2f widths{coated_metal_width(eta, coat.x, metal.x),
                      coated_metal_width(eta, coat.y, metal.y)};
@@ -255,11 +241,10 @@ template <bool textured>
           .metal_bounces = material.coat_bounces};
 }
 
-template <bool textured>
 [[nodiscard]] inline Bsdf dielectric_at(const Material& material, const TextureStore& textures,
                                         const TexturePoint& at, bool is_front_side) {
   const float eta = is_front_side ? material.eta.x : 1 / material.eta.x;
-  const float alpha = scalar_at<textured>(material.roughness, textures, at);
+  const float alpha = scalar_at(material.roughness, textures, at);
   return {.model = BsdfModel::Dielectric,
           .is_smooth = is_smooth_dielectric(alpha, eta),
           .alpha = ggx_width(alpha),
@@ -268,65 +253,35 @@ template <bool textured>
 }
 
 // `is_front_side`: wo lies on the side that the geometric normal (of the file's winding) points to,
-// the outside of glass. Kernels pass the models that their scene has, and whether it has textures.
-template <ModelSet models = all_models, bool textured = true>
+// the outside of glass.
 [[nodiscard]] inline Bsdf bsdf_at(const Material& material, const TextureStore& textures,
                                   const TexturePoint& at, bool is_front_side) {
-  if constexpr (models == model_bit(BsdfModel::Diffuse))
-    return {.diffuse = colour_at<textured>(material.diffuse, textures, at)};
-  if constexpr (models == model_bit(BsdfModel::CookTorrance))
-    return cook_torrance_at<textured>(material, textures, at);
-  constexpr auto has = [](BsdfModel model) { return (models & model_bit(model)) != 0; };
-  constexpr bool has_compensated = has(BsdfModel::CompensatedCookTorrance);
   switch (material.model) {
     case MaterialModel::Diffuse:
-      return {.model = BsdfModel::Diffuse,
-              .diffuse = colour_at<textured>(material.diffuse, textures, at)};
+      return {.model = BsdfModel::Diffuse, .diffuse = colour_at(material.diffuse, textures, at)};
     case MaterialModel::CookTorrance:
-      if constexpr (has(BsdfModel::CookTorrance) || has_compensated)
-        return cook_torrance_at<textured>(material, textures, at);
-      break;
+      return cook_torrance_at(material, textures, at);
     case MaterialModel::Lab:
-      return lab_at<textured>(material, textures, at);
+      return lab_at(material, textures, at);
     case MaterialModel::Mirror:
-      if constexpr (has(BsdfModel::Mirror))
-        return {.model = BsdfModel::Mirror,
-                .diffuse = colour_at<textured>(material.diffuse, textures, at)};
-      break;
+      return {.model = BsdfModel::Mirror, .diffuse = colour_at(material.diffuse, textures, at)};
     case MaterialModel::Conductor:
-      if constexpr (has(BsdfModel::AnisotropicConductor)) {
-        if (material.is_anisotropic)
-          return anisotropic_conductor_at<textured>(material, textures, at);
-      }
-      if constexpr (has(BsdfModel::Conductor) || has_compensated)
-        return conductor_at<textured>(material, textures, at);
-      break;
+      return material.is_anisotropic ? anisotropic_conductor_at(material, textures, at)
+                                     : conductor_at(material, textures, at);
     case MaterialModel::Dielectric:
-      if constexpr (has(BsdfModel::AnisotropicDielectric)) {
-        if (material.is_anisotropic)
-          return anisotropic_dielectric_at<textured>(material, textures, at, is_front_side);
-      }
-      if constexpr (has(BsdfModel::Dielectric))
-        return dielectric_at<textured>(material, textures, at, is_front_side);
-      break;
+      return material.is_anisotropic
+                 ? anisotropic_dielectric_at(material, textures, at, is_front_side)
+                 : dielectric_at(material, textures, at, is_front_side);
     case MaterialModel::ThinDielectric:
-      if constexpr (has(BsdfModel::ThinDielectric))
-        return {.model = BsdfModel::ThinDielectric,
-                .eta = material.eta,
-                .transmittance = material.transmittance};
-      break;
+      return {.model = BsdfModel::ThinDielectric,
+              .eta = material.eta,
+              .transmittance = material.transmittance};
     case MaterialModel::DiffuseTransmission:
-      if constexpr (has(BsdfModel::DiffuseTransmission))
-        return sheet_at<textured>(material, textures, at);
-      break;
+      return sheet_at(material, textures, at);
     case MaterialModel::CoatedDiffuse:
-      if constexpr (has(BsdfModel::CoatedDiffuse))
-        return coated_diffuse_at<textured>(material, textures, at);
-      break;
+      return coated_diffuse_at(material, textures, at);
     case MaterialModel::CoatedConductor:
-      if constexpr (has(BsdfModel::CoatedConductor))
-        return coated_conductor_at<textured>(material, textures, at);
-      break;
+      return coated_conductor_at(material, textures, at);
     case MaterialModel::Mix:  // its parts have bsdfs
       break;
   }

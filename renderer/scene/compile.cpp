@@ -64,17 +64,9 @@ SceneFeatures features_of(const Scene& scene) {
   for (std::size_t i = 0; i < met.size(); ++i)
     if (met[i]) add_features(scene.materials[i], features);
   for (const Geometry& geometry : scene.geometries) {
-    features.cutouts |= geometry.has_cutouts;
     features.spheres |= !geometry.spheres.empty();
     features.area_lights |= geometry.is_emissive();
   }
-  for (const Light& light : scene.lights) {
-    features.delta_lights |= light.is_delta();
-    features.textures |= light.texture.is_valid();
-  }
-  features.environment = scene.environment.has_value();
-  features.instances = !scene.instances.empty();
-  for (const Camera& camera : scene.cameras) features.thin_lens |= camera.lens_radius > 0;
   features.media = !scene.media.empty();
   for (const Medium& medium : scene.media) features.scattering_media |= medium.scatters();
   for (const MediumBoundary& boundary : scene.medium_boundaries)

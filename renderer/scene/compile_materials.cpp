@@ -275,10 +275,8 @@ Material compile_material(const description::Material& material, const CompileOp
 
 void add_features(const Material& material, SceneFeatures& features) {
   features.bsdf_models |= bsdf_models(material);
-  const bool is_mix = material.model == MaterialModel::Mix;
   features.bump |= material.height.is_valid() || material.normal_map.is_valid();
-  features.mixes |= is_mix;
-  features.textures |= is_mix || has_texture(material);
+  features.mixes |= material.model == MaterialModel::Mix;
 }
 
 }  // namespace candela

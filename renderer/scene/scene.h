@@ -33,17 +33,11 @@ struct Normalisation {
   [[nodiscard]] Vec3d to_file(const Vec3f& p) const { return Vec3d(p) / scale + centre; }
 };
 
-// What the scene needs of a kernel.
+// What kernels ask of a scene as a whole.
 struct SceneFeatures {
-  bool textures = false;  // any texture at all that shading reads
-  bool bump = false;      // height or normal maps
-  bool mixes = false;     // of materials
-  bool cutouts = false;
-  bool delta_lights = false;
+  bool bump = false;   // height or normal maps
+  bool mixes = false;  // of materials
   bool area_lights = false;
-  bool environment = false;
-  bool instances = false;
-  bool thin_lens = false;
   bool spheres = false;
   bool media = false;
   bool scattering_media = false;

@@ -143,7 +143,6 @@ TEST(Unit_MixedMaterials, CountAsAllTheirPartsTogether) {
   });
   const Scene compiled_scene = compiled(scene, {});
   EXPECT_TRUE(compiled_scene.features.mixes);
-  EXPECT_TRUE(compiled_scene.features.textures);  // what the smallest kernels leave out
   EXPECT_EQ(compiled_scene.features.bsdf_models,
             model_bit(BsdfModel::Conductor) | model_bit(BsdfModel::Diffuse));
 }

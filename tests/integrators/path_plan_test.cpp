@@ -142,7 +142,7 @@ TEST(Agreement_Splitting, SameBitsOverKernelsAndCutBlocks) {
   settings.options.replicates = 1;
   const Scene scene = compiled(small_room(), settings.options);
   const RenderResult special = rendered(scene, settings);
-  EXPECT_EQ(special.statistics.kernel, "path/plain");
+  EXPECT_EQ(special.statistics.kernel, "path/lanes");
   settings.options.use_general_kernel = true;
   EXPECT_EQ(picture(scene, settings).values, special.film.to_image(true).values);
 

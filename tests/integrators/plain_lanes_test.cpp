@@ -127,14 +127,14 @@ SceneDescription room_of_strangers(const TemporaryFolder& folder) {
 }
 
 void expect_general(const SceneDescription& description, RenderSettings settings,
-                    const std::string& what, const std::string& kernel = "path/plain") {
+                    const std::string& what) {
   settings.options.aovs = all_aovs;
   const Scene scene = compiled(description, settings.options);
   const RenderResult together = rendered(scene, settings);
   settings.options.use_general_kernel = true;
   const RenderResult alone = rendered(scene, settings);
-  ASSERT_EQ(together.statistics.kernel, kernel) << what;
-  ASSERT_NE(alone.statistics.kernel, kernel) << what;
+  ASSERT_EQ(together.statistics.kernel, "path/lanes") << what;
+  ASSERT_NE(alone.statistics.kernel, "path/lanes") << what;
   EXPECT_GT(mean_of(alone.film.to_image(false)), 0.01) << what;
   EXPECT_EQ(together.film.to_image(true).values, alone.film.to_image(true).values) << what;
   EXPECT_EQ(together.statistics.rays.indirect, alone.statistics.rays.indirect) << what;
@@ -186,8 +186,8 @@ TEST(Agreement_PlainLanes, AreSingleStepsWhateverMapsSay) {
     RenderSettings settings = settings_of(32, 32);
     settings.options.splitting = splitting;
     const std::string what = fmt::format("splitting {}", splitting);
-    expect_general(room_of_maps(folder), settings, what, "path/broad");
-    expect_general(room_of_strangers(folder), settings, what + ", strangers", "path/broad");
+    expect_general(room_of_maps(folder), settings, what);
+    expect_general(room_of_strangers(folder), settings, what + ", strangers");
   }
 }
 
@@ -198,7 +198,7 @@ TEST(Agreement_PlainLanes, AreSingleStepsUnderLightsWithoutArea) {
   SceneDescription scene = room_of_strangers(folder);
   const auto check = [&](const auto& light, const std::string& what) {
     add_light(scene, light);
-    expect_general(scene, settings, what, "path/broad");
+    expect_general(scene, settings, what);
   };
   check(description::PointLight{{0.2, 0.3, 0.4}, {0.2, 0.3, 0.1}}, "a point");
   check(description::SpotLight{{0, 0.2, 0.9}, {0, -0.6, -0.8}, Vec3d(3), 0.2, 0.6}, "a spot");
@@ -219,7 +219,7 @@ TEST(Agreement_PlainLanes, AreSingleStepsUnderLampsThatAreNoPlainTriangles) {
   const auto textured = add_material(scene, diffuse(Vec3d(0)), {6, 5, 4});
   scene.materials[textured.index].emission_map = description::ImageHandle(0);
   add_mesh(scene, quad({0.98, -0.3, -0.3}, {0, 0, 0.6}, {0, 0.6, 0}), textured);
-  expect_general(scene, settings_of(32, 32), "a ball and a screen", "path/broad");
+  expect_general(scene, settings_of(32, 32), "a ball and a screen");
 }
 
 TEST(Agreement_PlainLanes, AreSingleStepsUnderASky) {
@@ -231,7 +231,7 @@ TEST(Agreement_PlainLanes, AreSingleStepsUnderASky) {
   for (const int splitting : {1, 3}) {
     RenderSettings settings = settings_of(32, 32);
     settings.options.splitting = splitting;
-    expect_general(scene, settings, fmt::format("splitting {}", splitting), "path/broad");
+    expect_general(scene, settings, fmt::format("splitting {}", splitting));
   }
 }
 
@@ -241,7 +241,7 @@ TEST(Agreement_PlainLanes, NeedNoLamp) {
   const Scene lit = compiled(scene, settings.options);
   for (description::Material& material : scene.materials) material.emission = Vec3d(0);
   const RenderResult dark = rendered(compiled(scene, settings.options), settings);
-  EXPECT_EQ(dark.statistics.kernel, "path/plain");
+  EXPECT_EQ(dark.statistics.kernel, "path/lanes");
   EXPECT_EQ(dark.statistics.rays.shadow, 0u);
   EXPECT_EQ(mean_of(dark.film.to_image(false)), 0);
   EXPECT_GT(mean_of(picture(lit, settings)), 0.9);
@@ -252,8 +252,8 @@ TEST(Agreement_PlainLanes, DoNotDependOnWhoTravelsAlong) {
   RenderSettings settings = settings_of(20, 64);
   settings.options.aovs = all_aovs;
   const Scene scene = compiled(room_of_lamps(), settings.options);
-  expect_same_over_cuts<plain_features>(scene, settings, {0, 64},
-                                        {{0, 16, 32, 48, 64}, {0, 48, 64}, {0, 1, 17, 60, 64}});
+  expect_same_over_cuts<lane_features>(scene, settings, {0, 64},
+                                       {{0, 16, 32, 48, 64}, {0, 48, 64}, {0, 1, 17, 60, 64}});
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ TEST(Agreement_SameBits, SpecialisedKernelIsTheGeneralOne) {
   const RenderResult special = rendered(scene, settings);
   settings.options.use_general_kernel = true;
   const RenderResult general = rendered(scene, settings);
-  EXPECT_EQ(special.statistics.kernel, "path/plain");
+  EXPECT_EQ(special.statistics.kernel, "path/lanes");
   EXPECT_EQ(general.statistics.kernel, "path/general");
   EXPECT_EQ(special.film.to_image(false).values, general.film.to_image(false).values);
 }
@@ -70,14 +70,14 @@ description::SceneDescription lab_room() {
   return scene;
 }
 
-TEST(Agreement_SameBits, LabKernelIsTheGeneralOne) {
+TEST(Agreement_SameBits, LabScenesFromTheGeneralKernel) {
   RenderSettings settings = settings_of(48, 16);
   settings.options.aovs = all_aovs;
   const Scene scene = compiled(lab_room(), settings.options);
   const RenderResult special = rendered(scene, settings);
   settings.options.use_general_kernel = true;
   const RenderResult general = rendered(scene, settings);
-  EXPECT_EQ(special.statistics.kernel, "path/lab");
+  EXPECT_EQ(special.statistics.kernel, "path/lanes");
   EXPECT_EQ(general.statistics.kernel, "path/general");
   EXPECT_EQ(special.film.to_image(false).values, general.film.to_image(false).values);
 }

@@ -83,7 +83,6 @@ TEST(Unit_Compile, SharedMeshesBecomeInstancesAndSingleOnesAreFlattened) {
   EXPECT_TRUE(scene.world.geometries.empty());
   EXPECT_EQ(scene.objects.size(), 1u);
   EXPECT_EQ(scene.instances.size(), 4u);
-  EXPECT_TRUE(scene.features.instances);
 }
 
 // An instanced picture is the flattened one up to rounding.

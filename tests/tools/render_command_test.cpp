@@ -150,7 +150,7 @@ TEST(Unit_RenderCommand, TheGeneralKernelGivesTheSameBits) {
   const Image special = rendered(folder + "/special.exr", {"--stats", folder + "/special.json"});
   const Image general = rendered(folder + "/general.exr",
                                  {"--kernel", "general", "--stats", folder + "/general.json"});
-  EXPECT_EQ(kernel_of("special"), "path/plain");
+  EXPECT_EQ(kernel_of("special"), "path/lanes");
   EXPECT_EQ(kernel_of("general"), "path/general");
   EXPECT_TRUE(are_same_bits(special, general));
 }

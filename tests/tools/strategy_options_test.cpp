@@ -45,7 +45,7 @@ TEST(Unit_StrategyOptions, StatsTellOfGuides) {
   const auto guided = stats_of({"--guiding", "on", "--spp", "2000"});
   EXPECT_EQ(guided["guiding"]["training_samples"], 12800);
   EXPECT_GE(guided["guiding"]["cells"], guided["guiding"]["guided_cells"]);
-  EXPECT_EQ(guided["kernel"], guided["guiding"]["cells"] > 0 ? "path/guided" : "path/plain");
+  EXPECT_EQ(guided["kernel"], guided["guiding"]["cells"] > 0 ? "path/guided" : "path/lanes");
 }
 
 TEST(Unit_StrategyOptions, StatsTellTheStrategy) {
@@ -57,7 +57,7 @@ TEST(Unit_StrategyOptions, StatsTellTheStrategy) {
   EXPECT_EQ(balance["sampling"], "mis");
   EXPECT_EQ(balance["heuristic"], "balance");
   EXPECT_EQ(balance["kernel"], "path/strategies");
-  EXPECT_EQ(stats_of({})["kernel"], "path/plain");
+  EXPECT_EQ(stats_of({})["kernel"], "path/lanes");
   EXPECT_EQ(stats_of({"--integrator", "report"})["sampling"], "light");
 }
 

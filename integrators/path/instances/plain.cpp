@@ -1,8 +1,0 @@
-#include "integrators/path/kernels.h"
-
-namespace candela {
-
-template TileCounts render_tile<plain_features>(const PathContext<EmbreeAccel>&, const TilePass&,
-                                                Film&);
-
-}  // namespace candela
