@@ -67,7 +67,6 @@ Encodable exr_of(const Image& image, const WriteOptions& options) {
   spec.full_height = options.full_height > 0 ? options.full_height : image.height;
   spec.attribute("compression", "zip");
   spec.attribute("oiio:ColorSpace", "Linear");
-  for (const auto& [name, value] : options.metadata) add_metadata(spec, name, value);
   result.spec = std::move(spec);
   result.floats = image.values;
   return result;
@@ -129,7 +128,7 @@ Encodable jpeg_of(const Image& image, const WriteOptions& options) {
   return result;
 }
 
-Encodable encodable(ImageFormat format, const Image& image, const WriteOptions& options) {
+Encodable without_metadata(ImageFormat format, const Image& image, const WriteOptions& options) {
   switch (format) {
     case ImageFormat::Exr:
       return exr_of(image, options);
@@ -147,6 +146,15 @@ Encodable encodable(ImageFormat format, const Image& image, const WriteOptions& 
       break;
   }
   return {};
+}
+
+// Only OpenEXR holds all metadata, but OpenImageIO notes the time of day in other formats, too,
+// where none is given.
+Encodable encodable(ImageFormat format, const Image& image, const WriteOptions& options) {
+  Encodable result = without_metadata(format, image, options);
+  for (const auto& [name, value] : options.metadata)
+    if (format == ImageFormat::Exr || name == "DateTime") add_metadata(result.spec, name, value);
+  return result;
 }
 
 // Sides that a format's library refuses in ways of its own (libjpeg calls exit()).

@@ -35,7 +35,9 @@ using Metadata = std::vector<std::pair<std::string, MetadataValue>>;
 // Writes by the extension: .exr (32-bit float, all channels, metadata; window offset for crops),
 // .hdr .tif .tiff (float, linear; R G B (A)), .png .jpg .jpeg (8 bit, through `display`).
 // PNG and TIFF keep alpha where there is a channel "A" (EXR: premultiplied as rendered; PNG:
-// straight); JPEG and HDR drop it. The error names the file and what failed.
+// straight); JPEG and HDR drop it. Of the metadata other formats than EXR keep at most "DateTime";
+// EXR, PNG and TIFF note the time of day where it is not given. The error names the file and what
+// failed.
 struct WriteOptions {
   DisplayTransform display;
   Metadata metadata;

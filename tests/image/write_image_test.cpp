@@ -175,13 +175,27 @@ TEST(Unit_WriteImage, GreyChannelsFillTheColour) {
 TEST(Unit_WriteImage, TheSamePictureGivesTheSameBytes) {
   const TemporaryFolder folder;
   const Image image = test_image(40, 30, {"R", "G", "B", "A"});
-  WriteOptions options;  // of one second: some formats note the time of day
+  WriteOptions options;  // some formats note the time of day where none is given
   options.metadata = {{"DateTime", std::string("2000:01:01 00:00:00")}};
   for (const char* name : {"x.exr", "x.png", "x.jpg", "x.hdr", "x.tif"}) {
     ASSERT_EQ(first_message(write_image(folder.file(name), image, options)), "");
     const std::string first = contents_of(folder.file(name));
     ASSERT_FALSE(write_image(folder.file(name), image, options).has_errors());
     EXPECT_EQ(contents_of(folder.file(name)), first) << name;
+  }
+}
+
+TEST(Unit_WriteImage, AGivenTimeOfDayStandsForThePresentOne) {
+  const TemporaryFolder folder;
+  const std::string given = "2000:01:01 00:00:00";
+  WriteOptions options;
+  options.metadata = {{"DateTime", given}};
+  for (const char* name : {"x.exr", "x.png", "x.tif"}) {
+    ASSERT_FALSE(
+        write_image(folder.file(name), test_image(4, 3, {"R", "G", "B"}), options).has_errors());
+    const auto input = OIIO::ImageInput::open(folder.file(name));
+    ASSERT_TRUE(input) << name;
+    EXPECT_EQ(input->spec().get_string_attribute("DateTime"), given) << name;
   }
 }
 
