@@ -35,7 +35,7 @@ inline constexpr double smallest_growth = 1.1;
 
 // Samples that are traced together (trace_block.h): ranges that are cut at their multiples are
 // the fastest.
-inline constexpr std::uint32_t whole_block = sampler_lanes;
+inline constexpr std::uint32_t whole_block = block_size;
 
 // Where the round after `done` samples ends: multiples of the replicates, so that all hold equally
 // many, and of whole blocks, too, as soon as the growth allows. Four samples a replicate first.

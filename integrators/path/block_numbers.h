@@ -7,8 +7,6 @@
 
 namespace candela {
 
-static_assert(sampler_lanes == block_size);
-
 [[nodiscard]] inline Vec2f unit_point(const SobolPointLanes& points, std::size_t lane) {
   return {unit_float(points.x[lane]), unit_float(points.y[lane])};
 }
@@ -63,15 +61,15 @@ class BlockNumbers {
   }
 
  private:
-  SamplerLanes<std::uint32_t> light_choice_{};
+  Lanes<std::uint32_t> light_choice_{};
   SobolPointLanes light_point_{};
-  SamplerLanes<std::uint32_t> lobe_{};
+  Lanes<std::uint32_t> lobe_{};
   SobolPointLanes direction_{};
-  SamplerLanes<std::uint32_t> roulette_{};
-  SamplerLanes<std::uint32_t> material_{};
+  Lanes<std::uint32_t> roulette_{};
+  Lanes<std::uint32_t> material_{};
   // Not even set in kernels without media, or guides.
-  SamplerLanes<std::uint32_t> free_flight_;
-  SamplerLanes<std::uint32_t> guide_choice_;
+  Lanes<std::uint32_t> free_flight_;
+  Lanes<std::uint32_t> guide_choice_;
 };
 
 // The same for a single sample.

@@ -16,7 +16,7 @@ template <FeatureSet F, class A>
 [[nodiscard, gnu::noinline]] bool branch_off(const PathContext<A>& context,
                                              const StepNumbers& numbers, std::uint32_t i,
                                              PathBlock& block) {
-  const Hit& hit = block.split.hits[i];
+  const Hit hit = block.split.hits[i];
   const Scene& scene = context.scene;
   if (!hit.is_hit() || context.max_depth == 0) return false;
   Ray ray = block.split.camera_rays[i];
@@ -79,7 +79,7 @@ class Branches {
     LaneMask going_on = 0;
     LaneMask single = lanes_;
     if constexpr (F.lanes) {
-      const PlainMasks plain_lanes = plain_lanes_of<F>(context.scene, block.split.hits, lanes_);
+      const PlainMasks plain_lanes = plain_lanes_of(context.scene, block.split.hits, lanes_);
       for (const PlainModel model : plain_models)
         going_on |=
             branch_plain_lanes<F>(context, numbers, model, plain_lanes.of(model), block, lanes);

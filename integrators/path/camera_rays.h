@@ -1,4 +1,5 @@
-// Camera rays of the samples of a pixel.
+// Camera rays of the samples of a pixel, at places that the filter chose (filter importance
+// sampling).
 #pragma once
 
 #include "integrators/path/block_numbers.h"
@@ -6,14 +7,25 @@
 
 namespace candela {
 
-// Of one sample at a place that the filter chose (filter importance sampling).
-template <class A>
-[[nodiscard]] inline Ray camera_ray(const PathContext<A>& context, Vec2f place, Vec2f lens, int x,
-                                    int y) {
-  Vec2f film{(static_cast<float>(x) + 0.5f + place.x) / static_cast<float>(context.options.width),
-             (static_cast<float>(y) + 0.5f + place.y) / static_cast<float>(context.options.height)};
-  return context.camera.generate_ray(film, lens);
-}
+// A pixel of a picture.
+struct PictureCell {
+  int x;
+  int y;
+  int width;  // of the picture
+  int height;
+
+  // In [0,1]^2 over the picture where a place relative to the pixel's centre lies.
+  [[nodiscard]] Vec2f on_film(Vec2f place) const {
+    return {(static_cast<float>(x) + 0.5f + place.x) / static_cast<float>(width),
+            (static_cast<float>(y) + 0.5f + place.y) / static_cast<float>(height)};
+  }
+};
+
+struct PlaceLanes {
+  Lanes<float> x, y;
+
+  [[nodiscard]] Vec2f operator[](std::size_t i) const { return {x[i], y[i]}; }
+};
 
 // The numbers of camera rays.
 struct CameraNumbers {
@@ -26,5 +38,20 @@ struct CameraNumbers {
     if (camera.lens_radius > 0) samplers.sample_2d(0, of_lens, lens);
   }
 };
+
+template <class A>
+[[nodiscard]] inline PictureCell cell_of(const PathContext<A>& context, int x, int y) {
+  return {x, y, context.options.width, context.options.height};
+}
+
+// Places relative to the pixel's centre, in a part of the filter.
+[[nodiscard]] PlaceLanes sample_places(const Filter& filter, FilterPart part,
+                                       const CameraNumbers& numbers);
+
+// The rays through them: the same bits as Camera::generate_ray()'s. Returns which of `lanes` can be
+// traced; of other lanes the rays mean nothing.
+[[nodiscard]] LaneMask aim_camera_rays(const Camera& camera, const PictureCell& cell,
+                                       const PlaceLanes& places, const CameraNumbers& numbers,
+                                       LaneMask lanes, RayBlock& rays);
 
 }  // namespace candela

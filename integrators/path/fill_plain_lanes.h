@@ -10,31 +10,29 @@ namespace candela {
 // Lanes of a block by the models of the surfaces that they met.
 class PlainMasks {
  public:
-  void add(PlainModel model, std::uint32_t lane) {
-    of_model_[static_cast<std::size_t>(model)] |= 1u << lane;
-  }
+  void add(PlainModel model, std::uint32_t lane) { lanes_ |= bit_of(model) << lane; }
   [[nodiscard]] LaneMask of(PlainModel model) const {
-    return of_model_[static_cast<std::size_t>(model)];
+    return static_cast<LaneMask>(lanes_ / bit_of(model)) & all_lanes;
   }
   [[nodiscard]] LaneMask all() const {
     return of(PlainModel::Diffuse) | of(PlainModel::CookTorrance) | of(PlainModel::Lab);
   }
 
  private:
-  std::array<LaneMask, plain_models.size() + 1> of_model_{};
+  [[nodiscard]] static constexpr std::uint64_t bit_of(PlainModel model) {
+    return std::uint64_t{1} << (block_size * static_cast<std::uint32_t>(model));
+  }
+  static_assert(block_size * (plain_models.size() + 1) <= 64);
+
+  std::uint64_t lanes_ = 0;  // model by model
 };
 
 // Of the hits those on plain surfaces that stand where the scene says.
-template <FeatureSet F>
 [[nodiscard]] inline PlainMasks plain_lanes_of(const Scene& scene, const HitBlock& hits,
                                                LaneMask lanes) {
   PlainMasks plain;
-  for_each_lane(lanes, [&](std::uint32_t i) {
-    if (!hits[i].is_hit() || hits[i].is_instanced()) return;
-    const Geometry& geometry = scene.geometries[hits[i].geometry];
-    if (F.spheres && !geometry.spheres.empty()) return;
-    plain.add(scene.materials[geometry.material.index].plain_model, i);
-  });
+  for_each_lane(lanes & hits.met & ~hits.instanced,
+                [&](std::uint32_t i) { plain.add(scene.plain_models[hits.geometry[i]], i); });
   return plain;
 }
 
@@ -67,11 +65,11 @@ inline void put_bumps(const Scene& scene, PlainLanes& lanes) {
   for (std::uint32_t slot = 0; slot < lanes.size; ++slot) {
     const Material& material = *lanes.bsdfs.material[slot];
     if (!has_bump(material)) continue;
-    const Geometry& geometry = scene.geometries[met.hit[slot]->geometry];
+    const Geometry& geometry = scene.geometries[met.geometry[slot]];
     const Float4 corner0 = to_lanes(met.corner0[slot]);
     SurfacePoint point;
     if (!geometry.uvs.empty())
-      set_tangents(geometry, geometry.triangles[met.hit[slot]->triangle],
+      set_tangents(geometry, geometry.triangles[met.triangle[slot]],
                    to_lanes(met.corner1[slot]) - corner0, to_lanes(met.corner2[slot]) - corner0,
                    point);
     met.front_normal.set(slot,
@@ -100,7 +98,8 @@ inline void put_path(const Scene& scene, const StepNumbers& numbers, std::uint32
   const Geometry& geometry = scene.geometries[hit.geometry];
   const auto& corners = geometry.triangles[hit.triangle];
   MetLanes& met = lanes.met;
-  met.hit[slot] = &hit;
+  met.geometry[slot] = hit.geometry;
+  met.triangle[slot] = hit.triangle;
   met.corner0.set(slot, geometry.positions[corners[0]]);
   met.corner1.set(slot, geometry.positions[corners[1]]);
   met.corner2.set(slot, geometry.positions[corners[2]]);
@@ -151,16 +150,15 @@ inline void put_lamp(const Scene& scene, const StepNumbers& numbers, std::uint32
   lamps.u_y[slot] = u.y;
 }
 
-// The path in lane i of the block goes on; true where its ray can be traced.
-[[nodiscard]] inline bool take_scattered(const PlainLanes& lanes, std::uint32_t slot,
-                                         std::uint32_t i, PathBlock& block) {
+// The path in lane i of the block goes on.
+inline void take_scattered(const PlainLanes& lanes, std::uint32_t slot, std::uint32_t i,
+                           PathBlock& block) {
   PathState& path = block.paths[i];
   path.throughput = lanes.scattered.throughput[slot];
   path.bsdf_pdf = lanes.scattered.pdf[slot];
   path.receiving_normal = lanes.met.shading_normal[slot];
   path.is_delta = false;
-  return set_ray(block, i,
-                 {lanes.scattered.origin[slot], lanes.scattered.direction[slot], infinity});
+  block.rays.set(i, {lanes.scattered.origin[slot], lanes.scattered.direction[slot], infinity});
 }
 
 // The surfaces, once all paths are put.
@@ -189,11 +187,13 @@ template <FeatureSet F, class A>
   });
   find_surfaces(model, context.scene, lanes);
   LaneMask going_on = 0;
-  const LaneMask scattered =
+  const ScatterMasks scattered =
       scatter(model, context.options, context.inverse_roulette_threshold, lanes);
-  for_each_lane(scattered, [&](std::uint32_t slot) {
-    if (take_scattered(lanes, slot, lane_of[slot], block)) going_on |= 1u << lane_of[slot];
+  for_each_lane(scattered.going_on, [&](std::uint32_t slot) {
+    take_scattered(lanes, slot, lane_of[slot], block);
+    going_on |= 1u << lane_of[slot];
   });
+  for_each_lane(scattered.lost, [&](std::uint32_t slot) { lose_path(block, lane_of[slot]); });
   return going_on;
 }
 

@@ -35,11 +35,15 @@ struct PathBlock {
   std::array<MediumHandle, block_size> shadow_media;
 };
 
-// The next ray of a path; false where it cannot be traced, which makes the sample invalid.
-[[nodiscard]] inline bool set_ray(PathBlock& block, std::uint32_t i, const Ray& ray) {
-  block.rays[i] = ray;
-  if (is_traceable(ray)) return true;
+// The next ray of a path cannot be traced, which makes the sample invalid.
+inline void lose_path(PathBlock& block, std::uint32_t i) {
   block.paths[i].radiance = Rgb(std::numeric_limits<float>::quiet_NaN());
+}
+// The next ray of a path; false where it cannot be traced.
+[[nodiscard]] inline bool set_ray(PathBlock& block, std::uint32_t i, const Ray& ray) {
+  block.rays.set(i, ray);
+  if (is_traceable(ray)) return true;
+  lose_path(block, i);
   return false;
 }
 

@@ -2,9 +2,6 @@
 
 #include "renderer/base/vector_widths.h"
 
-// A loop becomes vector code only as a whole, with all that it calls.
-#define CANDELA_LANES CANDELA_EACH_VECTOR_WIDTH [[gnu::flatten]]
-
 namespace candela {
 namespace {
 
@@ -13,10 +10,8 @@ namespace {
   return condition ? 1 : 0;
 }
 // Of the lanes that are filled.
-[[nodiscard]] inline LaneMask mask_of(const LaneFlags& flags, const PlainLanes& lanes) {
-  LaneMask mask = 0;
-  for (std::uint32_t i = 0; i < block_size; ++i) mask |= flags[i] << i;
-  return mask & ((1u << lanes.size) - 1);
+[[nodiscard]] inline LaneMask filled_mask(const LaneFlags& flags, const PlainLanes& lanes) {
+  return mask_of(flags) & ((1u << lanes.size) - 1);
 }
 
 [[nodiscard]] inline Light lamp_of(const LampLanes& lamps, std::size_t i) {
@@ -79,15 +74,15 @@ template <PlainModel model>
     Ray shadow_ray = samples.shadow_ray(i);
     to_trace[i] = is_valid & flag(!is_black(contribution)) & flag(is_traceable(shadow_ray));
   }
-  return {mask_of(dark, lanes), mask_of(to_trace, lanes)};
+  return {filled_mask(dark, lanes), filled_mask(to_trace, lanes)};
 }
 
 template <PlainModel model>
-[[nodiscard]] inline LaneMask scatter_by(const RenderOptions& options,
-                                         float inverse_roulette_threshold, PlainLanes& lanes) {
+[[nodiscard]] inline ScatterMasks scatter_by(const RenderOptions& options,
+                                             float inverse_roulette_threshold, PlainLanes& lanes) {
   const MetLanes& met = lanes.met;
   ScatteredLanes& scattered = lanes.scattered;
-  LaneFlags going_on;
+  LaneFlags going_on, lost;
   for (std::size_t i = 0; i < block_size; ++i) {
     StepNumbers numbers;
     numbers.lobe = scattered.lobe[i];
@@ -102,14 +97,17 @@ template <PlainModel model>
     Ray ray;
     const std::uint32_t is_scattered = flag(scatter_from<features_of<model>>(
         options, numbers, {}, point, bsdf, point.shading.to_local(-met.direction[i]), ray, path));
-    going_on[i] =
+    const std::uint32_t survives =
         is_scattered & flag(survives_roulette(roulette, bounce, inverse_roulette_threshold, path));
+    const std::uint32_t can_be_traced = flag(is_traceable(ray));
+    going_on[i] = survives & can_be_traced;
+    lost[i] = survives & (can_be_traced ^ 1);
     scattered.throughput.set(i, path.throughput);
     scattered.pdf[i] = path.bsdf_pdf;
     scattered.origin.set(i, ray.origin);
     scattered.direction.set(i, ray.direction);
   }
-  return mask_of(going_on, lanes);
+  return {filled_mask(going_on, lanes), filled_mask(lost, lanes)};
 }
 
 CANDELA_LANES LightMasks weigh_light_by_diffuse(const RenderOptions& options, PlainLanes& lanes) {
@@ -121,16 +119,16 @@ CANDELA_LANES LightMasks weigh_light_by_glossy(const RenderOptions& options, Pla
 CANDELA_LANES LightMasks weigh_light_by_lab(const RenderOptions& options, PlainLanes& lanes) {
   return weigh_light_by<PlainModel::Lab>(options, lanes);
 }
-CANDELA_LANES LaneMask scatter_by_diffuse(const RenderOptions& options, float inverse_threshold,
-                                          PlainLanes& lanes) {
+CANDELA_LANES ScatterMasks scatter_by_diffuse(const RenderOptions& options, float inverse_threshold,
+                                              PlainLanes& lanes) {
   return scatter_by<PlainModel::Diffuse>(options, inverse_threshold, lanes);
 }
-CANDELA_LANES LaneMask scatter_by_glossy(const RenderOptions& options, float inverse_threshold,
-                                         PlainLanes& lanes) {
+CANDELA_LANES ScatterMasks scatter_by_glossy(const RenderOptions& options, float inverse_threshold,
+                                             PlainLanes& lanes) {
   return scatter_by<PlainModel::CookTorrance>(options, inverse_threshold, lanes);
 }
-CANDELA_LANES LaneMask scatter_by_lab(const RenderOptions& options, float inverse_threshold,
-                                      PlainLanes& lanes) {
+CANDELA_LANES ScatterMasks scatter_by_lab(const RenderOptions& options, float inverse_threshold,
+                                          PlainLanes& lanes) {
   return scatter_by<PlainModel::Lab>(options, inverse_threshold, lanes);
 }
 
@@ -220,7 +218,7 @@ CANDELA_LANES LaneMask sample_lamps(PlainLanes& lanes) {
     lanes.light_samples.set(i, light_from_place(light, point, weights));
     lanes.light_samples.choice[i] = lamps.probability[i];
   }
-  return mask_of(left, lanes);
+  return filled_mask(left, lanes);
 }
 
 bool sample_delta_light(const Light& light, PlainLanes& lanes) {
@@ -253,8 +251,8 @@ LightMasks weigh_light(PlainModel model, const RenderOptions& options, PlainLane
   return {};
 }
 
-LaneMask scatter(PlainModel model, const RenderOptions& options, float inverse_roulette_threshold,
-                 PlainLanes& lanes) {
+ScatterMasks scatter(PlainModel model, const RenderOptions& options,
+                     float inverse_roulette_threshold, PlainLanes& lanes) {
   switch (model) {
     case PlainModel::Diffuse:
       return scatter_by_diffuse(options, inverse_roulette_threshold, lanes);
@@ -265,7 +263,7 @@ LaneMask scatter(PlainModel model, const RenderOptions& options, float inverse_r
     case PlainModel::None:
       break;
   }
-  return 0;
+  return {};
 }
 
 }  // namespace candela

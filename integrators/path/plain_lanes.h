@@ -6,25 +6,10 @@
 #include <array>
 
 #include "integrators/path/path_step.h"
-#include "renderer/accel/ray_block.h"
 #include "renderer/material/plain_model.h"
+#include "renderer/math/lanes.h"
 
 namespace candela {
-
-template <class T>
-using Lanes = std::array<T, block_size>;
-using LaneFlags = Lanes<std::uint32_t>;  // 1 in lanes where something holds, else 0
-
-struct Vec3Lanes {
-  Lanes<float> x{}, y{}, z{};
-
-  [[nodiscard]] Vec3f operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
-  void set(std::size_t i, const Vec3f& v) {
-    x[i] = v.x;
-    y[i] = v.y;
-    z[i] = v.z;
-  }
-};
 
 // The triangles that rays met, and where (plane_point()).
 struct MetLanes {
@@ -35,7 +20,7 @@ struct MetLanes {
     direction.z.fill(-1);
   }
 
-  Lanes<const Hit*> hit{};
+  Lanes<std::uint32_t> geometry{}, triangle{};  // as Hit has them
   Vec3Lanes corner0, corner1, corner2;
   LaneFlags has_normals{};
   bool any_has_normals = false;         // of the lanes that are filled
@@ -157,8 +142,11 @@ struct LightMasks {
 [[nodiscard]] LightMasks weigh_light(PlainModel model, const RenderOptions& options,
                                      PlainLanes& lanes);
 
-// Returns the lanes whose paths go on.
-[[nodiscard]] LaneMask scatter(PlainModel model, const RenderOptions& options,
-                               float inverse_roulette_threshold, PlainLanes& lanes);
+struct ScatterMasks {
+  LaneMask going_on = 0;
+  LaneMask lost = 0;  // of the lanes that would go on those whose rays cannot be traced
+};
+[[nodiscard]] ScatterMasks scatter(PlainModel model, const RenderOptions& options,
+                                   float inverse_roulette_threshold, PlainLanes& lanes);
 
 }  // namespace candela

@@ -16,16 +16,17 @@ inline void start(BlockTrip<A>& trip) {
   PathBlock& block = trip.block;
   CameraNumbers numbers;
   numbers.draw(context.camera, trip.samplers, Dimension::Filter, Dimension::Lens);
+  const PlaceLanes places = sample_places(context.filter, {}, numbers);
+  trip.alive = aim_camera_rays(context.camera, cell_of(context, trip.place.x, trip.place.y), places,
+                               numbers, trip.place.lanes, block.rays);
   for_each_lane(trip.place.lanes, [&](std::uint32_t i) {
     block.paths[i] = PathState{};
     if constexpr (F.media) block.media[i] = context.camera.medium;
     block.samples[i].alpha = 1;
     block.samples[i].has_hit = false;
-    Vec2f place = context.filter.sample(unit_point(numbers.filter, i));
-    block.samples[i].weight = context.filter.weight(place);
-    Ray ray = camera_ray(context, place, unit_point(numbers.lens, i), trip.place.x, trip.place.y);
-    if (set_ray(block, i, ray)) trip.alive |= 1u << i;
+    block.samples[i].weight = context.filter.weight(places[i]);
   });
+  for_each_lane(trip.place.lanes & ~trip.alive, [&](std::uint32_t i) { lose_path(block, i); });
   trip.counts.rays.camera += lane_count(trip.place.lanes);
 }
 

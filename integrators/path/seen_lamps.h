@@ -26,13 +26,8 @@ template <class A>
                                            int x, int y, LaneMask lanes, RayBlock& rays) {
   CameraNumbers numbers;
   numbers.draw(context.camera, samplers, Dimension::LampFilter, Dimension::LampLens);
-  LaneMask traceable = 0;
-  for_each_lane(lanes, [&](std::uint32_t i) {
-    Vec2f place = context.filter.sample(part.number(unit_point(numbers.filter, i)));
-    rays[i] = camera_ray(context, place, unit_point(numbers.lens, i), x, y);
-    if (is_traceable(rays[i])) traceable |= 1u << i;
-  });
-  return traceable;
+  return aim_camera_rays(context.camera, cell_of(context, x, y),
+                         sample_places(context.filter, part, numbers), numbers, lanes, rays);
 }
 
 // Radiance along a camera ray, of the surface that it met itself.

@@ -64,8 +64,8 @@ class PlainSteps {
   void meet_surface(const Place& place) {
     const PathContext<A>& context = place.trip->context;
     PathBlock& block = place.trip->block;
-    const Hit& hit = block.hits[place.lane];
-    const Ray& ray = block.rays[place.lane];
+    const Hit hit = block.hits[place.lane];
+    const Ray ray = block.rays[place.lane];
     const Geometry& geometry = context.scene.geometries[hit.geometry];
     if (is_emission_met(context, geometry, place.trip->bounce))
       add_emission<F>(context.scene, context.options, geometry, hit, ray.origin, ray.direction,
@@ -101,7 +101,7 @@ class PlainSteps {
     for_each_lane(weighed_light(model), [&](std::uint32_t slot) {
       const Place& place = places_[slot];
       PathBlock& block = place.trip->block;
-      block.shadow_rays[place.lane] = samples.shadow_ray(slot);
+      block.shadow_rays.set(place.lane, samples.shadow_ray(slot));
       block.unshadowed[place.lane] = samples.contribution[slot];
       place.trip->after.shadow_rays |= 1u << place.lane;
       place.trip->after.sky_rays |= (skies >> slot & 1u) << place.lane;
@@ -125,12 +125,15 @@ class PlainSteps {
   }
 
   void scatter_paths(PlainModel model) {
-    const LaneMask scattered =
+    const ScatterMasks scattered =
         scatter(model, context().options, context().inverse_roulette_threshold, lanes_);
-    for_each_lane(scattered, [&](std::uint32_t slot) {
+    for_each_lane(scattered.going_on, [&](std::uint32_t slot) {
       const Place& place = places_[slot];
-      if (take_scattered(lanes_, slot, place.lane, place.trip->block))
-        place.trip->after.going_on |= 1u << place.lane;
+      take_scattered(lanes_, slot, place.lane, place.trip->block);
+      place.trip->after.going_on |= 1u << place.lane;
+    });
+    for_each_lane(scattered.lost, [&](std::uint32_t slot) {
+      lose_path(places_[slot].trip->block, places_[slot].lane);
     });
   }
 

@@ -63,7 +63,7 @@ inline void step_lane(BlockTrip<A>& trip, std::uint32_t i) {
   const bool goes_on = take_step<F>(context, numbers_of<F>(trip, i), trip.bounce, i, block.hits[i],
                                     ray, path, picked, block, trip.counts);
   if (!is_black(picked.contribution) && is_traceable(picked.shadow_ray)) {
-    block.shadow_rays[i] = picked.shadow_ray;
+    block.shadow_rays.set(i, picked.shadow_ray);
     block.unshadowed[i] = picked.contribution;
     after.shadow_rays |= 1u << i;
     if (picked.lacks_sky) after.sky_rays |= 1u << i;
@@ -96,7 +96,7 @@ template <FeatureSet F, class A>
   if constexpr (F.media) {
     for_each_lane(arriving, [&](std::uint32_t i) {
       block.unshadowed[i] *= transmittance_of(optical_depth_along(
-          context.scene, block.shadow_media[i], block.shadow_rays[i], block.shadow_rays[i].t_max));
+          context.scene, block.shadow_media[i], block.shadow_rays[i], block.shadow_rays.t_max[i]));
     });
   }
   counts.rays.shadow += lane_count(lanes);
@@ -110,7 +110,7 @@ inline void add_direct_light(const PathContext<A>& context, const LanesAfterStep
   const LaneMask arriving = trace_shadow_rays<F>(context, after.shadow_rays, block, counts);
   for_each_lane(arriving & after.sky_rays, [&](std::uint32_t i) {
     block.unshadowed[i] *= environment_radiance(*context.scene.environment, context.scene.textures,
-                                                block.shadow_rays[i].direction);
+                                                block.shadow_rays.direction[i]);
   });
   for_each_lane(arriving, [&](std::uint32_t i) { block.paths[i].radiance += block.unshadowed[i]; });
 }
@@ -122,10 +122,9 @@ template <FeatureSet F, class A>
                                                  std::uint32_t bounce, const HitBlock& hits,
                                                  PathBlock& block) {
   if constexpr (F.media) return alive;
-  LaneMask ended = 0;
-  for_each_lane(alive, [&](std::uint32_t i) { ended |= hits[i].is_hit() ? 0 : 1u << i; });
+  const LaneMask ended = alive & ~hits.met;
   for_each_lane(ended, [&](std::uint32_t i) {
-    add_environment<F>(context.scene, context.options, bounce, block.rays[i].direction,
+    add_environment<F>(context.scene, context.options, bounce, block.rays.direction[i],
                        block.paths[i]);
     if (bounce == 0) block.samples[i].alpha = 0;
   });
@@ -142,7 +141,7 @@ inline void meet(BlockTrip<A>& trip) {
   if constexpr (F.guided) {
     if (trip.context.training != nullptr)
       for_each_lane(trip.alive,
-                    [&](std::uint32_t i) { trip.context.training->meet(i, block.hits[i].t); });
+                    [&](std::uint32_t i) { trip.context.training->meet(i, block.hits.t[i]); });
   }
   trip.alive = end_in_environment<F>(trip.context, trip.alive, trip.bounce, block.hits, block);
   trip.after = {};

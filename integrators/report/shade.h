@@ -152,8 +152,8 @@ TileCounts render_report_tile(const ReportContext<A>& context, const TilePass& p
       for (std::uint32_t s = range.first; s < range.end; ++s) {
         const Sampler sampler = pixel.at(s);
         const Vec2f place = context.base.filter.sample(sampler.sample_2d(0, Dimension::Filter));
-        const Ray ray =
-            camera_ray(context.base, place, sampler.sample_2d(0, Dimension::Lens), x, y);
+        const Ray ray = context.base.camera.generate_ray(cell_of(context.base, x, y).on_film(place),
+                                                         sampler.sample_2d(0, Dimension::Lens));
         FilmSample sample = shade(context, sampler, ray, counts);
         sample.weight = context.base.filter.weight(place);
         add_or_count(sample, x, y, s, context.base.options.clamp, film, counts);

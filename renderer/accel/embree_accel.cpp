@@ -9,6 +9,7 @@
 
 #include "renderer/accel/alpha_test.h"
 #include "renderer/accel/embree_api.h"
+#include "renderer/accel/embree_block.h"
 #include "renderer/accel/embree_spheres.h"
 #include "renderer/accel/placement.h"
 #include "renderer/base/handover.h"
@@ -40,7 +41,7 @@ bool is_clear_in_lane(const RTCFilterFunctionNArguments& arguments, unsigned n, 
   const auto& cutout = *static_cast<const EmbreeUserData*>(arguments.geometryUserPtr);
   RTCHitN* hit = arguments.hit;
   const std::uint32_t instance = instance_of_id(*cutout.scene, RTCHitN_instID(hit, n, lane, 0));
-  const Ray& ray = query.world_rays[RTCRayN_id(arguments.ray, n, lane)];
+  const Ray ray = query.world_ray(RTCRayN_id(arguments.ray, n, lane));
   return is_transparent_at(*cutout.scene, cutout.geometry, RTCHitN_primID(hit, n, lane), instance,
                            RTCHitN_u(hit, n, lane), RTCHitN_v(hit, n, lane), ray.origin,
                            ray.direction);
@@ -81,47 +82,6 @@ void set_ray(RTCRay& target, const Ray& ray) {
   target.mask = none;
   target.id = 0;
   target.flags = 0;
-}
-
-struct ValidLanes {
-  alignas(64) std::array<int, block_size> lanes;
-};
-
-// The four floats of a ray from the given one on.
-Float4 part_of(const Ray& ray, std::size_t first) {
-  static_assert(sizeof(Ray) == 7 * sizeof(float));
-  Float4 part;
-  std::memcpy(&part, reinterpret_cast<const char*>(&ray) + first * sizeof(float), sizeof(part));
-  return part;
-}
-
-// Four rays at a time: their origins, then their directions with t_max.
-ValidLanes set_rays(RTCRay16& target, const RayBlock& rays, LaneMask lanes) {
-  ValidLanes valid;
-  for (std::uint32_t i = 0; i < block_size; i += 4) {
-    const auto columns = [&](std::size_t first) {
-      return transposed({part_of(rays[i], first), part_of(rays[i + 1], first),
-                         part_of(rays[i + 2], first), part_of(rays[i + 3], first)});
-    };
-    const std::array<Float4, 4> origins = columns(0);
-    const std::array<Float4, 4> directions = columns(3);
-    std::memcpy(target.org_x + i, &origins[0], sizeof(Float4));
-    std::memcpy(target.org_y + i, &origins[1], sizeof(Float4));
-    std::memcpy(target.org_z + i, &origins[2], sizeof(Float4));
-    std::memcpy(target.dir_x + i, &directions[0], sizeof(Float4));
-    std::memcpy(target.dir_y + i, &directions[1], sizeof(Float4));
-    std::memcpy(target.dir_z + i, &directions[2], sizeof(Float4));
-    std::memcpy(target.tfar + i, &directions[3], sizeof(Float4));
-  }
-  for (std::uint32_t i = 0; i < block_size; ++i) {
-    valid.lanes[i] = -static_cast<int>(lanes >> i & 1);
-    target.id[i] = i;
-  }
-  std::fill_n(target.tnear, block_size, 0.0f);
-  std::fill_n(target.time, block_size, 0.0f);
-  std::fill_n(target.mask, block_size, none);
-  std::fill_n(target.flags, block_size, 0u);
-  return valid;
 }
 
 // From Embree's IDs to the scene's.
@@ -299,7 +259,7 @@ EmbreeAccel::~EmbreeAccel() = default;
 
 Hit EmbreeAccel::intersect(const Ray& ray) const {
   embree::Query query;
-  embree::initialise(query, &ray);
+  embree::initialise(query, &ray, nullptr);
   RTCRayHit ray_hit;
   set_ray(ray_hit.ray, ray);
   ray_hit.hit.geomID = none;
@@ -314,7 +274,7 @@ Hit EmbreeAccel::intersect(const Ray& ray) const {
 
 bool EmbreeAccel::occluded(const Ray& ray) const {
   embree::Query query;
-  embree::initialise(query, &ray);
+  embree::initialise(query, &ray, nullptr);
   RTCRay embree_ray;
   set_ray(embree_ray, ray);
   embree::occluded_one(state_->world.get(), embree_ray, query);
@@ -323,33 +283,28 @@ bool EmbreeAccel::occluded(const Ray& ray) const {
 
 HitBlock EmbreeAccel::intersect(const RayBlock& rays, LaneMask lanes, Coherence coherence) const {
   embree::Query query;
-  embree::initialise(query, rays.data());
+  embree::initialise(query, nullptr, &rays);
   RTCRayHit16 ray_hits;
-  const ValidLanes valid = set_rays(ray_hits.ray, rays, lanes);
+  const ValidLanes valid = set_rays(rays, lanes, ray_hits.ray);
   std::fill_n(ray_hits.hit.geomID, block_size, none);
   std::fill_n(ray_hits.hit.instID[0], block_size, none);
   embree::intersect_block(state_->world.get(), valid.lanes.data(), ray_hits, query, coherence);
 
-  const RTCHit16& found = ray_hits.hit;
   HitBlock hits;
-  for_each_lane(lanes, [&](std::uint32_t i) {
-    if (found.geomID[i] != none)
-      hits[i] = in_tables(*state_->scene, {ray_hits.ray.tfar[i], found.u[i], found.v[i],
-                                           found.geomID[i], found.primID[i], found.instID[0][i]});
+  set_hits(ray_hits, hits);
+  for_each_lane(hits.instanced, [&](std::uint32_t i) {
+    hits.set(i, in_tables_of_instance(*state_->scene, hits[i]));
   });
   return hits;
 }
 
 LaneMask EmbreeAccel::occluded(const RayBlock& rays, LaneMask lanes) const {
   embree::Query query;
-  embree::initialise(query, rays.data());
+  embree::initialise(query, nullptr, &rays);
   RTCRay16 embree_rays;
-  const ValidLanes valid = set_rays(embree_rays, rays, lanes);
+  const ValidLanes valid = set_rays(rays, lanes, embree_rays);
   embree::occluded_block(state_->world.get(), valid.lanes.data(), embree_rays, query);
-  LaneMask occluded = 0;
-  for (std::uint32_t i = 0; i < block_size; ++i)
-    occluded |= static_cast<LaneMask>(std::signbit(embree_rays.tfar[i])) << i;  // -infinity
-  return occluded & lanes;
+  return occluded_lanes(embree_rays) & lanes;
 }
 
 std::size_t EmbreeAccel::memory_bytes() const {

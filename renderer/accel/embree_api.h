@@ -24,16 +24,22 @@ using Context = RTCIntersectContext;
 // being the first member, is a pointer to the whole.
 struct Query {
   Context context;
-  const Ray* world_rays;  // by ray ID; filters see Embree's ray in the space of the instance
+  // Filters see Embree's ray in the space of the instance. One of both:
+  const Ray* ray;
+  const RayBlock* block;
+
+  // The ray of an ID in the world's space.
+  [[nodiscard]] Ray world_ray(unsigned id) const { return ray ? *ray : (*block)[id]; }
 };
 
-inline void initialise(Query& query, const Ray* world_rays) {
+inline void initialise(Query& query, const Ray* ray, const RayBlock* block) {
 #if CANDELA_EMBREE_MAJOR >= 4
   rtcInitRayQueryContext(&query.context);
 #else
   rtcInitIntersectContext(&query.context);
 #endif
-  query.world_rays = world_rays;
+  query.ray = ray;
+  query.block = block;
 }
 
 inline void intersect_one(RTCScene scene, RTCRayHit& ray_hit, Query& query) {

@@ -24,7 +24,7 @@ SphereHit hit_in_lane(void* user_data, const embree::Context* context, RTCRayN* 
       {RTCRayN_dir_x(rays, n, lane), RTCRayN_dir_y(rays, n, lane), RTCRayN_dir_z(rays, n, lane)},
       RTCRayN_tfar(rays, n, lane)};
   const auto& query = *reinterpret_cast<const embree::Query*>(context);
-  const Ray& world_ray = query.world_rays[RTCRayN_id(rays, n, lane)];
+  const Ray world_ray = query.world_ray(RTCRayN_id(rays, n, lane));
   const std::uint32_t instance = instance_of_id(*data.scene, context->instID[0]);
   return intersect_sphere(data.scene->geometries[data.geometry].spheres[sphere], ray, ray.t_max,
                           [&](float u, float v) {

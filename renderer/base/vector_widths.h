@@ -11,3 +11,6 @@
 #else
 #define CANDELA_EACH_VECTOR_WIDTH
 #endif
+
+// A loop becomes vector code only as a whole, with all that it calls.
+#define CANDELA_LANES CANDELA_EACH_VECTOR_WIDTH [[gnu::flatten]]

@@ -30,11 +30,17 @@ struct Camera {
 
   // `film` in [0,1]^2 over the full picture, y from the top.
   [[nodiscard]] Ray generate_ray(Vec2f film, Vec2f lens) const {
+    if (is_pinhole()) return pinhole_ray(film);
     if (kind != CameraKind::Perspective) return generate_other_ray(film, lens);
-    Vec3f through = look + right * (2 * film.x - 1) + up * (1 - 2 * film.y);
-    if (lens_radius == 0) return {eye, normalize(through), infinity};
     Vec3f offset = lens_offset(lens);
-    return {eye + offset, normalize(through * focus_distance - offset), infinity};
+    return {eye + offset, normalize(towards(film) * focus_distance - offset), infinity};
+  }
+  [[nodiscard]] bool is_pinhole() const {
+    return kind == CameraKind::Perspective && lens_radius == 0;
+  }
+  // Of a pinhole's camera.
+  [[nodiscard]] Ray pinhole_ray(Vec2f film) const {
+    return {eye, normalize(towards(film)), infinity};
   }
 
   // How far along its line of sight, or from its eye, the camera sees a point.
@@ -44,6 +50,10 @@ struct Camera {
   }
 
  private:
+  // Perspective: from the eye to the plane at distance 1.
+  [[nodiscard]] Vec3f towards(Vec2f film) const {
+    return look + right * (2 * film.x - 1) + up * (1 - 2 * film.y);
+  }
   [[nodiscard]] Vec3f lens_offset(Vec2f lens) const {
     Vec2f disk = square_to_disk(lens) * lens_radius;
     return normalize(right) * disk.x + normalize(up) * disk.y;

@@ -192,7 +192,7 @@ std::uint32_t SampleDensity::samples(int x, int y, std::uint32_t mean) const {
       static_cast<double>(at(x, y)) * colours_[colour_of(x, y)].scale(pilot_samples_, mean) -
       pilot_samples_;
   if (mean <= pilot_samples_ || wanted <= 0) return pilot_samples_;
-  const std::uint32_t whole = std::lcm(replicates_, sampler_lanes);  // traced together
+  const std::uint32_t whole = std::lcm(replicates_, block_size);  // traced together
   const std::uint32_t step = wanted < 0.75 * whole ? replicates_ : whole;
   return pilot_samples_ + static_cast<std::uint32_t>(wanted / step + 0.5) * step;
 }

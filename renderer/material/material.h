@@ -54,7 +54,6 @@ struct ScalarParameter {
 
 struct Material {
   MaterialModel model = MaterialModel::Diffuse;
-  PlainModel plain_model = PlainModel::None;
   FresnelModel fresnel = FresnelModel::Schlick;
   GeometryModel geometry = GeometryModel::SchlickGgx;
   bool emits_both_sides = false;

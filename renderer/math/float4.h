@@ -2,7 +2,6 @@
 // selection; the few operations that they lack are here.
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cmath>
 
@@ -44,18 +43,6 @@ typedef int Mask4 __attribute__((vector_size(16)));  // lanes 0 or -1
   const Float4 b_yzx = __builtin_shufflevector(b, b, 1, 2, 0, 3);
   const Float4 b_zxy = __builtin_shufflevector(b, b, 2, 0, 1, 3);
   return a_yzx * b_zxy - b_yzx * a_zxy;
-}
-
-// Rows to columns.
-[[nodiscard]] inline std::array<Float4, 4> transposed(const std::array<Float4, 4>& rows) {
-  const Float4 xy01 = __builtin_shufflevector(rows[0], rows[1], 0, 4, 1, 5);
-  const Float4 xy23 = __builtin_shufflevector(rows[2], rows[3], 0, 4, 1, 5);
-  const Float4 zw01 = __builtin_shufflevector(rows[0], rows[1], 2, 6, 3, 7);
-  const Float4 zw23 = __builtin_shufflevector(rows[2], rows[3], 2, 6, 3, 7);
-  return {__builtin_shufflevector(xy01, xy23, 0, 1, 4, 5),
-          __builtin_shufflevector(xy01, xy23, 2, 3, 6, 7),
-          __builtin_shufflevector(zw01, zw23, 0, 1, 4, 5),
-          __builtin_shufflevector(zw01, zw23, 2, 3, 6, 7)};
 }
 
 // At addresses that are multiples of 16.

@@ -7,20 +7,20 @@
 namespace candela {
 namespace {
 
-CANDELA_EACH_VECTOR_WIDTH void points_of(const SamplerLanes<std::uint64_t>& keys,
-                                         const SamplerLanes<std::uint32_t>& reversed_indices,
+CANDELA_EACH_VECTOR_WIDTH void points_of(const Lanes<std::uint64_t>& keys,
+                                         const Lanes<std::uint32_t>& reversed_indices,
                                          SobolPointLanes& points) {
-  for (std::size_t i = 0; i < sampler_lanes; ++i) {
+  for (std::size_t i = 0; i < block_size; ++i) {
     const SobolPoint point = scrambled_sobol_2d(reversed_indices[i], keys[i]);
     points.x[i] = point.x;
     points.y[i] = point.y;
   }
 }
 
-CANDELA_EACH_VECTOR_WIDTH void numbers_of(const SamplerLanes<std::uint64_t>& keys,
-                                          const SamplerLanes<std::uint32_t>& reversed_indices,
-                                          SamplerLanes<std::uint32_t>& numbers) {
-  for (std::size_t i = 0; i < sampler_lanes; ++i)
+CANDELA_EACH_VECTOR_WIDTH void numbers_of(const Lanes<std::uint64_t>& keys,
+                                          const Lanes<std::uint32_t>& reversed_indices,
+                                          Lanes<std::uint32_t>& numbers) {
+  for (std::size_t i = 0; i < block_size; ++i)
     numbers[i] = scrambled_sobol_1d(reversed_indices[i], keys[i]);
 }
 
@@ -28,10 +28,10 @@ CANDELA_EACH_VECTOR_WIDTH void numbers_of(const SamplerLanes<std::uint64_t>& key
 
 SamplerBlock::SamplerBlock(const PixelSampler& pixel, std::uint32_t first_sample,
                            std::uint32_t branches, std::uint32_t branch)
-    : period_(std::min<std::size_t>(pixel.replicates(), sampler_lanes)) {
+    : period_(std::min<std::size_t>(pixel.replicates(), block_size)) {
   std::uint32_t replicate = first_sample % pixel.replicates();
   std::uint32_t index = first_sample / pixel.replicates();
-  for (std::size_t i = 0; i < sampler_lanes; ++i) {
+  for (std::size_t i = 0; i < block_size; ++i) {
     sequence_keys_[i] = i < period_ ? pixel.sequence_key(replicate) : sequence_keys_[i - period_];
     reversed_indices_[i] = reverse_bits(index * branches + branch);
     if (++replicate == pixel.replicates()) {
@@ -41,11 +41,11 @@ SamplerBlock::SamplerBlock(const PixelSampler& pixel, std::uint32_t first_sample
   }
 }
 
-SamplerLanes<std::uint64_t> SamplerBlock::keys_at(std::uint32_t bounce, Dimension dimension) const {
-  SamplerLanes<std::uint64_t> keys;
+Lanes<std::uint64_t> SamplerBlock::keys_at(std::uint32_t bounce, Dimension dimension) const {
+  Lanes<std::uint64_t> keys;
   for (std::size_t i = 0; i < period_; ++i)
     keys[i] = dimension_key(sequence_keys_[i], bounce, dimension);
-  for (std::size_t i = period_; i < sampler_lanes; ++i) keys[i] = keys[i - period_];
+  for (std::size_t i = period_; i < block_size; ++i) keys[i] = keys[i - period_];
   return keys;
 }
 
@@ -55,7 +55,7 @@ void SamplerBlock::sample_2d(std::uint32_t bounce, Dimension dimension,
 }
 
 void SamplerBlock::sample_1d(std::uint32_t bounce, Dimension dimension,
-                             SamplerLanes<std::uint32_t>& numbers) const {
+                             Lanes<std::uint32_t>& numbers) const {
   numbers_of(keys_at(bounce, dimension), reversed_indices_, numbers);
 }
 

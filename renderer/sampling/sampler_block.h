@@ -2,22 +2,18 @@
 // by side in the lanes of the processor's vectors.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
+#include "renderer/math/lanes.h"
 #include "renderer/sampling/sampler.h"
 
 namespace candela {
 
-inline constexpr std::uint32_t sampler_lanes = 16;
-template <class T>
-using SamplerLanes = std::array<T, sampler_lanes>;
-
 // 32-bit fractions; unit_float() makes numbers in [0, 1) of them.
 struct SobolPointLanes {
-  SamplerLanes<std::uint32_t> x;
-  SamplerLanes<std::uint32_t> y;
+  Lanes<std::uint32_t> x;
+  Lanes<std::uint32_t> y;
 };
 
 class SamplerBlock {
@@ -31,15 +27,13 @@ class SamplerBlock {
     return Sampler(SequencePlace{sequence_keys_[i], reversed_indices_[i]});
   }
   void sample_2d(std::uint32_t bounce, Dimension dimension, SobolPointLanes& points) const;
-  void sample_1d(std::uint32_t bounce, Dimension dimension,
-                 SamplerLanes<std::uint32_t>& numbers) const;
+  void sample_1d(std::uint32_t bounce, Dimension dimension, Lanes<std::uint32_t>& numbers) const;
 
  private:
-  [[nodiscard]] SamplerLanes<std::uint64_t> keys_at(std::uint32_t bounce,
-                                                    Dimension dimension) const;
+  [[nodiscard]] Lanes<std::uint64_t> keys_at(std::uint32_t bounce, Dimension dimension) const;
 
-  SamplerLanes<std::uint64_t> sequence_keys_;
-  SamplerLanes<std::uint32_t> reversed_indices_;
+  Lanes<std::uint64_t> sequence_keys_;
+  Lanes<std::uint32_t> reversed_indices_;
   std::size_t period_;  // of the sequence keys over the lanes
 };
 

@@ -6,6 +6,7 @@
 
 #include "renderer/description/used_materials.h"
 #include "renderer/description/validate.h"
+#include "renderer/material/plain_model.h"
 #include "renderer/scene/compile_camera.h"
 #include "renderer/scene/compile_coverage.h"
 #include "renderer/scene/compile_geometry.h"
@@ -58,6 +59,15 @@ std::vector<bool> met_materials(const Scene& scene) {
   return met;
 }
 
+std::vector<PlainModel> plain_models_of(const Scene& scene) {
+  std::vector<PlainModel> models;
+  for (const Geometry& geometry : scene.geometries)
+    models.push_back(geometry.spheres.empty()
+                         ? plain_model_of(scene.materials[geometry.material.index])
+                         : PlainModel::None);
+  return models;
+}
+
 SceneFeatures features_of(const Scene& scene) {
   SceneFeatures features;
   const std::vector<bool> met = met_materials(scene);
@@ -106,6 +116,7 @@ Result<Scene> compile(const SceneDescription& description, const CompileOptions&
   scene.bounds = bounds_of(scene);
   compile_lights(description, options, scene, dropped, diagnostics);
   scene.features = features_of(scene);
+  scene.plain_models = plain_models_of(scene);
   for (const auto& [what, count] : dropped) scene.dropped.push_back({what, count});
   for (const char* reason : {out_of_reach, spheres_out_of_reach})
     if (const auto lost = dropped.find(reason); lost != dropped.end())

@@ -6,7 +6,7 @@
 #include "renderer/bsdf/coat_table.h"
 #include "renderer/bsdf/coated_metal_table.h"
 #include "renderer/bsdf/energy_loss.h"
-#include "renderer/material/plain_model.h"
+#include "renderer/material/bsdf_at.h"
 #include "renderer/scene/image_luminance.h"
 
 namespace candela {
@@ -256,7 +256,6 @@ Material compile_material(const description::Material& material, const CompileOp
                           TextureCompiler& texture, CoatTables& coats) {
   Material out;
   std::visit(ModelCompiler{options, texture, coats, out}, material.model);
-  out.plain_model = plain_model_of(out);
   if (std::holds_alternative<description::InterfaceMaterial>(material.model)) return out;
   if (out.energy_compensation) static_cast<void>(energy_loss_table());  // now, not while rendering
   set_emission(material, texture, out);

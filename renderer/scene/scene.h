@@ -55,6 +55,7 @@ struct Dropped {
 
 struct Scene {
   std::vector<Geometry> geometries;
+  std::vector<PlainModel> plain_models;  // of the geometries; None: of spheres, too
   std::vector<Object> objects;
   Object world;  // what is not instanced
   std::vector<Instance> instances;

@@ -24,8 +24,9 @@ std::vector<RayBlock> pixel_blocks(std::size_t count, std::uint32_t seed) {
   for (RayBlock& block : blocks) {
     const Vec3f origin = test::uniform_in_cube(random) * 3.0f;
     const Vec3f through = test::uniform_in_cube(random);
-    for (Ray& ray : block)
-      ray = {origin, normalize(through + test::uniform_in_cube(random) * 0.02f - origin), infinity};
+    for (std::size_t i = 0; i < block_size; ++i)
+      block.set(i, {origin, normalize(through + test::uniform_in_cube(random) * 0.02f - origin),
+                    infinity});
   }
   return blocks;
 }
@@ -35,10 +36,10 @@ std::vector<RayBlock> scattered_blocks(std::size_t count, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::vector<RayBlock> blocks(count);
   for (RayBlock& block : blocks)
-    for (Ray& ray : block) {
+    for (std::size_t i = 0; i < block_size; ++i) {
       const Vec3f origin = test::uniform_in_cube(random) * 3.0f;
-      ray = {origin, normalize(test::uniform_in_cube(random) - origin),
-             random() % 2 == 0 ? infinity : 2.0f};
+      const Vec3f direction = normalize(test::uniform_in_cube(random) - origin);
+      block.set(i, {origin, direction, random() % 2 == 0 ? infinity : 2.0f});
     }
   return blocks;
 }
@@ -60,7 +61,11 @@ void expect_single_answers(const A& accelerator, const std::vector<RayBlock>& bl
       ASSERT_TRUE(are_equal(found[i], single)) << "lane " << i << " of " << lanes;
       ASSERT_EQ((occluded >> i & 1) != 0, single.is_hit()) << "lane " << i << " of " << lanes;
     });
-    for_each_lane(all_lanes & ~lanes, [&](std::uint32_t i) { ASSERT_FALSE(found[i].is_hit()); });
+    for_each_lane(all_lanes, [&](std::uint32_t i) {
+      ASSERT_EQ((found.met >> i & 1) != 0, found[i].is_hit());
+      ASSERT_EQ((found.instanced >> i & 1) != 0, found[i].is_instanced());
+    });
+    EXPECT_EQ(found.met & ~lanes, 0u);
   }
   EXPECT_GT(hits, 2000);
 }
@@ -96,7 +101,7 @@ TEST(Unit_RayBlock, LanesThatDoNotCountChangeNothing) {
     constexpr LaneMask lanes = 0b0101010101010101u;
     const HitBlock before = embree.intersect(rays, lanes, Coherence::Incoherent);
     for_each_lane(all_lanes & ~lanes, [&](std::uint32_t i) {
-      rays[i] = {Vec3f(nan), Vec3f(1e20f), nan};
+      rays.set(i, {Vec3f(nan), Vec3f(1e20f), nan});
     });
     const HitBlock after = embree.intersect(rays, lanes, Coherence::Incoherent);
     const LaneMask occluded = embree.occluded(rays, lanes);

@@ -200,7 +200,7 @@ TEST(Agreement_Spheres, TheSameBitsWhereThereAreNoTriangles) {
     std::size_t hits = 0;
     for (std::size_t i = 0; i + block_size <= rays.size(); i += block_size) {
       RayBlock block;
-      std::copy_n(rays.begin() + static_cast<std::ptrdiff_t>(i), block_size, block.begin());
+      for (std::size_t lane = 0; lane < block_size; ++lane) block.set(lane, rays[i + lane]);
       const HitBlock found = embree.intersect(block, all_lanes, Coherence::Coherent);
       const LaneMask occluded = embree.occluded(block, all_lanes);
       for (std::size_t lane = 0; lane < block_size; ++lane) {

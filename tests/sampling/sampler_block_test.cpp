@@ -13,10 +13,10 @@ TEST(Unit_SamplerBlock, HasTheBitsOfSingleSamplers) {
       const SamplerBlock block(pixel, first);
       for (const std::uint32_t bounce : {0u, 1u, 40u}) {
         SobolPointLanes points;
-        SamplerLanes<std::uint32_t> numbers;
+        Lanes<std::uint32_t> numbers;
         block.sample_2d(bounce, Dimension::Direction, points);
         block.sample_1d(bounce, Dimension::Roulette, numbers);
-        for (std::uint32_t i = 0; i < sampler_lanes; ++i) {
+        for (std::uint32_t i = 0; i < block_size; ++i) {
           const Sampler single = pixel.at(first + i);
           const Vec2f point = single.sample_2d(bounce, Dimension::Direction);
           ASSERT_EQ(unit_float(points.x[i]), point.x) << replicates << " " << first << " " << i;
@@ -35,9 +35,9 @@ TEST(Unit_SamplerBlock, BranchesHavePointsOfTheirOwn) {
     const PixelSampler pixel(5, 17, 301, replicates);
     for (std::uint32_t branch = 0; branch < branches; ++branch) {
       const SamplerBlock block(pixel, first, branches, branch);
-      SamplerLanes<std::uint32_t> numbers;
+      Lanes<std::uint32_t> numbers;
       block.sample_1d(2, Dimension::Roulette, numbers);
-      for (std::uint32_t i = 0; i < sampler_lanes; ++i) {
+      for (std::uint32_t i = 0; i < block_size; ++i) {
         const std::uint32_t sample = first + i;
         const Sampler single(pixel.sequence_key(sample % replicates),
                              sample / replicates * branches + branch);

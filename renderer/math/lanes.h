@@ -1,0 +1,55 @@
+// Sixteen values side by side, as a block of rays or of a pixel's samples has them: what loops over
+// all lanes do, processors do to several lanes at once.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "renderer/math/vec.h"
+
+namespace candela {
+
+inline constexpr std::uint32_t block_size = 16;
+
+template <class T>
+using Lanes = std::array<T, block_size>;
+using LaneFlags = Lanes<std::uint32_t>;  // 1 in lanes where something holds, else 0
+
+struct Vec3Lanes {
+  Lanes<float> x{}, y{}, z{};
+
+  [[nodiscard]] Vec3f operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+  void set(std::size_t i, const Vec3f& v) {
+    x[i] = v.x;
+    y[i] = v.y;
+    z[i] = v.z;
+  }
+};
+
+// Bit i stands for lane i.
+using LaneMask = std::uint32_t;
+inline constexpr LaneMask all_lanes = (1u << block_size) - 1;
+
+[[nodiscard]] inline LaneMask mask_of(const LaneFlags& flags) {
+  LaneMask mask = 0;
+  for (std::uint32_t i = 0; i < block_size; ++i) mask |= flags[i] << i;
+  return mask;
+}
+
+// std::popcount, without a call where the processor need not have an instruction for it.
+[[nodiscard]] constexpr std::uint32_t lane_count(LaneMask lanes) {
+  lanes -= (lanes >> 1) & 0x5555;
+  lanes = (lanes & 0x3333) + ((lanes >> 2) & 0x3333);
+  lanes = (lanes + (lanes >> 4)) & 0x0f0f;
+  return (lanes + (lanes >> 8)) & 0x1f;
+}
+
+// For each lane of the mask, from the lowest.
+template <class Visit>
+inline void for_each_lane(LaneMask lanes, const Visit& visit) {
+  for (; lanes != 0; lanes &= lanes - 1) visit(static_cast<std::uint32_t>(std::countr_zero(lanes)));
+}
+
+}  // namespace candela
