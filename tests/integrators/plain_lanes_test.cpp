@@ -256,5 +256,25 @@ TEST(Agreement_PlainLanes, DoNotDependOnWhoTravelsAlong) {
                                        {{0, 16, 32, 48, 64}, {0, 48, 64}, {0, 1, 17, 60, 64}});
 }
 
+// As any ray that goes astray makes its sample an invalid one (set_ray()).
+TEST(Unit_PlainLanes, PathsWhoseRaysCannotBeTracedAreLost) {
+  PlainLanes lanes;
+  lanes.size = block_size;
+  lanes.met.normal.z.fill(1);
+  lanes.met.shading_normal.z.fill(1);
+  lanes.met.throughput.x.fill(1);
+  lanes.met.roulette_scale.fill(1);
+  lanes.bsdfs.diffuse.x.fill(0.5f);
+  lanes.scattered.direction_x.fill(0.4f);
+  lanes.scattered.direction_y.fill(0.7f);
+  lanes.met.position.x[3] = 1e16f;
+  lanes.met.position.z[9] = std::numeric_limits<float>::quiet_NaN();
+  lanes.scattered.bounce[9] = lanes.scattered.bounce[10] = first_bounce_with_roulette;
+  lanes.scattered.roulette[10] = 0.99f;  // ended: of a throughput below it
+  const ScatterMasks masks = scatter(PlainModel::Diffuse, {}, 1, lanes);
+  EXPECT_EQ(masks.lost, 1u << 3 | 1u << 9);
+  EXPECT_EQ(masks.going_on, all_lanes & ~(1u << 3 | 1u << 9 | 1u << 10));
+}
+
 }  // namespace
 }  // namespace candela
