@@ -10,21 +10,25 @@ namespace candela {
 // Lanes of a block by the models of the surfaces that they met.
 class PlainMasks {
  public:
-  void add(PlainModel model, std::uint32_t lane) { lanes_ |= bit_of(model) << lane; }
+  void add(PlainModel model, std::uint32_t lane) {
+    if (model != PlainModel::None) lanes_ |= std::uint64_t{1} << (first_bit(model) + lane);
+  }
   [[nodiscard]] LaneMask of(PlainModel model) const {
-    return static_cast<LaneMask>(lanes_ / bit_of(model)) & all_lanes;
+    return static_cast<LaneMask>(lanes_ >> first_bit(model)) & all_lanes;
   }
   [[nodiscard]] LaneMask all() const {
-    return of(PlainModel::Diffuse) | of(PlainModel::CookTorrance) | of(PlainModel::Lab);
+    LaneMask lanes = 0;
+    for (const PlainModel model : plain_models) lanes |= of(model);
+    return lanes;
   }
 
  private:
-  [[nodiscard]] static constexpr std::uint64_t bit_of(PlainModel model) {
-    return std::uint64_t{1} << (block_size * static_cast<std::uint32_t>(model));
+  [[nodiscard]] static constexpr std::uint32_t first_bit(PlainModel model) {
+    return block_size * (static_cast<std::uint32_t>(model) - 1);
   }
-  static_assert(block_size * (plain_models.size() + 1) <= 64);
+  static_assert(block_size * plain_models.size() <= 64);
 
-  std::uint64_t lanes_ = 0;  // model by model
+  std::uint64_t lanes_ = 0;  // model by model, but for None
 };
 
 // Of the hits those on plain surfaces that stand where the scene says.
@@ -48,6 +52,13 @@ inline void put_bsdfs(PlainModel model, const TextureStore& textures, PlainLanes
     const TexturePoint at = texture_point_of(lanes, slot);
     if (model == PlainModel::Diffuse) {
       bsdfs.diffuse.set(slot, colour_at(material.diffuse, textures, at));
+      continue;
+    }
+    if (model == PlainModel::Conductor) {
+      const MetalIndex metal = metal_index_at(material, textures, at);
+      bsdfs.eta.set(slot, metal.eta);
+      bsdfs.k.set(slot, metal.k);
+      bsdfs.alpha[slot] = ggx_width(material.roughness.constant);
       continue;
     }
     Bsdf bsdf = model == PlainModel::Lab ? lab_at(material, textures, at)

@@ -29,8 +29,18 @@ namespace {
 }
 
 constexpr BsdfModel bsdf_model(PlainModel model) {
-  if (model == PlainModel::CookTorrance) return BsdfModel::CookTorrance;
-  return model == PlainModel::Lab ? BsdfModel::Lab : BsdfModel::Diffuse;
+  switch (model) {
+    case PlainModel::CookTorrance:
+      return BsdfModel::CookTorrance;
+    case PlainModel::Lab:
+      return BsdfModel::Lab;
+    case PlainModel::Conductor:
+      return BsdfModel::Conductor;
+    case PlainModel::Diffuse:
+    case PlainModel::None:
+      break;
+  }
+  return BsdfModel::Diffuse;
 }
 template <PlainModel model>
 inline constexpr FeatureSet features_of = lane_features.with_models(model_bit(bsdf_model(model)));
@@ -43,6 +53,11 @@ template <PlainModel model>
             .alpha = bsdfs.alpha[i],
             .diffuse = bsdfs.diffuse[i],
             .specular = bsdfs.specular[i]};
+  if constexpr (model == PlainModel::Conductor)
+    return {.model = BsdfModel::Conductor,
+            .alpha = bsdfs.alpha[i],
+            .eta = bsdfs.eta[i],
+            .k = bsdfs.k[i]};
   return {.model = BsdfModel::CookTorrance,
           .alpha = bsdfs.alpha[i],
           .diffuse = bsdfs.diffuse[i],
@@ -118,6 +133,13 @@ CANDELA_LANES LightMasks weigh_light_by_glossy(const RenderOptions& options, Pla
 }
 CANDELA_LANES LightMasks weigh_light_by_lab(const RenderOptions& options, PlainLanes& lanes) {
   return weigh_light_by<PlainModel::Lab>(options, lanes);
+}
+CANDELA_LANES LightMasks weigh_light_by_metal(const RenderOptions& options, PlainLanes& lanes) {
+  return weigh_light_by<PlainModel::Conductor>(options, lanes);
+}
+CANDELA_LANES ScatterMasks scatter_by_metal(const RenderOptions& options, float inverse_threshold,
+                                            PlainLanes& lanes) {
+  return scatter_by<PlainModel::Conductor>(options, inverse_threshold, lanes);
 }
 CANDELA_LANES ScatterMasks scatter_by_diffuse(const RenderOptions& options, float inverse_threshold,
                                               PlainLanes& lanes) {
@@ -245,6 +267,8 @@ LightMasks weigh_light(PlainModel model, const RenderOptions& options, PlainLane
       return weigh_light_by_glossy(options, lanes);
     case PlainModel::Lab:
       return weigh_light_by_lab(options, lanes);
+    case PlainModel::Conductor:
+      return weigh_light_by_metal(options, lanes);
     case PlainModel::None:
       break;
   }
@@ -260,6 +284,8 @@ ScatterMasks scatter(PlainModel model, const RenderOptions& options,
       return scatter_by_glossy(options, inverse_roulette_threshold, lanes);
     case PlainModel::Lab:
       return scatter_by_lab(options, inverse_roulette_threshold, lanes);
+    case PlainModel::Conductor:
+      return scatter_by_metal(options, inverse_roulette_threshold, lanes);
     case PlainModel::None:
       break;
   }

@@ -83,7 +83,7 @@ struct BsdfLanes {
 
   Lanes<const Material*> material{};
   Lanes<Vec2f> uv{};
-  Vec3Lanes diffuse, specular, f0;
+  Vec3Lanes diffuse, specular, f0, eta, k;
   Lanes<float> alpha;
 };
 
@@ -123,7 +123,7 @@ struct PlainLanes {
 }
 
 inline constexpr std::array plain_models{PlainModel::Diffuse, PlainModel::CookTorrance,
-                                         PlainModel::Lab};
+                                         PlainModel::Lab, PlainModel::Conductor};
 
 void find_points(PlainLanes& lanes);
 void find_frames(PlainLanes& lanes);

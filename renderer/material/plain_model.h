@@ -1,4 +1,4 @@
-// Surfaces whose BSDF is of one of three models, the same one whatever textures say: paths take
+// Surfaces whose BSDF is of one of four models, the same one whatever textures say: paths take
 // their steps on such surfaces side by side (integrators/path/plain_lanes.h).
 #pragma once
 
@@ -17,6 +17,11 @@ namespace candela {
       return PlainModel::CookTorrance;
     case MaterialModel::Lab:
       return has_highlight(material) ? PlainModel::Lab : PlainModel::Diffuse;
+    case MaterialModel::Conductor:
+      if (material.energy_compensation || material.is_anisotropic || material.roughness.texture ||
+          !(material.roughness.constant >= smallest_ggx_width))
+        return PlainModel::None;
+      return PlainModel::Conductor;
     default:
       return PlainModel::None;
   }

@@ -41,6 +41,9 @@ SceneDescription room_of_all_kinds() {
   add_mesh(scene, box({0.3, -0.2, -0.8}, {0.8, 0.3, -0.4}), add_material(scene, glossy(0.4)));
   add_mesh(scene, sphere({0.1, 0.5, -0.4}, 0.2, 1), add_material(scene, exact));
   add_mesh(scene, box({-0.9, -1, 0.3}, {-0.6, -0.6, 0.6}), add_material(scene, smith));
+  description::ConductorMaterial gold;
+  gold.roughness = {0.15, {}, 0};
+  add_mesh(scene, sphere({-0.6, 0, -0.6}, 0.25, 2), add_material(scene, gold));
   return scene;
 }
 
@@ -107,6 +110,11 @@ SceneDescription room_of_maps(const TemporaryFolder& folder) {
   surface(description::LabMaterial{
       .diffuse = {Vec3d(0.4), {}}, .specular = {Vec3d(0.3), {}}, .shininess = 40});
   add_mesh(scene, quad({-0.9, -0.95, -0.9}, {0, 0, 1.8}, {1.8, 0, 0}), last());
+  description::ConductorMaterial metal;
+  metal.roughness = {0.4, {}, 0};
+  metal.reflectance = {Vec3d(0.9), colours};
+  surface(metal);
+  add_mesh(scene, quad({0.5, -0.9, 0.6}, {0.4, 0, -0.2}, {0, 0.5, 0.1}), last());
   return scene;
 }
 

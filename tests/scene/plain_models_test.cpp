@@ -1,0 +1,78 @@
+// Which geometries' surfaces paths may leave side by side (Scene::plain_models).
+#include <gtest/gtest.h>
+
+#include "renderer/scene/compile.h"
+#include "tests/image/crafted_files.h"
+#include "tests/image/temporary_folder.h"
+#include "tests/scenes/description.h"
+#include "tests/scenes/exact_sphere.h"
+#include "tests/scenes/render_scene.h"
+
+namespace candela {
+namespace {
+
+using namespace test;
+using description::ConductorMaterial;
+using description::CookTorranceMaterial;
+using description::LabMaterial;
+using description::SceneDescription;
+
+// Of one surface of this material.
+template <class Model>
+PlainModel model_of(const Model& model, const SceneDescription& with = {}) {
+  SceneDescription scene = with;
+  add_mesh(scene, quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), add_material(scene, model));
+  set_camera(scene, {0.5, 0.5, 3}, {0.5, 0.5, 0}, 40);
+  const Scene compiled_scene = compiled(scene, {});
+  EXPECT_EQ(compiled_scene.plain_models.size(), 1u);
+  return compiled_scene.plain_models.at(0);
+}
+
+TEST(Unit_PlainModels, OfEachKindOfMaterial) {
+  EXPECT_EQ(model_of(diffuse(Vec3d(0.5))), PlainModel::Diffuse);
+  EXPECT_EQ(model_of(CookTorranceMaterial{}), PlainModel::CookTorrance);
+  EXPECT_EQ(model_of(CookTorranceMaterial{.geometry = description::GeometryModel::Smith}),
+            PlainModel::None);
+  EXPECT_EQ(model_of(CookTorranceMaterial{.ior = 1.5, .fresnel = description::FresnelModel::Exact}),
+            PlainModel::None);
+  EXPECT_EQ(model_of(LabMaterial{.diffuse = {Vec3d(0.4), {}}}), PlainModel::Diffuse);
+  EXPECT_EQ(model_of(LabMaterial{.specular = {Vec3d(0.3), {}}, .shininess = 40}), PlainModel::Lab);
+  EXPECT_EQ(model_of(description::DielectricMaterial{}), PlainModel::None);
+}
+
+// Lanes know neither mirrors nor widths that change from place to place.
+TEST(Unit_PlainModels, OfMetals) {
+  EXPECT_EQ(model_of(ConductorMaterial{.roughness = {0.2, {}, 0}}), PlainModel::Conductor);
+  EXPECT_EQ(model_of(ConductorMaterial{.roughness = {0.0, {}, 0}}), PlainModel::None);
+  EXPECT_EQ(model_of(ConductorMaterial{.roughness = {0.2, {}, 0}, .energy_compensation = true}),
+            PlainModel::None);
+  EXPECT_EQ(model_of(ConductorMaterial{.roughness = {0.2, {}, 0},
+                                       .roughness_across = description::ScalarInput{0.4, {}, 0}}),
+            PlainModel::None);
+  const TemporaryFolder folder;
+  const std::string png =
+      folder.put("widths.png", crafted::png_rgba(8, 8, [](int x, int, int) { return 30u * x; }));
+  SceneDescription with_image;
+  with_image.images.push_back({png, description::Encoding::Linear, description::Wrap::Repeat, {}});
+  EXPECT_EQ(
+      model_of(ConductorMaterial{.roughness = {1, description::ImageHandle(0), 0}}, with_image),
+      PlainModel::None);
+}
+
+TEST(Unit_PlainModels, SpheresAreNotPlain) {
+  SceneDescription scene;
+  const auto material = add_material(scene, diffuse(Vec3d(0.5)));
+  add_mesh(scene, exact_sphere(0.2), material);
+  add_mesh(scene, quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), material);
+  set_camera(scene, {0.5, 0.5, 3}, {0.5, 0.5, 0}, 40);
+  const Scene compiled_scene = compiled(scene, {});
+  ASSERT_EQ(compiled_scene.plain_models.size(), compiled_scene.geometries.size());
+  ASSERT_EQ(compiled_scene.geometries.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_EQ(compiled_scene.plain_models[i], compiled_scene.geometries[i].spheres.empty()
+                                                  ? PlainModel::Diffuse
+                                                  : PlainModel::None);
+}
+
+}  // namespace
+}  // namespace candela
