@@ -24,11 +24,10 @@ using Context = RTCIntersectContext;
 // being the first member, is a pointer to the whole.
 struct Query {
   Context context;
-  // Filters see Embree's ray in the space of the instance. One of both:
-  const Ray* ray;
-  const RayBlock* block;
+  const Ray* ray;         // what is asked for, or null:
+  const RayBlock* block;  // a block of rays is
 
-  // The ray of an ID in the world's space.
+  // By ray ID, in the world's space: filters see Embree's ray in that of the instance.
   [[nodiscard]] Ray world_ray(unsigned id) const { return ray ? *ray : (*block)[id]; }
 };
 

@@ -1,6 +1,7 @@
 #include "renderer/accel/embree_block.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "renderer/base/vector_widths.h"
 
@@ -54,7 +55,7 @@ CANDELA_LANES void set_hits(const RTCRayHit16& found, HitBlock& hits) {
 
 CANDELA_LANES LaneMask occluded_lanes(const RTCRay16& rays) {
   LaneFlags flags;
-  for (std::uint32_t i = 0; i < block_size; ++i) flags[i] = rays.tfar[i] < 0 ? 1 : 0;
+  for (std::uint32_t i = 0; i < block_size; ++i) flags[i] = std::signbit(rays.tfar[i]) ? 1 : 0;
   return mask_of(flags);
 }
 

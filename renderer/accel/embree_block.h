@@ -18,7 +18,7 @@ struct ValidLanes {
 // With Embree's IDs. Of rays that met nothing Embree leaves most as it was.
 void set_hits(const RTCRayHit16& found, HitBlock& hits);
 
-// Embree marks them by a t_max of -infinity.
+// Embree marks them by a t_max of -infinity; lanes that did not count may hold anything.
 [[nodiscard]] LaneMask occluded_lanes(const RTCRay16& rays);
 
 }  // namespace candela

@@ -31,12 +31,18 @@ PlainModel model_of(const Model& model, const SceneDescription& with = {}) {
 TEST(Unit_PlainModels, OfEachKindOfMaterial) {
   EXPECT_EQ(model_of(diffuse(Vec3d(0.5))), PlainModel::Diffuse);
   EXPECT_EQ(model_of(CookTorranceMaterial{}), PlainModel::CookTorrance);
-  EXPECT_EQ(model_of(CookTorranceMaterial{.geometry = description::GeometryModel::Smith}),
-            PlainModel::None);
-  EXPECT_EQ(model_of(CookTorranceMaterial{.ior = 1.5, .fresnel = description::FresnelModel::Exact}),
-            PlainModel::None);
-  EXPECT_EQ(model_of(LabMaterial{.diffuse = {Vec3d(0.4), {}}}), PlainModel::Diffuse);
-  EXPECT_EQ(model_of(LabMaterial{.specular = {Vec3d(0.3), {}}, .shininess = 40}), PlainModel::Lab);
+  CookTorranceMaterial smith;
+  smith.geometry = description::GeometryModel::Smith;
+  EXPECT_EQ(model_of(smith), PlainModel::None);
+  CookTorranceMaterial exact;
+  exact.ior = 1.5;
+  exact.fresnel = description::FresnelModel::Exact;
+  EXPECT_EQ(model_of(exact), PlainModel::None);
+  LabMaterial lab;
+  EXPECT_EQ(model_of(lab), PlainModel::Diffuse);
+  lab.specular = {Vec3d(0.3), {}};
+  lab.shininess = 40;
+  EXPECT_EQ(model_of(lab), PlainModel::Lab);
   EXPECT_EQ(model_of(description::DielectricMaterial{}), PlainModel::None);
 }
 
