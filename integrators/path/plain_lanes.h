@@ -6,7 +6,7 @@
 #include <array>
 
 #include "integrators/path/path_step.h"
-#include "renderer/material/plain_model.h"
+#include "renderer/material/material.h"
 #include "renderer/math/lanes.h"
 
 namespace candela {

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "integrators/first_hit.h"
-#include "integrators/path/render_tile.h"  // camera_ray, surface_point_at
+#include "integrators/path/render_tile.h"  // cell_of, surface_point_at
 #include "integrators/plain_direction.h"
 #include "integrators/report/ggx_half_vector.h"
 #include "integrators/report/report_context.h"
