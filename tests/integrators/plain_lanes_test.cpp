@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "renderer/base/floating_point_traps.h"
 #include "tests/image/crafted_files.h"
 #include "tests/image/temporary_folder.h"
 #include "tests/integrators/sample_ranges.h"
@@ -278,7 +279,8 @@ TEST(Unit_PlainLanes, PathsWhoseRaysCannotBeTracedAreLost) {
   lanes.met.position.x[3] = 1e16f;
   lanes.met.position.z[9] = std::numeric_limits<float>::quiet_NaN();
   lanes.scattered.bounce[9] = lanes.scattered.bounce[10] = first_bounce_with_roulette;
-  lanes.scattered.roulette[10] = 0.99f;  // ended: of a throughput below it
+  lanes.scattered.roulette[10] = 0.99f;        // ended: of a throughput below it
+  const FloatingPointTraps traps(Traps::Off);  // comparisons with NaN raise them
   const ScatterMasks masks = scatter(PlainModel::Diffuse, {}, 1, lanes);
   EXPECT_EQ(masks.lost, 1u << 3 | 1u << 9);
   EXPECT_EQ(masks.going_on, all_lanes & ~(1u << 3 | 1u << 9 | 1u << 10));
