@@ -1,15 +1,16 @@
-// The stateless sampler: Owen-scrambled Sobol points by hashing, padded by named dimension.
+// The stateless sampler: Owen-scrambled Sobol points by hashing, by named dimension.
 //
 // Each (pixel, bounce, dimension) sees its own nested scramble of the first two Sobol dimensions
 // with its sample index shuffled by another [Burley20, section 5], so every pair is a
 // (0,2)-sequence in base 2 in every prefix of a power of two, and pairs are independent of each
-// other.
+// other; but for those of a path's first vertices, which go together (joint_pairs.h).
 #pragma once
 
 #include <cstdint>
 
 #include "renderer/math/vec.h"
 #include "renderer/sampling/dimension.h"
+#include "renderer/sampling/joint_pairs.h"
 #include "renderer/sampling/sobol.h"
 
 namespace candela {
@@ -19,6 +20,13 @@ namespace candela {
                                                     std::uint32_t bounce, Dimension dimension) {
   const std::uint64_t place = (std::uint64_t{bounce} << 8) | static_cast<std::uint64_t>(dimension);
   return hash_counter(sequence_key, place);
+}
+
+// The order of joint pairs, of a reversed index.
+[[nodiscard]] constexpr std::uint32_t joint_index(std::uint32_t reversed_index,
+                                                  std::uint64_t sequence_key) {
+  return shuffle_reversed_index(
+      reversed_index, static_cast<std::uint32_t>(dimension_key(sequence_key, 0, joint_order)));
 }
 
 // A point of a sequence, as hashing wants it.
@@ -45,7 +53,10 @@ class Sampler {
   }
   // As 32-bit fractions.
   [[nodiscard]] SobolPoint sample_2d_bits(std::uint32_t bounce, Dimension dimension) const {
-    return scrambled_sobol_2d(reversed_index_, dimension_key(sequence_key_, bounce, dimension));
+    const std::uint64_t key = dimension_key(sequence_key_, bounce, dimension);
+    if (const ReversedColumns* matrix = joint_matrix(bounce, dimension))
+      return scrambled_pair(multiplied(joint_index(reversed_index_, sequence_key_), *matrix), key);
+    return scrambled_sobol_2d(reversed_index_, key);
   }
   // In [0, 1).
   [[nodiscard]] float sample_1d(std::uint32_t bounce, Dimension dimension) const {

@@ -17,6 +17,17 @@ CANDELA_EACH_VECTOR_WIDTH void points_of(const Lanes<std::uint64_t>& keys,
   }
 }
 
+CANDELA_EACH_VECTOR_WIDTH void joint_points_of(const Lanes<std::uint64_t>& keys,
+                                               const Lanes<std::uint32_t>& joint_indices,
+                                               const ReversedColumns& matrix,
+                                               SobolPointLanes& points) {
+  for (std::size_t i = 0; i < block_size; ++i) {
+    const SobolPoint point = scrambled_pair(multiplied(joint_indices[i], matrix), keys[i]);
+    points.x[i] = point.x;
+    points.y[i] = point.y;
+  }
+}
+
 CANDELA_EACH_VECTOR_WIDTH void numbers_of(const Lanes<std::uint64_t>& keys,
                                           const Lanes<std::uint32_t>& reversed_indices,
                                           Lanes<std::uint32_t>& numbers) {
@@ -39,6 +50,10 @@ SamplerBlock::SamplerBlock(const PixelSampler& pixel, std::uint32_t first_sample
       ++index;
     }
   }
+  const Lanes<std::uint64_t> order = keys_at(0, joint_order);
+  for (std::size_t i = 0; i < block_size; ++i)
+    joint_indices_[i] =
+        shuffle_reversed_index(reversed_indices_[i], static_cast<std::uint32_t>(order[i]));
 }
 
 Lanes<std::uint64_t> SamplerBlock::keys_at(std::uint32_t bounce, Dimension dimension) const {
@@ -51,7 +66,10 @@ Lanes<std::uint64_t> SamplerBlock::keys_at(std::uint32_t bounce, Dimension dimen
 
 void SamplerBlock::sample_2d(std::uint32_t bounce, Dimension dimension,
                              SobolPointLanes& points) const {
-  points_of(keys_at(bounce, dimension), reversed_indices_, points);
+  if (const ReversedColumns* matrix = joint_matrix(bounce, dimension))
+    joint_points_of(keys_at(bounce, dimension), joint_indices_, *matrix, points);
+  else
+    points_of(keys_at(bounce, dimension), reversed_indices_, points);
 }
 
 void SamplerBlock::sample_1d(std::uint32_t bounce, Dimension dimension,

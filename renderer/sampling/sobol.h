@@ -83,16 +83,20 @@ struct SobolPoint {
   std::uint32_t x;
   std::uint32_t y;
 };
-[[nodiscard]] constexpr SobolPoint scrambled_sobol_2d(std::uint32_t reversed_index,
-                                                      std::uint64_t key) {
-  const std::uint32_t shuffled =
-      shuffle_reversed_index(reversed_index, static_cast<std::uint32_t>(key));
+// The point of a reversed index, in the order that it has.
+[[nodiscard]] constexpr SobolPoint scrambled_pair(std::uint32_t reversed_index, std::uint64_t key) {
   const std::uint64_t multipliers = multiplier_seeds(key);
-  return {nested_scramble(shuffled, static_cast<std::uint32_t>(key >> 32),
+  return {nested_scramble(reversed_index, static_cast<std::uint32_t>(key >> 32),
                           static_cast<std::uint32_t>(multipliers >> 32)),
-          nested_scramble(sobol_second(shuffled),
+          nested_scramble(sobol_second(reversed_index),
                           static_cast<std::uint32_t>(second_shift_seeds(key) >> 32),
                           static_cast<std::uint32_t>(multipliers >> 24))};
+}
+// In an order of its own.
+[[nodiscard]] constexpr SobolPoint scrambled_sobol_2d(std::uint32_t reversed_index,
+                                                      std::uint64_t key) {
+  return scrambled_pair(shuffle_reversed_index(reversed_index, static_cast<std::uint32_t>(key)),
+                        key);
 }
 
 // The same from an index, in [0, 1).

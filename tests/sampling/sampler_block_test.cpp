@@ -12,15 +12,19 @@ TEST(Unit_SamplerBlock, HasTheBitsOfSingleSamplers) {
       const PixelSampler pixel(5, 17, 301, replicates);
       const SamplerBlock block(pixel, first);
       for (const std::uint32_t bounce : {0u, 1u, 40u}) {
-        SobolPointLanes points;
+        SobolPointLanes points, light_points;
         Lanes<std::uint32_t> numbers;
         block.sample_2d(bounce, Dimension::Direction, points);
+        block.sample_2d(bounce, Dimension::LightPoint, light_points);
         block.sample_1d(bounce, Dimension::Roulette, numbers);
         for (std::uint32_t i = 0; i < block_size; ++i) {
           const Sampler single = pixel.at(first + i);
           const Vec2f point = single.sample_2d(bounce, Dimension::Direction);
           ASSERT_EQ(unit_float(points.x[i]), point.x) << replicates << " " << first << " " << i;
           ASSERT_EQ(unit_float(points.y[i]), point.y) << replicates << " " << first << " " << i;
+          const SobolPoint light_point = single.sample_2d_bits(bounce, Dimension::LightPoint);
+          ASSERT_EQ(light_points.x[i], light_point.x);
+          ASSERT_EQ(light_points.y[i], light_point.y);
           ASSERT_EQ(numbers[i], single.sample_1d_bits(bounce, Dimension::Roulette));
           ASSERT_EQ(block.lane(i).sample_1d_bits(bounce, Dimension::Roulette), numbers[i]);
         }
@@ -36,12 +40,15 @@ TEST(Unit_SamplerBlock, BranchesHavePointsOfTheirOwn) {
     for (std::uint32_t branch = 0; branch < branches; ++branch) {
       const SamplerBlock block(pixel, first, branches, branch);
       Lanes<std::uint32_t> numbers;
+      SobolPointLanes points;
       block.sample_1d(2, Dimension::Roulette, numbers);
+      block.sample_2d(0, Dimension::Direction, points);
       for (std::uint32_t i = 0; i < block_size; ++i) {
         const std::uint32_t sample = first + i;
         const Sampler single(pixel.sequence_key(sample % replicates),
                              sample / replicates * branches + branch);
         ASSERT_EQ(numbers[i], single.sample_1d_bits(2, Dimension::Roulette));
+        ASSERT_EQ(points.x[i], single.sample_2d_bits(0, Dimension::Direction).x);
       }
     }
   }
