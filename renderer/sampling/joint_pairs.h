@@ -45,11 +45,19 @@ using ReversedColumns = std::array<std::uint32_t, joint_bits>;
   return columns;
 }
 
+// What a product takes over from the bits beyond the matrix, and what it has from column c.
+[[nodiscard]] constexpr std::uint32_t untouched_part(std::uint32_t reversed_index) {
+  return reversed_index & (0xffffffffu >> joint_bits);
+}
+[[nodiscard]] constexpr std::uint32_t chosen_column(std::uint32_t reversed_index, std::uint32_t c,
+                                                    std::uint32_t column) {
+  return (0u - (reversed_index >> (31 - c) & 1u)) & column;
+}
 [[nodiscard]] constexpr std::uint32_t multiplied(std::uint32_t reversed_index,
                                                  const ReversedColumns& columns) {
-  std::uint32_t product = reversed_index & (0xffffffffu >> joint_bits);
+  std::uint32_t product = untouched_part(reversed_index);
   for (std::uint32_t c = 0; c < joint_bits; ++c)
-    product ^= (0u - (reversed_index >> (31 - c) & 1u)) & columns[c];
+    product ^= chosen_column(reversed_index, c, columns[c]);
   return product;
 }
 

@@ -21,8 +21,16 @@ CANDELA_EACH_VECTOR_WIDTH void joint_points_of(const Lanes<std::uint64_t>& keys,
                                                const Lanes<std::uint32_t>& joint_indices,
                                                const ReversedColumns& matrix,
                                                SobolPointLanes& points) {
+  // multiplied(), column by column: the other way round loops are not made vectors.
+  Lanes<std::uint32_t> order;
+  for (std::size_t i = 0; i < block_size; ++i) order[i] = untouched_part(joint_indices[i]);
+  for (std::uint32_t c = 0; c < joint_bits; ++c) {
+    const std::uint32_t column = matrix[c];
+    for (std::size_t i = 0; i < block_size; ++i)
+      order[i] ^= chosen_column(joint_indices[i], c, column);
+  }
   for (std::size_t i = 0; i < block_size; ++i) {
-    const SobolPoint point = scrambled_pair(multiplied(joint_indices[i], matrix), keys[i]);
+    const SobolPoint point = scrambled_pair(order[i], keys[i]);
     points.x[i] = point.x;
     points.y[i] = point.y;
   }
