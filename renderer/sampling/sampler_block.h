@@ -35,7 +35,7 @@ class SamplerBlock {
   Lanes<std::uint64_t> sequence_keys_;
   Lanes<std::uint32_t> reversed_indices_;
   Lanes<std::uint32_t> joint_indices_;  // joint_index() of each
-  std::size_t period_;  // of the sequence keys over the lanes
+  std::size_t period_;                  // of the sequence keys over the lanes
 };
 
 }  // namespace candela
