@@ -30,8 +30,9 @@ enum class IntegratorKind : std::uint8_t { Path, Whitted, Raster, Report };
 // How whitted and raster shade highlights: by the half vector or by the mirrored direction.
 enum class SpecularModel : std::uint8_t { Blinn, Phong };
 
-// Whether the samples of a pixel know of each other; plain random numbers are for comparisons.
-enum class SamplerKind : std::uint8_t { Sobol, Independent };
+// How the samples of a pixel know of each other: as points of which a path's pairs go together; of
+// which each pair is shuffled by itself; not at all. The last two are for comparisons.
+enum class SamplerKind : std::uint8_t { Sobol, Padded, Independent };
 
 // Whether paths follow what others learned of the light: where a trial says that it pays, or
 // always.

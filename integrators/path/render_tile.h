@@ -71,6 +71,10 @@ inline void travel(Convoy<F, A>& convoy, Film& film, TileCounts& counts) {
                                                      : film.replicates();
 }
 
+[[nodiscard]] inline PairOrder pair_order_of(const RenderOptions& options) {
+  return options.sampler == SamplerKind::Padded ? PairOrder::Padded : PairOrder::Joint;
+}
+
 // What the samples of a pixel that sees nothing would have brought and, in rays, taken.
 inline void add_background(const BackgroundPixels& background, const SampleRange& range, int x,
                            int y, float clamp, Film& film, TileCounts& counts) {
@@ -107,7 +111,8 @@ TileCounts render_tile(const PathContext<A>& of_render, const TilePass& pass, Fi
         continue;
       }
       const PixelSampler pixel(pass.seed, static_cast<std::uint32_t>(x),
-                               static_cast<std::uint32_t>(y), sequences_of(context.options, film));
+                               static_cast<std::uint32_t>(y), sequences_of(context.options, film),
+                               pair_order_of(context.options));
       aim_lamp_rays(x, y, context);
       for (std::uint32_t base = range.first & ~(block_size - 1); base < range.end;
            base += block_size) {

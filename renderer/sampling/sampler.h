@@ -22,26 +22,32 @@ namespace candela {
   return hash_counter(sequence_key, place);
 }
 
-// The order of joint pairs, of a reversed index.
-[[nodiscard]] constexpr std::uint32_t joint_index(std::uint32_t reversed_index,
-                                                  std::uint64_t sequence_key) {
-  return shuffle_reversed_index(
-      reversed_index, static_cast<std::uint32_t>(dimension_key(sequence_key, 0, joint_order)));
+// How the pairs of a path's first vertices go: together, or each in an order of its own, as all
+// others do.
+enum class PairOrder : std::uint8_t { Joint, Padded };
+
+// The matrix of a pair that goes together with those before it; else null.
+[[nodiscard]] constexpr const ReversedColumns* matrix_of(PairOrder order, std::uint32_t bounce,
+                                                         Dimension dimension) {
+  return order == PairOrder::Joint ? joint_matrix(bounce, dimension) : nullptr;
 }
 
 // A point of a sequence, as hashing wants it.
 struct SequencePlace {
   std::uint64_t sequence_key;
   std::uint32_t reversed_index;
+  PairOrder order;
 };
 
 class Sampler {
  public:
   explicit Sampler(const SequencePlace& place)
-      : sequence_key_(place.sequence_key), reversed_index_(place.reversed_index) {}
+      : sequence_key_(place.sequence_key),
+        reversed_index_(place.reversed_index),
+        order_(place.order) {}
   // Point `index` of the sequence that belongs to `sequence_key`.
-  Sampler(std::uint64_t sequence_key, std::uint32_t index)
-      : Sampler(SequencePlace{sequence_key, reverse_bits(index)}) {}
+  Sampler(std::uint64_t sequence_key, std::uint32_t index, PairOrder order = PairOrder::Joint)
+      : Sampler(SequencePlace{sequence_key, reverse_bits(index), order}) {}
   // Of a pixel that has one sequence only.
   Sampler(std::uint64_t seed, std::uint32_t pixel_x, std::uint32_t pixel_y, std::uint32_t index)
       : Sampler(hash_pixel(seed, pixel_x, pixel_y), index) {}
@@ -54,8 +60,8 @@ class Sampler {
   // As 32-bit fractions.
   [[nodiscard]] SobolPoint sample_2d_bits(std::uint32_t bounce, Dimension dimension) const {
     const std::uint64_t key = dimension_key(sequence_key_, bounce, dimension);
-    if (const ReversedColumns* matrix = joint_matrix(bounce, dimension))
-      return scrambled_pair(multiplied(joint_index(reversed_index_, sequence_key_), *matrix), key);
+    if (const ReversedColumns* matrix = matrix_of(order_, bounce, dimension))
+      return scrambled_pair(multiplied(place_in_joint_order(), *matrix), key);
     return scrambled_sobol_2d(reversed_index_, key);
   }
   // In [0, 1).
@@ -64,12 +70,21 @@ class Sampler {
   }
   // All 32 bits: for choices among so many things that 24 bits are too coarse.
   [[nodiscard]] std::uint32_t sample_1d_bits(std::uint32_t bounce, Dimension dimension) const {
-    return scrambled_sobol_1d(reversed_index_, dimension_key(sequence_key_, bounce, dimension));
+    const std::uint64_t key = dimension_key(sequence_key_, bounce, dimension);
+    if (const ReversedColumns* matrix = matrix_of(order_, bounce, dimension))
+      return scrambled_number(multiplied(place_in_joint_order(), *matrix), key);
+    return scrambled_sobol_1d(reversed_index_, key);
   }
 
  private:
+  [[nodiscard]] constexpr std::uint32_t place_in_joint_order() const {
+    return joint_index(reversed_index_,
+                       static_cast<std::uint32_t>(dimension_key(sequence_key_, 0, joint_order)));
+  }
+
   std::uint64_t sequence_key_;
   std::uint32_t reversed_index_;
+  PairOrder order_;
 };
 
 // A pixel's replicates: sequences that are randomised independently of each other, so that their
@@ -77,12 +92,13 @@ class Sampler {
 class PixelSampler {
  public:
   PixelSampler(std::uint64_t seed, std::uint32_t pixel_x, std::uint32_t pixel_y,
-               std::uint32_t replicates)
-      : pixel_key_(hash_pixel(seed, pixel_x, pixel_y)), replicates_(replicates) {}
+               std::uint32_t replicates, PairOrder order = PairOrder::Joint)
+      : pixel_key_(hash_pixel(seed, pixel_x, pixel_y)), replicates_(replicates), order_(order) {}
 
   [[nodiscard]] Sampler at(std::uint32_t sample) const {
-    return {sequence_key(sample % replicates_), sample / replicates_};
+    return {sequence_key(sample % replicates_), sample / replicates_, order_};
   }
+  [[nodiscard]] PairOrder order() const { return order_; }
   [[nodiscard]] std::uint32_t replicates() const { return replicates_; }
   [[nodiscard]] std::uint64_t sequence_key(std::uint32_t replicate) const {
     return hash_counter(pixel_key_, replicate);
@@ -91,6 +107,7 @@ class PixelSampler {
  private:
   std::uint64_t pixel_key_;
   std::uint32_t replicates_;
+  PairOrder order_;
 };
 
 }  // namespace candela

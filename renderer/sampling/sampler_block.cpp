@@ -17,20 +17,23 @@ CANDELA_EACH_VECTOR_WIDTH void points_of(const Lanes<std::uint64_t>& keys,
   }
 }
 
-CANDELA_EACH_VECTOR_WIDTH void joint_points_of(const Lanes<std::uint64_t>& keys,
-                                               const Lanes<std::uint32_t>& joint_indices,
-                                               const ReversedColumns& matrix,
-                                               SobolPointLanes& points) {
-  // multiplied(), column by column: the other way round loops are not made vectors.
-  Lanes<std::uint32_t> order;
-  for (std::size_t i = 0; i < block_size; ++i) order[i] = untouched_part(joint_indices[i]);
-  for (std::uint32_t c = 0; c < joint_bits; ++c) {
+// multiplied(), column by column: the other way round loops are not made vectors.
+CANDELA_EACH_VECTOR_WIDTH void multiply(const Lanes<std::uint32_t>& joint_indices,
+                                        const ReversedColumns& matrix, std::uint32_t columns,
+                                        Lanes<std::uint32_t>& products) {
+  for (std::size_t i = 0; i < block_size; ++i) products[i] = untouched_part(joint_indices[i]);
+  for (std::uint32_t c = 0; c < columns; ++c) {
     const std::uint32_t column = matrix[c];
     for (std::size_t i = 0; i < block_size; ++i)
-      order[i] ^= chosen_column(joint_indices[i], c, column);
+      products[i] ^= chosen_column(joint_indices[i], c, column);
   }
+}
+
+CANDELA_EACH_VECTOR_WIDTH void joint_points_of(const Lanes<std::uint64_t>& keys,
+                                               const Lanes<std::uint32_t>& products,
+                                               SobolPointLanes& points) {
   for (std::size_t i = 0; i < block_size; ++i) {
-    const SobolPoint point = scrambled_pair(order[i], keys[i]);
+    const SobolPoint point = scrambled_pair(products[i], keys[i]);
     points.x[i] = point.x;
     points.y[i] = point.y;
   }
@@ -43,11 +46,19 @@ CANDELA_EACH_VECTOR_WIDTH void numbers_of(const Lanes<std::uint64_t>& keys,
     numbers[i] = scrambled_sobol_1d(reversed_indices[i], keys[i]);
 }
 
+CANDELA_EACH_VECTOR_WIDTH void joint_numbers_of(const Lanes<std::uint64_t>& keys,
+                                                const Lanes<std::uint32_t>& products,
+                                                Lanes<std::uint32_t>& numbers) {
+  for (std::size_t i = 0; i < block_size; ++i) numbers[i] = scrambled_number(products[i], keys[i]);
+}
+
 }  // namespace
 
 SamplerBlock::SamplerBlock(const PixelSampler& pixel, std::uint32_t first_sample,
                            std::uint32_t branches, std::uint32_t branch)
-    : period_(std::min<std::size_t>(pixel.replicates(), block_size)) {
+    : joint_columns_(0),
+      period_(std::min<std::size_t>(pixel.replicates(), block_size)),
+      order_(pixel.order()) {
   std::uint32_t replicate = first_sample % pixel.replicates();
   std::uint32_t index = first_sample / pixel.replicates();
   for (std::size_t i = 0; i < block_size; ++i) {
@@ -58,10 +69,14 @@ SamplerBlock::SamplerBlock(const PixelSampler& pixel, std::uint32_t first_sample
       ++index;
     }
   }
-  const Lanes<std::uint64_t> order = keys_at(0, joint_order);
-  for (std::size_t i = 0; i < block_size; ++i)
-    joint_indices_[i] =
-        shuffle_reversed_index(reversed_indices_[i], static_cast<std::uint32_t>(order[i]));
+  if (order_ == PairOrder::Padded) return;
+  const Lanes<std::uint64_t> seeds = keys_at(0, joint_order);
+  std::uint32_t all = 0;
+  for (std::size_t i = 0; i < block_size; ++i) {
+    joint_indices_[i] = joint_index(reversed_indices_[i], static_cast<std::uint32_t>(seeds[i]));
+    all |= joint_indices_[i];
+  }
+  joint_columns_ = needed_columns(all);
 }
 
 Lanes<std::uint64_t> SamplerBlock::keys_at(std::uint32_t bounce, Dimension dimension) const {
@@ -72,17 +87,28 @@ Lanes<std::uint64_t> SamplerBlock::keys_at(std::uint32_t bounce, Dimension dimen
   return keys;
 }
 
+Lanes<std::uint32_t> SamplerBlock::products_with(const ReversedColumns& matrix) const {
+  Lanes<std::uint32_t> products;
+  multiply(joint_indices_, matrix, joint_columns_, products);
+  return products;
+}
+
 void SamplerBlock::sample_2d(std::uint32_t bounce, Dimension dimension,
                              SobolPointLanes& points) const {
-  if (const ReversedColumns* matrix = joint_matrix(bounce, dimension))
-    joint_points_of(keys_at(bounce, dimension), joint_indices_, *matrix, points);
+  const Lanes<std::uint64_t> keys = keys_at(bounce, dimension);
+  if (const ReversedColumns* matrix = matrix_of(order_, bounce, dimension))
+    joint_points_of(keys, products_with(*matrix), points);
   else
-    points_of(keys_at(bounce, dimension), reversed_indices_, points);
+    points_of(keys, reversed_indices_, points);
 }
 
 void SamplerBlock::sample_1d(std::uint32_t bounce, Dimension dimension,
                              Lanes<std::uint32_t>& numbers) const {
-  numbers_of(keys_at(bounce, dimension), reversed_indices_, numbers);
+  const Lanes<std::uint64_t> keys = keys_at(bounce, dimension);
+  if (const ReversedColumns* matrix = matrix_of(order_, bounce, dimension))
+    joint_numbers_of(keys, products_with(*matrix), numbers);
+  else
+    numbers_of(keys, reversed_indices_, numbers);
 }
 
 }  // namespace candela

@@ -24,18 +24,22 @@ class SamplerBlock {
                std::uint32_t branch = 0);
 
   [[nodiscard]] Sampler lane(std::size_t i) const {
-    return Sampler(SequencePlace{sequence_keys_[i], reversed_indices_[i]});
+    return Sampler(SequencePlace{sequence_keys_[i], reversed_indices_[i], order_});
   }
   void sample_2d(std::uint32_t bounce, Dimension dimension, SobolPointLanes& points) const;
   void sample_1d(std::uint32_t bounce, Dimension dimension, Lanes<std::uint32_t>& numbers) const;
 
  private:
   [[nodiscard]] Lanes<std::uint64_t> keys_at(std::uint32_t bounce, Dimension dimension) const;
+  // Of the joint indices.
+  [[nodiscard]] Lanes<std::uint32_t> products_with(const ReversedColumns& matrix) const;
 
   Lanes<std::uint64_t> sequence_keys_;
   Lanes<std::uint32_t> reversed_indices_;
   Lanes<std::uint32_t> joint_indices_;  // joint_index() of each
+  std::uint32_t joint_columns_;         // needed_columns() of all of them
   std::size_t period_;                  // of the sequence keys over the lanes
+  PairOrder order_;
 };
 
 }  // namespace candela

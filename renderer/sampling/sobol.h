@@ -71,12 +71,17 @@ namespace candela {
   return key * 0xaf251af3b0f025b5ull;
 }
 
-// As a 32-bit fraction.
+// The number of a reversed index, in the order that it has, as a 32-bit fraction.
+[[nodiscard]] constexpr std::uint32_t scrambled_number(std::uint32_t reversed_index,
+                                                       std::uint64_t key) {
+  return nested_scramble(reversed_index, static_cast<std::uint32_t>(key >> 32),
+                         static_cast<std::uint32_t>(multiplier_seeds(key) >> 32));
+}
+// In an order of its own.
 [[nodiscard]] constexpr std::uint32_t scrambled_sobol_1d(std::uint32_t reversed_index,
                                                          std::uint64_t key) {
-  const std::uint32_t x = shuffle_reversed_index(reversed_index, static_cast<std::uint32_t>(key));
-  return nested_scramble(x, static_cast<std::uint32_t>(key >> 32),
-                         static_cast<std::uint32_t>(multiplier_seeds(key) >> 32));
+  return scrambled_number(shuffle_reversed_index(reversed_index, static_cast<std::uint32_t>(key)),
+                          key);
 }
 
 struct SobolPoint {

@@ -50,11 +50,11 @@ std::vector<std::pair<Pair, Pair>> pairs_that_meet() {
 
 // Digits above and on the diagonal alone, or blocks of samples would not stay blocks.
 TEST(Unit_JointPairs, MatricesAreUpperTriangular) {
-  for (const BitMatrix& matrix : {to_light_point, to_direction})
+  for (const BitMatrix& matrix : {to_light_point, to_direction, to_lobe_choice})
     for (std::uint32_t r = 0; r < joint_bits; ++r) {
       EXPECT_EQ(matrix[r] >> r & 1, 1);
       EXPECT_EQ(matrix[r] & ((1u << r) - 1), 0u);
-      EXPECT_EQ(matrix[r] >> joint_bits, 0);
+      EXPECT_EQ(matrix[r] >> joint_bits, 0u);
     }
 }
 
@@ -112,14 +112,32 @@ TEST(Statistical_JointPairs, AreUniformAndIndependentOverPixels) {
   EXPECT_GT(statistics::sidak_p_value(smallest, static_cast<double>(p_values.size())), 0.01);
 }
 
+// Every aligned block of 2^k samples has a number in every 2^k-th.
+TEST(Unit_JointPairs, LobeChoicesAreEvenlySpread) {
+  for (std::uint32_t bounce = 0; bounce < joint_bounces; ++bounce)
+    for (std::uint32_t k = 0; k <= 12; ++k)
+      for (const std::uint32_t block : {0u, 3u, 1u << 12}) {
+        std::vector<bool> is_hit(std::size_t{1} << k);
+        for (std::uint32_t i = 0; i < 1u << k; ++i) {
+          const Sampler sampler(mix_bits(7), (block << k) + i);
+          const std::uint64_t cell =
+              std::uint64_t{sampler.sample_1d_bits(bounce, Dimension::LobeChoice)} << k >> 32;
+          ASSERT_FALSE(is_hit[cell]) << bounce << " k " << k;
+          is_hit[cell] = true;
+        }
+      }
+}
+
 // Over pixels, of the mean of `count` samples of an integrand over two pairs.
 template <class F>
-statistics::Moments estimates(const Pair& a, const Pair& b, std::uint32_t count, F integrand) {
+statistics::Moments estimates(PairOrder order, const Pair& a, const Pair& b, std::uint32_t count,
+                              F integrand) {
   statistics::Moments moments;
   for (std::uint32_t pixel = 0; pixel < 4000; ++pixel) {
     double sum = 0;
+    const PixelSampler samples(3, pixel, 5, 1, order);
     for (std::uint32_t i = 0; i < count; ++i) {
-      const Sampler sampler(3, pixel, 5, i);
+      const Sampler sampler = samples.at(i);
       sum += integrand(point_of(sampler, a), point_of(sampler, b));
     }
     moments.add(sum / count);
@@ -138,20 +156,41 @@ TEST(Statistical_JointPairs, BeatPaddedOnesWhereTheyMeet) {
     const Vec2f a = p - Vec2f(0.4f), b = q - Vec2f(0.6f);
     return std::exp(-4.0 * double{dot(a, a) + dot(b, b)});
   };
-  const Pair deep_direction{joint_bounces, Dimension::Direction};
-  const Pair deep_light{joint_bounces + 1, Dimension::LightPoint};
+  const double chance = 3 * std::sqrt(4.0 / 4000);
   for (const std::uint32_t count : {16u, 64u}) {
-    const double padded_edge = estimates(deep_direction, deep_light, count, edge).variance();
-    const double padded_bell = estimates(deep_direction, deep_light, count, bell).variance();
-    const double chance = 3 * std::sqrt(4.0 / 4000);
     const double most_edge = count == 16 ? 1 + chance : 1 - chance;
     const double most_bell = 1 - chance;
     for (const auto& [a, b] : pairs_that_meet()) {
-      EXPECT_LT(estimates(a, b, count, edge).variance(), most_edge * padded_edge)
-          << a.bounce << " " << count;
-      EXPECT_LT(estimates(a, b, count, bell).variance(), most_bell * padded_bell)
-          << a.bounce << " " << count;
+      const auto ratio = [&, &a = a, &b = b](auto integrand) {
+        return estimates(PairOrder::Joint, a, b, count, integrand).variance() /
+               estimates(PairOrder::Padded, a, b, count, integrand).variance();
+      };
+      EXPECT_LT(ratio(edge), most_edge) << a.bounce << " " << count;
+      EXPECT_LT(ratio(bell), most_bell) << a.bounce << " " << count;
     }
+  }
+}
+
+// Two lobes, whose directions bring different light.
+TEST(Statistical_JointPairs, LobesHaveDirectionsThatAreEvenlySpread) {
+  for (std::uint32_t bounce = 0; bounce < joint_bounces; ++bounce) {
+    const auto variance = [&](PairOrder order) {
+      statistics::Moments moments;
+      for (std::uint32_t pixel = 0; pixel < 4000; ++pixel) {
+        const PixelSampler samples(3, pixel, 5, 1, order);
+        double sum = 0;
+        for (std::uint32_t i = 0; i < 16; ++i) {
+          const Sampler sampler = samples.at(i);
+          const Vec2f p = sampler.sample_2d(bounce, Dimension::Direction);
+          const bool is_first = sampler.sample_1d(bounce, Dimension::LobeChoice) < 0.4f;
+          if (is_first ? p.x > 0.3f : p.y > 0.6f) sum += is_first ? 2 : 1;
+        }
+        moments.add(sum / 16);
+      }
+      return moments.variance();
+    };
+    const double chance = 3 * std::sqrt(4.0 / 4000);
+    EXPECT_LT(variance(PairOrder::Joint), (1 - chance) * variance(PairOrder::Padded)) << bounce;
   }
 }
 

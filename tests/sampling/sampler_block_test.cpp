@@ -8,12 +8,14 @@ namespace {
 
 TEST(Unit_SamplerBlock, HasTheBitsOfSingleSamplers) {
   for (const std::uint32_t replicates : {1u, 2u, 3u, 4u, 5u, 15u, 16u, 17u, 100u})
-    for (const std::uint32_t first : {0u, 16u, 21u, 1008u, 4294967280u}) {
-      const PixelSampler pixel(5, 17, 301, replicates);
+    for (const std::uint32_t first : {0u, 16u, 21u, 1008u, 1u << 20, 4294967280u}) {
+      const PairOrder order = replicates == 3 ? PairOrder::Padded : PairOrder::Joint;
+      const PixelSampler pixel(5, 17, 301, replicates, order);
       const SamplerBlock block(pixel, first);
       for (const std::uint32_t bounce : {0u, 1u, 40u}) {
         SobolPointLanes points, light_points;
-        Lanes<std::uint32_t> numbers;
+        Lanes<std::uint32_t> numbers, lobes;
+        block.sample_1d(bounce, Dimension::LobeChoice, lobes);
         block.sample_2d(bounce, Dimension::Direction, points);
         block.sample_2d(bounce, Dimension::LightPoint, light_points);
         block.sample_1d(bounce, Dimension::Roulette, numbers);
@@ -25,6 +27,7 @@ TEST(Unit_SamplerBlock, HasTheBitsOfSingleSamplers) {
           const SobolPoint light_point = single.sample_2d_bits(bounce, Dimension::LightPoint);
           ASSERT_EQ(light_points.x[i], light_point.x);
           ASSERT_EQ(light_points.y[i], light_point.y);
+          ASSERT_EQ(lobes[i], single.sample_1d_bits(bounce, Dimension::LobeChoice));
           ASSERT_EQ(numbers[i], single.sample_1d_bits(bounce, Dimension::Roulette));
           ASSERT_EQ(block.lane(i).sample_1d_bits(bounce, Dimension::Roulette), numbers[i]);
         }

@@ -1,6 +1,7 @@
 #include "tests/statistics/distributions.h"
 
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 namespace candela::statistics {

@@ -168,10 +168,14 @@ void expect_what_the_sentences_say(const FiguresRun& run) {
   const Json& bleeding = run.figure("figure_3")["rows"];
   EXPECT_NEAR(bleeding[0]["redness"], 1, 0.01);
   EXPECT_GT(bleeding[1]["redness"], 3);
+  int encoded = 0;
   for (const Json& row : run.figure("encoded_average")["rows"]) {
-    if (row["spp"] != 4) continue;
+    // Of so few samples of so small a picture none may have met the lamp.
+    if (row["spp"] != 4 || row["linear"] == 0) continue;
     EXPECT_LT(row["encoded_each"], row["encoded_once"]) << row;
+    ++encoded;
   }
+  EXPECT_GT(encoded, 0);
   const Json& strategies = run.figure("figure_5")["rows"];
   ASSERT_EQ(strategies[5]["caption"], "all diffuse, uniform");
   EXPECT_GT(strategies[5]["relmse"], strategies[6]["relmse"]) << strategies[6]["caption"];

@@ -40,6 +40,7 @@ TECHNIQUES = (  # a row is a line
     Technique("no path guiding (off: everywhere)", {"guiding": "on"}),
     Technique("no path guiding (off: where a trial says that it pays)", {"guiding": "auto"}),
     Technique("Sobol points (off: plain random numbers)", {"sampler": "independent"}),
+    Technique("pairs of a path together (off: each shuffled by itself)", {"sampler": "padded"}),
     Technique("no light samples for a constant sky", {"sky_samples": "on"}),
     Technique("dim parts of skies left to BSDF samples", {"sky_compensation": "off"}),
     Technique("more camera rays at lamps' edges", {"lamp_rays": 0}),

@@ -29,6 +29,7 @@ constexpr Choice<Heuristic> heuristics[] = {{"balance", Heuristic::Balance},
 constexpr Choice<Guiding> guidings[] = {
     {"off", Guiding::Off}, {"auto", Guiding::Auto}, {"on", Guiding::On}};
 constexpr Choice<SamplerKind> samplers[] = {{"sobol", SamplerKind::Sobol},
+                                            {"padded", SamplerKind::Padded},
                                             {"independent", SamplerKind::Independent}};
 constexpr Choice<LightSampling> light_samplings[] = {{"triangles", LightSampling::Triangles},
                                                      {"area", LightSampling::Area},

@@ -143,8 +143,10 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
              "cosine, uniform [mis; report: light]");
   add_choice(command, "--heuristic", "heuristic", render.heuristic, heuristic_choices(),
              "How mis weights [power]");
-  add_choice(command, "--sampler", "sampler", render.sampler, sampler_choices(),
-             "Scrambled Sobol points or, for comparisons, plain random numbers [sobol]");
+  add_choice(
+      command, "--sampler", "sampler", render.sampler, sampler_choices(),
+      "Scrambled Sobol points or, for comparisons, such whose pairs are shuffled each by itself "
+      "(padded), or plain random numbers (independent) [sobol]");
   add_value(command, "--sky-samples", "on|off", render.samples_constant_sky, parse_switch,
             "Light samples for a constant environment, which BSDF samples find as well [off]");
   add_value(command, "--sky-compensation", "on|off", render.compensates_sky, parse_switch,
