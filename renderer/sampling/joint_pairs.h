@@ -60,7 +60,7 @@ using ReversedColumns = std::array<std::uint32_t, joint_bits>;
 }
 [[nodiscard]] constexpr std::uint32_t chosen_column(std::uint32_t reversed_index, std::uint32_t c,
                                                     std::uint32_t column) {
-  return (0u - (reversed_index >> (31 - c) & 1u)) & column;
+  return (reversed_index & 0x80000000u >> c) != 0 ? column : 0;
 }
 [[nodiscard]] constexpr std::uint32_t multiplied(std::uint32_t reversed_index,
                                                  const ReversedColumns& columns) {
