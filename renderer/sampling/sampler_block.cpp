@@ -7,50 +7,40 @@
 namespace candela {
 namespace {
 
-CANDELA_EACH_VECTOR_WIDTH void points_of(const Lanes<std::uint64_t>& keys,
-                                         const Lanes<std::uint32_t>& reversed_indices,
-                                         SobolPointLanes& points) {
-  for (std::size_t i = 0; i < block_size; ++i) {
-    const SobolPoint point = scrambled_sobol_2d(reversed_indices[i], keys[i]);
-    points.x[i] = point.x;
-    points.y[i] = point.y;
-  }
+CANDELA_EACH_VECTOR_WIDTH void shuffle(const Lanes<std::uint64_t>& keys,
+                                       const Lanes<std::uint32_t>& reversed_indices,
+                                       Lanes<std::uint32_t>& order) {
+  for (std::size_t i = 0; i < block_size; ++i)
+    order[i] = shuffle_reversed_index(reversed_indices[i], static_cast<std::uint32_t>(keys[i]));
 }
 
 // multiplied(), column by column, and lanes without unrolling: else GCC makes no vectors of them.
 CANDELA_EACH_VECTOR_WIDTH void multiply(const Lanes<std::uint32_t>& joint_indices,
                                         const ReversedColumns& matrix, std::uint32_t columns,
-                                        Lanes<std::uint32_t>& products) {
-  for (std::size_t i = 0; i < block_size; ++i) products[i] = untouched_part(joint_indices[i]);
+                                        Lanes<std::uint32_t>& order) {
+  for (std::size_t i = 0; i < block_size; ++i) order[i] = untouched_part(joint_indices[i]);
   for (std::uint32_t c = 0; c < columns; ++c) {
     const std::uint32_t column = matrix[c];
 #pragma GCC unroll 1
     for (std::size_t i = 0; i < block_size; ++i)
-      products[i] ^= chosen_column(joint_indices[i], c, column);
+      order[i] ^= chosen_column(joint_indices[i], c, column);
   }
 }
 
-CANDELA_EACH_VECTOR_WIDTH void joint_points_of(const Lanes<std::uint64_t>& keys,
-                                               const Lanes<std::uint32_t>& products,
-                                               SobolPointLanes& points) {
+CANDELA_EACH_VECTOR_WIDTH void points_of(const Lanes<std::uint64_t>& keys,
+                                         const Lanes<std::uint32_t>& order,
+                                         SobolPointLanes& points) {
   for (std::size_t i = 0; i < block_size; ++i) {
-    const SobolPoint point = scrambled_pair(products[i], keys[i]);
+    const SobolPoint point = scrambled_pair(order[i], keys[i]);
     points.x[i] = point.x;
     points.y[i] = point.y;
   }
 }
 
 CANDELA_EACH_VECTOR_WIDTH void numbers_of(const Lanes<std::uint64_t>& keys,
-                                          const Lanes<std::uint32_t>& reversed_indices,
+                                          const Lanes<std::uint32_t>& order,
                                           Lanes<std::uint32_t>& numbers) {
-  for (std::size_t i = 0; i < block_size; ++i)
-    numbers[i] = scrambled_sobol_1d(reversed_indices[i], keys[i]);
-}
-
-CANDELA_EACH_VECTOR_WIDTH void joint_numbers_of(const Lanes<std::uint64_t>& keys,
-                                                const Lanes<std::uint32_t>& products,
-                                                Lanes<std::uint32_t>& numbers) {
-  for (std::size_t i = 0; i < block_size; ++i) numbers[i] = scrambled_number(products[i], keys[i]);
+  for (std::size_t i = 0; i < block_size; ++i) numbers[i] = scrambled_number(order[i], keys[i]);
 }
 
 }  // namespace
@@ -88,28 +78,26 @@ Lanes<std::uint64_t> SamplerBlock::keys_at(std::uint32_t bounce, Dimension dimen
   return keys;
 }
 
-Lanes<std::uint32_t> SamplerBlock::products_with(const ReversedColumns& matrix) const {
-  Lanes<std::uint32_t> products;
-  multiply(joint_indices_, matrix, joint_columns_, products);
-  return products;
+Lanes<std::uint32_t> SamplerBlock::order_of(std::uint32_t bounce, Dimension dimension,
+                                            const Lanes<std::uint64_t>& keys) const {
+  Lanes<std::uint32_t> order;
+  if (const ReversedColumns* matrix = matrix_of(order_, bounce, dimension))
+    multiply(joint_indices_, *matrix, joint_columns_, order);
+  else
+    shuffle(keys, reversed_indices_, order);
+  return order;
 }
 
 void SamplerBlock::sample_2d(std::uint32_t bounce, Dimension dimension,
                              SobolPointLanes& points) const {
   const Lanes<std::uint64_t> keys = keys_at(bounce, dimension);
-  if (const ReversedColumns* matrix = matrix_of(order_, bounce, dimension))
-    joint_points_of(keys, products_with(*matrix), points);
-  else
-    points_of(keys, reversed_indices_, points);
+  points_of(keys, order_of(bounce, dimension, keys), points);
 }
 
 void SamplerBlock::sample_1d(std::uint32_t bounce, Dimension dimension,
                              Lanes<std::uint32_t>& numbers) const {
   const Lanes<std::uint64_t> keys = keys_at(bounce, dimension);
-  if (const ReversedColumns* matrix = matrix_of(order_, bounce, dimension))
-    joint_numbers_of(keys, products_with(*matrix), numbers);
-  else
-    numbers_of(keys, reversed_indices_, numbers);
+  numbers_of(keys, order_of(bounce, dimension, keys), numbers);
 }
 
 }  // namespace candela

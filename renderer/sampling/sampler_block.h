@@ -31,8 +31,9 @@ class SamplerBlock {
 
  private:
   [[nodiscard]] Lanes<std::uint64_t> keys_at(std::uint32_t bounce, Dimension dimension) const;
-  // Of the joint indices.
-  [[nodiscard]] Lanes<std::uint32_t> products_with(const ReversedColumns& matrix) const;
+  // The reversed indices in the order of a dimension, whose keys these are.
+  [[nodiscard]] Lanes<std::uint32_t> order_of(std::uint32_t bounce, Dimension dimension,
+                                              const Lanes<std::uint64_t>& keys) const;
 
   Lanes<std::uint64_t> sequence_keys_;
   Lanes<std::uint32_t> reversed_indices_;
