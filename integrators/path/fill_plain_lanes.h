@@ -11,10 +11,11 @@ namespace candela {
 class PlainMasks {
  public:
   void add(PlainModel model, std::uint32_t lane) {
-    if (model != PlainModel::None) lanes_ |= std::uint64_t{1} << (first_bit(model) + lane);
+    std::uint16_t& of_model = lanes_[static_cast<std::size_t>(model)];
+    of_model = static_cast<std::uint16_t>(of_model | 1u << lane);
   }
   [[nodiscard]] LaneMask of(PlainModel model) const {
-    return static_cast<LaneMask>(lanes_ >> first_bit(model)) & all_lanes;
+    return lanes_[static_cast<std::size_t>(model)];
   }
   [[nodiscard]] LaneMask all() const {
     LaneMask lanes = 0;
@@ -23,12 +24,7 @@ class PlainMasks {
   }
 
  private:
-  [[nodiscard]] static constexpr std::uint32_t first_bit(PlainModel model) {
-    return block_size * (static_cast<std::uint32_t>(model) - 1);
-  }
-  static_assert(block_size * plain_models.size() <= 64);
-
-  std::uint64_t lanes_ = 0;  // model by model, but for None
+  std::array<std::uint16_t, plain_models.size() + 1> lanes_{};  // by model, None among them
 };
 
 // Of the hits those on plain surfaces that stand where the scene says.
@@ -42,6 +38,15 @@ class PlainMasks {
 
 [[nodiscard]] inline TexturePoint texture_point_of(const PlainLanes& lanes, std::uint32_t slot) {
   return {lanes.bsdfs.uv[slot], lanes.met.position[slot], lanes.met.normal[slot]};
+}
+
+// `cos_o`: at the shading normal.
+inline void put_coat(const Bsdf& bsdf, float cos_o, std::uint32_t slot, BsdfLanes& bsdfs) {
+  bsdfs.diffuse.set(slot, bsdf.diffuse);
+  bsdfs.alpha[slot] = bsdf.alpha;
+  bsdfs.coat_eta[slot] = bsdf.coat->eta();
+  bsdfs.transmittance_o[slot] = bsdf.coat->transmittance(cos_o, bsdf.alpha);
+  bsdfs.mean_transmittance[slot] = bsdf.coat->mean_transmittance(bsdf.alpha);
 }
 
 // What textures say is looked up one path after the other, once it is known where they are.
@@ -59,6 +64,11 @@ inline void put_bsdfs(PlainModel model, const TextureStore& textures, PlainLanes
       bsdfs.eta.set(slot, metal.eta);
       bsdfs.k.set(slot, metal.k);
       bsdfs.alpha[slot] = ggx_width(material.roughness.constant);
+      continue;
+    }
+    if (model == PlainModel::CoatedDiffuse) {
+      put_coat(coated_diffuse_at(material, textures, at),
+               dot(-lanes.met.direction[slot], lanes.met.shading_normal[slot]), slot, bsdfs);
       continue;
     }
     Bsdf bsdf = model == PlainModel::Lab ? lab_at(material, textures, at)
@@ -198,8 +208,7 @@ template <FeatureSet F, class A>
   });
   find_surfaces(model, context.scene, lanes);
   LaneMask going_on = 0;
-  const ScatterMasks scattered =
-      scatter(model, context.options, context.inverse_roulette_threshold, lanes);
+  const ScatterMasks scattered = scatter(model, context.inverse_roulette_threshold, lanes);
   for_each_lane(scattered.going_on, [&](std::uint32_t slot) {
     take_scattered(lanes, slot, lane_of[slot], block);
     going_on |= 1u << lane_of[slot];

@@ -35,15 +35,16 @@ struct DirectLight {
 };
 
 // The contribution of one light sample, already divided by the probability `choice` of the light.
-template <FeatureSet F>
+// `evaluate`: the BSDF of the local direction.
+template <FeatureSet F, class Evaluate>
 [[nodiscard]] inline Rgb unshadowed_contribution(const RenderOptions& options,
-                                                 const SurfacePoint& point, const Bsdf& bsdf,
-                                                 const Guide<F>& guide, const Vec3f& wo_local,
+                                                 const SurfacePoint& point, const Guide<F>& guide,
                                                  const Vec3f& wi, float light_pdf, bool is_delta,
-                                                 float choice, const Rgb& radiance) {
+                                                 float choice, const Rgb& radiance,
+                                                 const Evaluate& evaluate) {
   Vec3f wi_local = point.shading.to_local(wi);
   if (!is_consistent(point, wi, wi_local)) return Rgb(0);
-  BsdfEvaluation f = evaluate_bsdf<F.models>(bsdf, wo_local, wi_local);
+  BsdfEvaluation f = evaluate(wi_local);
   if (is_black(f.value)) return Rgb(0);
   const float pdf = light_pdf * choice;
   const float weight =
@@ -85,9 +86,9 @@ template <FeatureSet F, class A>
                                                      TileCounts& counts) {
   const auto [light, is_sky] = sample_light_or_sky<F>(context.scene, index, point, u);
   if (!light.is_valid()) return {};
-  Rgb contribution =
-      unshadowed_contribution<F>(context.options, point, bsdf, guide, wo_local, light.wi, light.pdf,
-                                 light.is_delta, choice, light.radiance);
+  Rgb contribution = unshadowed_contribution<F>(
+      context.options, point, guide, light.wi, light.pdf, light.is_delta, choice, light.radiance,
+      [&](const Vec3f& wi) { return evaluate_bsdf<F.models>(bsdf, wo_local, wi); });
   if (is_black(contribution)) {
     ++counts.skipped.shadow_rays;
     return {};

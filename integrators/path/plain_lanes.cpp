@@ -5,15 +5,6 @@
 namespace candela {
 namespace {
 
-// Booleans as numbers: what && makes is a branch, which vectors do not have.
-[[nodiscard]] constexpr std::uint32_t flag(bool condition) {
-  return condition ? 1 : 0;
-}
-// Of the lanes that are filled.
-[[nodiscard]] inline LaneMask filled_mask(const LaneFlags& flags, const PlainLanes& lanes) {
-  return mask_of(flags) & ((1u << lanes.size) - 1);
-}
-
 [[nodiscard]] inline Light lamp_of(const LampLanes& lamps, std::size_t i) {
   Light light;
   light.emits_both_sides = lamps.emits_both_sides[i] != 0;
@@ -26,132 +17,6 @@ namespace {
   light.offset = lamps.offset[i];
   light.near_distance2 = lamps.near_distance2[i];
   return light;
-}
-
-constexpr BsdfModel bsdf_model(PlainModel model) {
-  switch (model) {
-    case PlainModel::CookTorrance:
-      return BsdfModel::CookTorrance;
-    case PlainModel::Lab:
-      return BsdfModel::Lab;
-    case PlainModel::Conductor:
-      return BsdfModel::Conductor;
-    case PlainModel::Diffuse:
-    case PlainModel::None:
-      break;
-  }
-  return BsdfModel::Diffuse;
-}
-template <PlainModel model>
-inline constexpr FeatureSet features_of = lane_features.with_models(model_bit(bsdf_model(model)));
-
-template <PlainModel model>
-[[nodiscard]] inline Bsdf bsdf_of(const BsdfLanes& bsdfs, std::size_t i) {
-  if constexpr (model == PlainModel::Diffuse) return {.diffuse = bsdfs.diffuse[i]};
-  if constexpr (model == PlainModel::Lab)
-    return {.model = BsdfModel::Lab,
-            .alpha = bsdfs.alpha[i],
-            .diffuse = bsdfs.diffuse[i],
-            .specular = bsdfs.specular[i]};
-  if constexpr (model == PlainModel::Conductor)
-    return {.model = BsdfModel::Conductor,
-            .alpha = bsdfs.alpha[i],
-            .eta = bsdfs.eta[i],
-            .k = bsdfs.k[i]};
-  return {.model = BsdfModel::CookTorrance,
-          .alpha = bsdfs.alpha[i],
-          .diffuse = bsdfs.diffuse[i],
-          .specular = bsdfs.specular[i],
-          .f0 = bsdfs.f0[i]};
-}
-
-template <PlainModel model>
-[[nodiscard]] inline LightMasks weigh_light_by(const RenderOptions& options, PlainLanes& lanes) {
-  const MetLanes& met = lanes.met;
-  LightSampleLanes& samples = lanes.light_samples;
-  LaneFlags dark, to_trace;
-  for (std::size_t i = 0; i < block_size; ++i) {
-    SurfacePoint point = point_of(met, i);
-    Bsdf bsdf = bsdf_of<model>(lanes.bsdfs, i);
-    Rgb contribution(0);
-    if (samples.pdf[i] > 0)
-      contribution = unshadowed_contribution<features_of<model>>(
-          options, point, bsdf, {}, point.shading.to_local(-met.direction[i]), samples.wi[i],
-          samples.pdf[i], samples.is_delta[i] != 0, samples.choice[i], samples.radiance[i]);
-    samples.contribution.set(i, contribution);
-  }
-  for (std::size_t i = 0; i < block_size; ++i) {
-    const std::uint32_t is_valid = flag(samples.pdf[i] > 0);
-    Rgb contribution = samples.contribution[i];
-    dark[i] = is_valid & flag(is_black(contribution));
-    contribution *= met.throughput[i];
-    samples.contribution.set(i, contribution);
-    Ray shadow_ray = samples.shadow_ray(i);
-    to_trace[i] = is_valid & flag(!is_black(contribution)) & flag(is_traceable(shadow_ray));
-  }
-  return {filled_mask(dark, lanes), filled_mask(to_trace, lanes)};
-}
-
-template <PlainModel model>
-[[nodiscard]] inline ScatterMasks scatter_by(const RenderOptions& options,
-                                             float inverse_roulette_threshold, PlainLanes& lanes) {
-  const MetLanes& met = lanes.met;
-  ScatteredLanes& scattered = lanes.scattered;
-  LaneFlags going_on, lost;
-  for (std::size_t i = 0; i < block_size; ++i) {
-    StepNumbers numbers;
-    numbers.lobe = scattered.lobe[i];
-    numbers.direction = {scattered.direction_x[i], scattered.direction_y[i]};
-    const std::uint32_t bounce = scattered.bounce[i];
-    const float roulette = scattered.roulette[i];
-    SurfacePoint point = point_of(met, i);
-    Bsdf bsdf = bsdf_of<model>(lanes.bsdfs, i);
-    PathState path;
-    path.throughput = met.throughput[i];
-    path.roulette_scale = met.roulette_scale[i];
-    Ray ray;
-    const std::uint32_t is_scattered = flag(scatter_from<features_of<model>>(
-        options, numbers, {}, point, bsdf, point.shading.to_local(-met.direction[i]), ray, path));
-    const std::uint32_t survives =
-        is_scattered & flag(survives_roulette(roulette, bounce, inverse_roulette_threshold, path));
-    const std::uint32_t can_be_traced = flag(is_traceable(ray));
-    going_on[i] = survives & can_be_traced;
-    lost[i] = survives & (can_be_traced ^ 1);
-    scattered.throughput.set(i, path.throughput);
-    scattered.pdf[i] = path.bsdf_pdf;
-    scattered.origin.set(i, ray.origin);
-    scattered.direction.set(i, ray.direction);
-  }
-  return {filled_mask(going_on, lanes), filled_mask(lost, lanes)};
-}
-
-CANDELA_LANES LightMasks weigh_light_by_diffuse(const RenderOptions& options, PlainLanes& lanes) {
-  return weigh_light_by<PlainModel::Diffuse>(options, lanes);
-}
-CANDELA_LANES LightMasks weigh_light_by_glossy(const RenderOptions& options, PlainLanes& lanes) {
-  return weigh_light_by<PlainModel::CookTorrance>(options, lanes);
-}
-CANDELA_LANES LightMasks weigh_light_by_lab(const RenderOptions& options, PlainLanes& lanes) {
-  return weigh_light_by<PlainModel::Lab>(options, lanes);
-}
-CANDELA_LANES LightMasks weigh_light_by_metal(const RenderOptions& options, PlainLanes& lanes) {
-  return weigh_light_by<PlainModel::Conductor>(options, lanes);
-}
-CANDELA_LANES ScatterMasks scatter_by_metal(const RenderOptions& options, float inverse_threshold,
-                                            PlainLanes& lanes) {
-  return scatter_by<PlainModel::Conductor>(options, inverse_threshold, lanes);
-}
-CANDELA_LANES ScatterMasks scatter_by_diffuse(const RenderOptions& options, float inverse_threshold,
-                                              PlainLanes& lanes) {
-  return scatter_by<PlainModel::Diffuse>(options, inverse_threshold, lanes);
-}
-CANDELA_LANES ScatterMasks scatter_by_glossy(const RenderOptions& options, float inverse_threshold,
-                                             PlainLanes& lanes) {
-  return scatter_by<PlainModel::CookTorrance>(options, inverse_threshold, lanes);
-}
-CANDELA_LANES ScatterMasks scatter_by_lab(const RenderOptions& options, float inverse_threshold,
-                                          PlainLanes& lanes) {
-  return scatter_by<PlainModel::Lab>(options, inverse_threshold, lanes);
 }
 
 CANDELA_LANES void find_planes(MetLanes& met) {
@@ -257,39 +122,6 @@ bool sample_delta_light(const Light& light, PlainLanes& lanes) {
     default:
       return false;
   }
-}
-
-LightMasks weigh_light(PlainModel model, const RenderOptions& options, PlainLanes& lanes) {
-  switch (model) {
-    case PlainModel::Diffuse:
-      return weigh_light_by_diffuse(options, lanes);
-    case PlainModel::CookTorrance:
-      return weigh_light_by_glossy(options, lanes);
-    case PlainModel::Lab:
-      return weigh_light_by_lab(options, lanes);
-    case PlainModel::Conductor:
-      return weigh_light_by_metal(options, lanes);
-    case PlainModel::None:
-      break;
-  }
-  return {};
-}
-
-ScatterMasks scatter(PlainModel model, const RenderOptions& options,
-                     float inverse_roulette_threshold, PlainLanes& lanes) {
-  switch (model) {
-    case PlainModel::Diffuse:
-      return scatter_by_diffuse(options, inverse_roulette_threshold, lanes);
-    case PlainModel::CookTorrance:
-      return scatter_by_glossy(options, inverse_roulette_threshold, lanes);
-    case PlainModel::Lab:
-      return scatter_by_lab(options, inverse_roulette_threshold, lanes);
-    case PlainModel::Conductor:
-      return scatter_by_metal(options, inverse_roulette_threshold, lanes);
-    case PlainModel::None:
-      break;
-  }
-  return {};
 }
 
 }  // namespace candela

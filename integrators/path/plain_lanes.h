@@ -79,12 +79,18 @@ struct LightSampleLanes {
 
 // What the surfaces' materials look at, and the members of Bsdf that the models have.
 struct BsdfLanes {
-  BsdfLanes() { alpha.fill(1); }
+  BsdfLanes() {
+    alpha.fill(1);
+    coat_eta.fill(1);
+  }
 
   Lanes<const Material*> material{};
   Lanes<Vec2f> uv{};
   Vec3Lanes diffuse, specular, f0, eta, k;
   Lanes<float> alpha;
+  // What a coat's table says (CoatedLobes): of light from wo, on average, and from wi.
+  Lanes<float> coat_eta;
+  Lanes<float> transmittance_o{}, mean_transmittance{}, transmittance_i{};
 };
 
 // How the paths go on.
@@ -92,6 +98,7 @@ struct ScatteredLanes {
   Lanes<std::uint32_t> bounce{};
   Lanes<float> lobe{}, direction_x{}, direction_y{}, roulette{};  // random numbers
   // By scatter():
+  Vec3Lanes wi;  // local; of coats
   Vec3Lanes throughput;
   Lanes<float> pdf{};
   Vec3Lanes origin, direction;
@@ -122,8 +129,14 @@ struct PlainLanes {
   return point;
 }
 
+// Of the lanes that are filled.
+[[nodiscard]] inline LaneMask filled_mask(const LaneFlags& flags, const PlainLanes& lanes) {
+  return mask_of(flags) & ((1u << lanes.size) - 1);
+}
+
 inline constexpr std::array plain_models{PlainModel::Diffuse, PlainModel::CookTorrance,
-                                         PlainModel::Lab, PlainModel::Conductor};
+                                         PlainModel::Lab, PlainModel::Conductor,
+                                         PlainModel::CoatedDiffuse};
 
 void find_points(PlainLanes& lanes);
 void find_frames(PlainLanes& lanes);
@@ -146,7 +159,7 @@ struct ScatterMasks {
   LaneMask going_on = 0;
   LaneMask lost = 0;  // of the lanes that would go on those whose rays cannot be traced
 };
-[[nodiscard]] ScatterMasks scatter(PlainModel model, const RenderOptions& options,
-                                   float inverse_roulette_threshold, PlainLanes& lanes);
+[[nodiscard]] ScatterMasks scatter(PlainModel model, float inverse_roulette_threshold,
+                                   PlainLanes& lanes);
 
 }  // namespace candela

@@ -125,8 +125,7 @@ class PlainSteps {
   }
 
   void scatter_paths(PlainModel model) {
-    const ScatterMasks scattered =
-        scatter(model, context().options, context().inverse_roulette_threshold, lanes_);
+    const ScatterMasks scattered = scatter(model, context().inverse_roulette_threshold, lanes_);
     for_each_lane(scattered.going_on, [&](std::uint32_t slot) {
       const Place& place = places_[slot];
       take_scattered(lanes_, slot, place.lane, place.trip->block);

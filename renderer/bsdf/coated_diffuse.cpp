@@ -1,30 +1,30 @@
 #include "renderer/bsdf/coated_diffuse.h"
 
-#include "renderer/bsdf/microfacet.h"
+#include "renderer/bsdf/coated_lobes.h"
 #include "renderer/bsdf/mirror.h"
-#include "renderer/bsdf/specular_mixture.h"
-#include "renderer/math/colour.h"
 
 namespace candela {
 namespace {
 
-float coat_probability(const Bsdf& bsdf, float cos_o) {
-  return specular_probability(coat_reflectance(bsdf, cos_o),
-                              average(coated_diffuse_albedo(bsdf, cos_o)));
+CoatedLobes lobes_of(const Bsdf& bsdf, float cos_o) {
+  return {bsdf.coat->eta(), widths_of(bsdf), bsdf.diffuse,
+          bsdf.coat->transmittance(cos_o, mean_coat_width(bsdf)),
+          bsdf.coat->mean_transmittance(mean_coat_width(bsdf))};
 }
 
-// Of the lobes that are not delta lobes, with the probability of the coat's.
-BsdfEvaluation evaluate(const Bsdf& bsdf, const Vec3f& wo, const Vec3f& wi, float p_coat) {
+// Beside the smooth coat, which is a delta lobe.
+BsdfEvaluation evaluate_below_smooth_coat(const Bsdf& bsdf, const CoatedLobes& lobes, float p_coat,
+                                          const Vec3f& wi) {
   if (!(wi.z > 0)) return {};
-  const CoatTable& coat = *bsdf.coat;
-  const float through = coat.transmittance(wo.z, mean_coat_width(bsdf)) *
-                        coat.transmittance(wi.z, mean_coat_width(bsdf));
-  const Rgb diffuse = bsdf.diffuse * (through * wi.z * inverse_pi);
-  if (has_smooth_coat(bsdf)) return {diffuse, (1 - p_coat) * cosine_hemisphere_pdf(wi.z)};
-  const MicrofacetReflection reflection =
-      reflect_microfacets(GeometryTerm::Smith, widths_of(bsdf), wo, wi);
-  return {diffuse + coat_reflectance(bsdf, reflection.cos_half) * reflection.value,
-          specular_mixture_pdf(p_coat, reflection.pdf, wi.z)};
+  const Rgb value =
+      value_below_coat(lobes.diffuse, lobes.transmittance, bsdf.coat->transmittance(wi.z, 0), wi.z);
+  return {value, (1 - p_coat) * cosine_hemisphere_pdf(wi.z)};
+}
+
+BsdfEvaluation evaluate_below_rough_coat(const Bsdf& bsdf, const CoatedLobes& lobes,
+                                         const Vec3f& wo, const Vec3f& wi) {
+  return evaluate_coated_lobes(lobes, wo, wi,
+                               bsdf.coat->transmittance(wi.z, mean_coat_width(bsdf)));
 }
 
 }  // namespace
@@ -42,22 +42,27 @@ Rgb coated_reflectance(const CoatTable& coat, float alpha, const Rgb& kd, int bo
 }
 
 Rgb coated_diffuse_albedo(const Bsdf& bsdf, float cos_o) {
-  return bsdf.diffuse * (bsdf.coat->transmittance(cos_o, mean_coat_width(bsdf)) *
-                         bsdf.coat->mean_transmittance(mean_coat_width(bsdf)));
+  const CoatedLobes lobes = lobes_of(bsdf, cos_o);
+  return albedo_below_coat(lobes.diffuse, lobes.transmittance, lobes.mean_transmittance);
 }
 
 BsdfEvaluation evaluate_coated_diffuse(const Bsdf& bsdf, const Vec3f& wo, const Vec3f& wi) {
-  return evaluate(bsdf, wo, wi, coat_probability(bsdf, wo.z));
+  const CoatedLobes lobes = lobes_of(bsdf, wo.z);
+  if (has_smooth_coat(bsdf))
+    return evaluate_below_smooth_coat(bsdf, lobes, coat_probability(lobes, wo.z), wi);
+  return evaluate_below_rough_coat(bsdf, lobes, wo, wi);
 }
 
 BsdfSample sample_coated_diffuse(const Bsdf& bsdf, const Vec3f& wo, float lobe, Vec2f direction) {
-  const float p_coat = coat_probability(bsdf, wo.z);
-  if (has_smooth_coat(bsdf) && lobe < p_coat)
-    return mirror_sample(wo, Rgb{coat_reflectance(bsdf, wo.z) / p_coat});
-  const Vec3f wi = has_smooth_coat(bsdf)
-                       ? square_to_cosine_hemisphere(direction)
-                       : sample_specular_mixture(p_coat, widths_of(bsdf), wo, lobe, direction);
-  return to_sample(wi, evaluate(bsdf, wo, wi, p_coat));
+  const CoatedLobes lobes = lobes_of(bsdf, wo.z);
+  if (!has_smooth_coat(bsdf)) {
+    const Vec3f wi = sample_coated_lobes(lobes, wo, lobe, direction);
+    return to_sample(wi, evaluate_below_rough_coat(bsdf, lobes, wo, wi));
+  }
+  const float p_coat = coat_probability(lobes, wo.z);
+  if (lobe < p_coat) return mirror_sample(wo, Rgb{coat_reflectance(bsdf, wo.z) / p_coat});
+  const Vec3f wi = square_to_cosine_hemisphere(direction);
+  return to_sample(wi, evaluate_below_smooth_coat(bsdf, lobes, p_coat, wi));
 }
 
 }  // namespace candela

@@ -37,7 +37,8 @@ struct DielectricFresnel {
 // (eta cos_t)^2 = eta^2 - sin^2 is written so that it does not cancel for eta near 1.
 [[nodiscard]] inline DielectricFresnel fresnel_dielectric(float cos_theta, float eta) {
   const float eta2_cos2_t = (eta - 1) * (eta + 1) + square(cos_theta);
-  if (!(eta2_cos2_t > 0) || !(cos_theta > 0)) return {};
+  // One condition, which lanes can have: where cos_theta is NaN the other is, too.
+  if (!(std::min(eta2_cos2_t, cos_theta) > 0)) return {};
   const float eta_cos_t = std::sqrt(eta2_cos2_t);
   const float cos_t = std::min(1.0f, eta_cos_t / eta);
   const float perpendicular = (cos_theta - eta_cos_t) / (cos_theta + eta_cos_t);

@@ -32,8 +32,8 @@ enum class MaterialModel : std::uint8_t {
   Mix,  // at each hit one of its parts: mixed_material.h
 };
 
-// See plain_model.h. CookTorrance: with Schlick's two terms. Conductor: a rough one.
-enum class PlainModel : std::uint8_t { None, Diffuse, CookTorrance, Lab, Conductor };
+// See plain_model.h. CookTorrance: with Schlick's two terms. Conductor, CoatedDiffuse: rough ones.
+enum class PlainModel : std::uint8_t { None, Diffuse, CookTorrance, Lab, Conductor, CoatedDiffuse };
 
 // Whether light may pass to the other side.
 [[nodiscard]] constexpr bool is_transmissive(MaterialModel model) {

@@ -1,10 +1,16 @@
-// Surfaces whose BSDF is of one of four models, the same one whatever textures say: paths take
+// Surfaces whose BSDF is of one of five models, the same one whatever textures say: paths take
 // their steps on such surfaces side by side (integrators/path/plain_lanes.h).
 #pragma once
 
 #include "renderer/material/bsdf_at.h"
 
 namespace candela {
+
+// GGX of one width, the same everywhere, and no mirror.
+[[nodiscard]] inline bool has_one_width(const Material& material) {
+  return !material.is_anisotropic && !material.roughness.texture &&
+         material.roughness.constant >= smallest_ggx_width;
+}
 
 [[nodiscard]] inline PlainModel plain_model_of(const Material& material) {
   switch (material.model) {
@@ -18,10 +24,10 @@ namespace candela {
     case MaterialModel::Lab:
       return has_highlight(material) ? PlainModel::Lab : PlainModel::Diffuse;
     case MaterialModel::Conductor:
-      if (material.energy_compensation || material.is_anisotropic || material.roughness.texture ||
-          !(material.roughness.constant >= smallest_ggx_width))
-        return PlainModel::None;
-      return PlainModel::Conductor;
+      return !material.energy_compensation && has_one_width(material) ? PlainModel::Conductor
+                                                                      : PlainModel::None;
+    case MaterialModel::CoatedDiffuse:
+      return has_one_width(material) ? PlainModel::CoatedDiffuse : PlainModel::None;
     default:
       return PlainModel::None;
   }

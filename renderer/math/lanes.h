@@ -17,6 +17,11 @@ template <class T>
 using Lanes = std::array<T, block_size>;
 using LaneFlags = Lanes<std::uint32_t>;  // 1 in lanes where something holds, else 0
 
+// Booleans as numbers: what && makes is a branch, which vectors do not have.
+[[nodiscard]] constexpr std::uint32_t flag(bool condition) {
+  return condition ? 1 : 0;
+}
+
 struct Vec3Lanes {
   Lanes<float> x{}, y{}, z{};
 

@@ -16,6 +16,7 @@ namespace candela {
 namespace {
 
 using namespace test;
+using description::CoatedDiffuseMaterial;
 using description::CookTorranceMaterial;
 using description::MaterialHandle;
 using description::SceneDescription;
@@ -27,8 +28,8 @@ CookTorranceMaterial glossy(double roughness) {
   return material;
 }
 
-// Flat and smooth surfaces, smooth ones so coarse that their normals must be bent; diffuse and
-// glossy ones, and glossy ones that lanes do not know.
+// Flat and smooth surfaces, smooth ones so coarse that their normals must be bent; diffuse, glossy
+// and coated ones, and such as lanes do not know.
 SceneDescription room_of_all_kinds() {
   SceneDescription scene = small_room();
   CookTorranceMaterial exact = glossy(0.2);
@@ -45,6 +46,14 @@ SceneDescription room_of_all_kinds() {
   description::ConductorMaterial gold;
   gold.roughness = {0.15, {}, 0};
   add_mesh(scene, sphere({-0.6, 0, -0.6}, 0.25, 2), add_material(scene, gold));
+  const auto coated = [&](double roughness, double ior, double thickness, int max_depth) {
+    CoatedDiffuseMaterial material{{Vec3d(0.2, 0.7, 0.4), {}}, {}};
+    material.coat = {ior, {roughness, {}, 0}, {}, thickness, max_depth};
+    return add_material(scene, material);
+  };
+  add_mesh(scene, sphere({0.6, 0.5, -0.6}, 0.25, 2), coated(0.1, 1.5, 0.01, 10));
+  add_mesh(scene, sphere({0, -0.7, 0.3}, 0.2, 2), coated(0.6, 2.2, 0.3, 0));
+  add_mesh(scene, sphere({-0.2, -0.7, -0.3}, 0.2, 2), coated(0, 1.5, 0.01, 10));
   return scene;
 }
 
@@ -116,6 +125,9 @@ SceneDescription room_of_maps(const TemporaryFolder& folder) {
   metal.reflectance = {Vec3d(0.9), colours};
   surface(metal);
   add_mesh(scene, quad({0.5, -0.9, 0.6}, {0.4, 0, -0.2}, {0, 0.5, 0.1}), last());
+  CoatedDiffuseMaterial coated{{Vec3d(0.9), colours}, {.roughness = {0.25, {}, 0}}};
+  surface(coated).height = heights;
+  add_mesh(scene, quad({-0.9, -0.4, 0.7}, {0.7, 0, -0.2}, {0, 0.7, 0.1}), last());
   return scene;
 }
 
@@ -281,7 +293,7 @@ TEST(Unit_PlainLanes, PathsWhoseRaysCannotBeTracedAreLost) {
   lanes.scattered.bounce[9] = lanes.scattered.bounce[10] = first_bounce_with_roulette;
   lanes.scattered.roulette[10] = 0.99f;        // ended: of a throughput below it
   const FloatingPointTraps traps(Traps::Off);  // comparisons with NaN raise them
-  const ScatterMasks masks = scatter(PlainModel::Diffuse, {}, 1, lanes);
+  const ScatterMasks masks = scatter(PlainModel::Diffuse, 1, lanes);
   EXPECT_EQ(masks.lost, 1u << 3 | 1u << 9);
   EXPECT_EQ(masks.going_on, all_lanes & ~(1u << 3 | 1u << 9 | 1u << 10));
 }

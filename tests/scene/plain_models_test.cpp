@@ -12,6 +12,7 @@ namespace candela {
 namespace {
 
 using namespace test;
+using description::CoatedDiffuseMaterial;
 using description::ConductorMaterial;
 using description::CookTorranceMaterial;
 using description::LabMaterial;
@@ -47,22 +48,33 @@ TEST(Unit_PlainModels, OfEachKindOfMaterial) {
 }
 
 // Lanes know neither mirrors nor widths that change from place to place.
-TEST(Unit_PlainModels, OfMetals) {
-  EXPECT_EQ(model_of(ConductorMaterial{.roughness = {0.2, {}, 0}}), PlainModel::Conductor);
-  EXPECT_EQ(model_of(ConductorMaterial{.roughness = {0.0, {}, 0}}), PlainModel::None);
-  EXPECT_EQ(model_of(ConductorMaterial{.roughness = {0.2, {}, 0}, .energy_compensation = true}),
+TEST(Unit_PlainModels, OfMetalsAndCoats) {
+  const description::ScalarInput rough{0.2, {}, 0};
+  const description::ScalarInput smooth{0.0, {}, 0};
+  const description::ScalarInput across{0.4, {}, 0};
+  EXPECT_EQ(model_of(ConductorMaterial{.roughness = rough}), PlainModel::Conductor);
+  EXPECT_EQ(model_of(ConductorMaterial{.roughness = smooth}), PlainModel::None);
+  EXPECT_EQ(model_of(ConductorMaterial{.roughness = rough, .energy_compensation = true}),
             PlainModel::None);
-  EXPECT_EQ(model_of(ConductorMaterial{.roughness = {0.2, {}, 0},
-                                       .roughness_across = description::ScalarInput{0.4, {}, 0}}),
+  EXPECT_EQ(model_of(ConductorMaterial{.roughness = rough, .roughness_across = across}),
+            PlainModel::None);
+  EXPECT_EQ(model_of(CoatedDiffuseMaterial{.coat = {.roughness = rough}}),
+            PlainModel::CoatedDiffuse);
+  EXPECT_EQ(model_of(CoatedDiffuseMaterial{.coat = {.roughness = smooth}}), PlainModel::None);
+  EXPECT_EQ(
+      model_of(CoatedDiffuseMaterial{.coat = {.roughness = rough, .roughness_across = across}}),
+      PlainModel::None);
+  EXPECT_EQ(model_of(description::CoatedConductorMaterial{.coat = {.roughness = rough}}),
             PlainModel::None);
   const TemporaryFolder folder;
   const std::string png =
       folder.put("widths.png", crafted::png_rgba(8, 8, [](int x, int, int) { return 30u * x; }));
   SceneDescription with_image;
   with_image.images.push_back({png, description::Encoding::Linear, description::Wrap::Repeat, {}});
-  EXPECT_EQ(
-      model_of(ConductorMaterial{.roughness = {1, description::ImageHandle(0), 0}}, with_image),
-      PlainModel::None);
+  const description::ScalarInput varying{1, description::ImageHandle(0), 0};
+  EXPECT_EQ(model_of(ConductorMaterial{.roughness = varying}, with_image), PlainModel::None);
+  EXPECT_EQ(model_of(CoatedDiffuseMaterial{.coat = {.roughness = varying}}, with_image),
+            PlainModel::None);
 }
 
 TEST(Unit_PlainModels, SpheresAreNotPlain) {
