@@ -76,7 +76,8 @@ class Convoy {
     std::array<PlainMasks, capacity> plain;
     for (std::size_t i = 0; i < size_; ++i) {
       BlockTrip<A>& trip = *trips_[i];
-      plain[i] = plain_lanes_of(trip.context.scene, trip.block.hits, trip.alive);
+      plain[i] = plain_lanes_of(trip.context.scene, trip.block.hits,
+                                lanes_without_medium<F>(trip.block, trip.alive));
       step_alone(trip, trip.alive & ~plain[i].all());
     }
     PlainSteps<F, A> steps(lanes_);

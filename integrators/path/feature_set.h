@@ -41,6 +41,9 @@ inline constexpr FeatureSet media_features{.spheres = true, .media = true};
 // Everything but media. That it has spheres costs other scenes nothing.
 inline constexpr FeatureSet lane_features{.spheres = true, .lanes = true};
 
+// And with media: lanes are for paths that are in none of them.
+inline constexpr FeatureSet media_lane_features{.spheres = true, .media = true, .lanes = true};
+
 // For comparisons of estimators.
 inline constexpr FeatureSet strategy_features{.spheres = true, .media = true, .strategies = true};
 

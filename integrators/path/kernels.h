@@ -16,6 +16,8 @@ extern template TileCounts render_tile<general_features>(const PathContext<Embre
                                                          const TilePass&, Film&);
 extern template TileCounts render_tile<lane_features>(const PathContext<EmbreeAccel>&,
                                                       const TilePass&, Film&);
+extern template TileCounts render_tile<media_lane_features>(const PathContext<EmbreeAccel>&,
+                                                            const TilePass&, Film&);
 extern template TileCounts render_tile<general_features>(const PathContext<BvhAccel>&,
                                                          const TilePass&, Film&);
 extern template TileCounts render_tile<general_features>(
@@ -72,9 +74,10 @@ template <class A>
 template <>
 [[nodiscard]] inline PathKernel<EmbreeAccel> select_path_kernel(const SceneFeatures& features,
                                                                 bool use_general) {
-  if (!use_general && lane_features.covers(features))
-    return {"lanes", &render_tile<lane_features, EmbreeAccel>};
-  return general_kernel<EmbreeAccel>(features);
+  // Of what is seen from within a medium much is within it: lanes would be for few paths there.
+  if (use_general || features.cameras_in_media) return general_kernel<EmbreeAccel>(features);
+  if (features.media) return {"media_lanes", &render_tile<media_lane_features, EmbreeAccel>};
+  return {"lanes", &render_tile<lane_features, EmbreeAccel>};
 }
 
 }  // namespace candela

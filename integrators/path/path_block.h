@@ -35,6 +35,16 @@ struct PathBlock {
   std::array<MediumHandle, block_size> shadow_media;
 };
 
+// Of the paths those that are in no medium.
+template <FeatureSet F>
+[[nodiscard]] inline LaneMask lanes_without_medium(const PathBlock& block, LaneMask lanes) {
+  if constexpr (!F.media) return lanes;
+  LaneMask without = 0;
+  for (std::uint32_t i = 0; i < block_size; ++i)
+    if (!block.media[i]) without |= 1u << i;
+  return lanes & without;
+}
+
 // The next ray of a path cannot be traced, which makes the sample invalid.
 inline void lose_path(PathBlock& block, std::uint32_t i) {
   block.paths[i].radiance = Rgb(std::numeric_limits<float>::quiet_NaN());

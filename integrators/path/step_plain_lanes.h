@@ -84,9 +84,12 @@ class PlainSteps {
     for_each_lane(weighed_light(model), [&](std::uint32_t slot) {
       BlockTrip<A>& trip = *places_[slot].trip;
       const LightSampleLanes& samples = lanes_.light_samples;
-      ++trip.counts.rays.shadow;
-      if (!context().accelerator.occluded(samples.shadow_ray(slot)))
-        trip.block.paths[places_[slot].lane].radiance += samples.contribution[slot];
+      const DirectLight light{samples.contribution[slot], samples.shadow_ray(slot)};
+      Rgb& radiance = trip.block.paths[places_[slot].lane].radiance;
+      if constexpr (F.media)
+        radiance += shadowed_in(context(), light, MediumHandle{}, trip.counts);
+      else
+        radiance += shadowed(context().accelerator, light, trip.counts);
     });
   }
 
@@ -103,6 +106,7 @@ class PlainSteps {
       PathBlock& block = place.trip->block;
       block.shadow_rays.set(place.lane, samples.shadow_ray(slot));
       block.unshadowed[place.lane] = samples.contribution[slot];
+      if constexpr (F.media) block.shadow_media[place.lane] = {};
       place.trip->after.shadow_rays |= 1u << place.lane;
       place.trip->after.sky_rays |= (skies >> slot & 1u) << place.lane;
     });

@@ -116,13 +116,12 @@ inline void add_direct_light(const PathContext<A>& context, const LanesAfterStep
 }
 
 // Ends the paths whose rays left the scene, one right after the other, so that their waits for the
-// sky's texels overlap; returns the others. (Among media a ray may collide before it leaves.)
+// sky's texels overlap; returns the others. (Within a medium a ray may collide before it leaves.)
 template <FeatureSet F, class A>
 [[nodiscard]] inline LaneMask end_in_environment(const PathContext<A>& context, LaneMask alive,
                                                  std::uint32_t bounce, const HitBlock& hits,
                                                  PathBlock& block) {
-  if constexpr (F.media) return alive;
-  const LaneMask ended = alive & ~hits.met;
+  const LaneMask ended = lanes_without_medium<F>(block, alive) & ~hits.met;
   for_each_lane(ended, [&](std::uint32_t i) {
     add_environment<F>(context.scene, context.options, bounce, block.rays.direction[i],
                        block.paths[i]);

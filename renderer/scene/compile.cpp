@@ -59,10 +59,16 @@ std::vector<bool> met_materials(const Scene& scene) {
   return met;
 }
 
+bool bounds_media(const Scene& scene, MaterialHandle material) {
+  if (scene.medium_boundaries.empty()) return false;
+  const MediumBoundary& boundary = scene.medium_boundaries[material.index];
+  return boundary.is_clear || boundary.is_transition();
+}
+
 std::vector<PlainModel> plain_models_of(const Scene& scene) {
   std::vector<PlainModel> models;
   for (const Geometry& geometry : scene.geometries)
-    models.push_back(geometry.spheres.empty()
+    models.push_back(geometry.spheres.empty() && !bounds_media(scene, geometry.material)
                          ? plain_model_of(scene.materials[geometry.material.index])
                          : PlainModel::None);
   return models;
@@ -78,6 +84,7 @@ SceneFeatures features_of(const Scene& scene) {
     features.area_lights |= geometry.is_emissive();
   }
   features.media = !scene.media.empty();
+  for (const Camera& camera : scene.cameras) features.cameras_in_media |= camera.medium.is_valid();
   for (const Medium& medium : scene.media) features.scattering_media |= medium.scatters();
   for (const MediumBoundary& boundary : scene.medium_boundaries)
     features.clear_boundaries |= boundary.is_clear && boundary.is_transition();

@@ -40,6 +40,7 @@ struct SceneFeatures {
   bool area_lights = false;
   bool spheres = false;
   bool media = false;
+  bool cameras_in_media = false;
   bool scattering_media = false;
   bool clear_boundaries = false;  // surfaces that only bound media
   std::uint32_t bsdf_models = 0;  // ModelSet
@@ -55,7 +56,8 @@ struct Dropped {
 
 struct Scene {
   std::vector<Geometry> geometries;
-  std::vector<PlainModel> plain_models;  // of the geometries; None: of spheres, too
+  // Of the geometries; None: of spheres and of what bounds media, too.
+  std::vector<PlainModel> plain_models;
   std::vector<Object> objects;
   Object world;  // what is not instanced
   std::vector<Instance> instances;

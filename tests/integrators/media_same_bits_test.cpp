@@ -62,6 +62,62 @@ TEST(Agreement_MediaSameBits, OverSampleRanges) {
             picture_of_ranges<media_features>(scene, settings, {0, 40}));
 }
 
+// Seen from outside of all media: smoke behind an interface, green glass, a diffuse surface from
+// which light goes on in smoke; what stands around them, and within the smoke, bounds none.
+SceneDescription room_with_media() {
+  SceneDescription scene = small_room();
+  const auto smoke = add_medium(scene, Vec3d(0.3, 0.2, 0.1), Vec3d(2), 0.5);
+  const auto green = add_medium(scene, Vec3d(3, 0.5, 2), Vec3d(0), 0);
+  const auto with_media = [&](auto model, const description::MediumInterface& media) {
+    const auto material = add_material(scene, model);
+    scene.materials[material.index].media = media;
+    return material;
+  };
+  add_mesh(scene, sphere({-0.4, 0.1, 0.2}, 0.4, 2),
+           with_media(description::InterfaceMaterial{}, {smoke, {}}));
+  add_mesh(scene, box({-0.5, 0, 0.1}, {-0.3, 0.2, 0.3}), add_material(scene, diffuse(Vec3d(0.6))));
+  add_mesh(scene, sphere({0.4, -0.5, 0.2}, 0.3, 3),
+           with_media(description::DielectricMaterial{}, {green, {}}));
+  add_mesh(scene, box({0.2, 0.2, -0.6}, {0.7, 0.7, -0.2}),
+           with_media(diffuse(Vec3d(0.7)), {{}, smoke}));
+  description::CoatedDiffuseMaterial coated;
+  coated.coat.roughness = {0.2, {}, 0};
+  add_mesh(scene, sphere({0.2, 0.2, 0.5}, 0.2, 2), add_material(scene, coated));
+  return scene;
+}
+
+// Paths take their steps side by side where they are in no medium, whatever the lights.
+TEST(Agreement_MediaSameBits, LanesAreSingleSteps) {
+  SceneDescription description = room_with_media();
+  const auto check = [&](const std::string& what) {
+    RenderSettings settings = settings_of(32, 40);
+    settings.options.aovs = all_aovs;
+    const Scene scene = compiled(description, settings.options);
+    const RenderResult together = rendered(scene, settings);
+    settings.options.use_general_kernel = true;
+    const RenderResult alone = rendered(scene, settings);
+    EXPECT_EQ(together.statistics.kernel, "path/media_lanes") << what;
+    EXPECT_EQ(alone.statistics.kernel, "path/media") << what;
+    EXPECT_EQ(together.film.to_image(true).values, alone.film.to_image(true).values) << what;
+    EXPECT_EQ(together.statistics.rays.indirect, alone.statistics.rays.indirect) << what;
+    EXPECT_EQ(together.statistics.rays.shadow, alone.statistics.rays.shadow) << what;
+    EXPECT_EQ(together.statistics.skipped.shadow_rays, alone.statistics.skipped.shadow_rays)
+        << what;
+  };
+  check("a lamp");
+  add_light(description, description::PointLight{{0, 0.5, 0.5}, Vec3d(0.5)});
+  check("and a point");
+  add_light(description, description::ConstantEnvironment{Vec3d(0.1, 0.2, 0.4), true});
+  check("and a sky");
+}
+
+TEST(Agreement_MediaSameBits, LanesDoNotDependOnWhoTravelsAlong) {
+  const RenderSettings settings = settings_of(20, 64);
+  const Scene scene = compiled(room_with_media(), settings.options);
+  expect_same_over_cuts<media_lane_features>(scene, settings, {0, 64},
+                                             {{0, 16, 32, 48, 64}, {0, 1, 17, 60, 64}});
+}
+
 TEST(Agreement_MediaSameBits, WithoutMediaTheKernelIsTheGeneralOne) {
   const RenderSettings settings = settings_of(32, 16);
   SceneDescription description = small_room();

@@ -48,7 +48,7 @@ TEST(Unit_CompileMedia, InterfacesStayWhereTheyBoundSomething) {
   EXPECT_EQ(scene.geometries.size(), 1u);
   EXPECT_TRUE(scene.features.media && scene.features.scattering_media &&
               scene.features.clear_boundaries);
-  EXPECT_EQ(kernel_name(scene, {}), "path/media");
+  EXPECT_EQ(kernel_name(scene, {}), "path/media_lanes");
 }
 
 // A scene without media carries none of it.
@@ -59,7 +59,7 @@ TEST(Unit_CompileMedia, WhatBoundsNothingIsNotThere) {
     EXPECT_TRUE(scene.medium_boundaries.empty());
     EXPECT_TRUE(scene.geometries.empty());
     EXPECT_FALSE(scene.features.media);
-    EXPECT_NE(kernel_name(scene, {}), "path/media");
+    EXPECT_EQ(kernel_name(scene, {}), "path/lanes");
   }
 }
 
@@ -68,6 +68,7 @@ TEST(Unit_CompileMedia, TheCameraMayBeInOne) {
   description.cameras[0].medium = fog;
   const Scene scene = compiled(description, {});
   EXPECT_EQ(scene.cameras[0].medium, MediumHandle(0));
+  EXPECT_EQ(kernel_name(scene, {}), "path/media");
   EXPECT_TRUE(scene.features.media);
   EXPECT_FALSE(scene.features.clear_boundaries);
 }
