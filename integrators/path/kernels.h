@@ -76,8 +76,7 @@ template <>
                                                                 bool use_general) {
   // Of what is seen from within a medium much is within it: lanes would be for few paths there.
   if (use_general || features.cameras_in_media) return general_kernel<EmbreeAccel>(features);
-  if (lane_features.covers(features))
-    return {"lanes", &render_tile<lane_features, EmbreeAccel>};
+  if (lane_features.covers(features)) return {"lanes", &render_tile<lane_features, EmbreeAccel>};
   return {"media_lanes", &render_tile<media_lane_features, EmbreeAccel>};
 }
 
