@@ -6,6 +6,7 @@
 #include "renderer/base/floating_point_traps.h"
 #include "tests/image/crafted_files.h"
 #include "tests/image/temporary_folder.h"
+#include "tests/integrators/lane_steps.h"
 #include "tests/integrators/sample_ranges.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/exact_sphere.h"
@@ -147,20 +148,9 @@ SceneDescription room_of_strangers(const TemporaryFolder& folder) {
   return scene;
 }
 
-void expect_general(const SceneDescription& description, RenderSettings settings,
+void expect_general(const SceneDescription& description, const RenderSettings& settings,
                     const std::string& what) {
-  settings.options.aovs = all_aovs;
-  const Scene scene = compiled(description, settings.options);
-  const RenderResult together = rendered(scene, settings);
-  settings.options.use_general_kernel = true;
-  const RenderResult alone = rendered(scene, settings);
-  ASSERT_EQ(together.statistics.kernel, "path/lanes") << what;
-  ASSERT_NE(alone.statistics.kernel, "path/lanes") << what;
-  EXPECT_GT(mean_of(alone.film.to_image(false)), 0.01) << what;
-  EXPECT_EQ(together.film.to_image(true).values, alone.film.to_image(true).values) << what;
-  EXPECT_EQ(together.statistics.rays.indirect, alone.statistics.rays.indirect) << what;
-  EXPECT_EQ(together.statistics.rays.shadow, alone.statistics.rays.shadow) << what;
-  EXPECT_EQ(together.statistics.skipped.shadow_rays, alone.statistics.skipped.shadow_rays) << what;
+  expect_single_steps(description, settings, "path/lanes", what);
 }
 
 // Whole blocks and parts of them.
