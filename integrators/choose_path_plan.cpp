@@ -1,6 +1,7 @@
 #include "integrators/choose_path_plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -14,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t trial_splitting = 4;  // of the second trial
 constexpr float low_threshold = 0.25f;        // of the third
-constexpr int tile_size = 4;
+constexpr int tile_size = 2;
 
 // The same tile as it is, with splitting, and with a low roulette threshold.
 struct Trials {
@@ -40,50 +41,67 @@ std::vector<double> weights_of(const std::vector<Trials>& tiles) {
 struct Share {
   double error = 0;
   double cost = 0;
-};
 
-Share total(const std::vector<Trials>& tiles, std::optional<Trial> Trials::*trial) {
-  const std::vector<double> weights = weights_of(tiles);
-  std::vector<double> errors;
-  Share sum;
-  for (std::size_t i = 0; i < tiles.size(); ++i) {
-    errors.push_back((tiles[i].*trial)->variance * weights[i]);
-    sum.cost += (tiles[i].*trial)->cost;
+  Share& operator+=(const Share& other) {
+    error += other.error;
+    cost += other.cost;
+    return *this;
   }
-  sum.error = trimmed_sum(std::move(errors));
-  return sum;
-}
+};
 
 // See choose_path_plan.h for the letters.
 struct Model {
-  Share first;                   // A, c0
-  Share onward;                  // B, c1 of the first two trials
-  std::optional<Share> patient;  // B, c1 of the third
+  Share first;    // A, c0
+  Share onward;   // B, c1 of the first two trials
+  Share patient;  // B, c1 of the third
 
   // What a given error costs.
-  [[nodiscard]] double effort(const PathPlan& plan) const {
-    const Share& path = patient && plan.roulette_threshold == low_threshold ? *patient : onward;
+  [[nodiscard]] double effort(const PathPlan& plan, bool is_patient) const {
+    const Share& path = is_patient ? patient : onward;
     const double k = plan.splitting;
-    return (first.error + path.error / k) * (first.cost + path.cost * k);
+    return (std::max(first.error, 0.0) + std::max(path.error, 0.0) / k) *
+           (first.cost + path.cost * k);
   }
 };
 
-Model fit(const std::vector<Trials>& tiles) {
+// Whole and split, the trials have their first hits in common, and of the rest nothing: their
+// difference has the variance B + B / k.
+Model model_of(const Trials& tile) {
   constexpr double k = trial_splitting;
-  const Share whole = total(tiles, &Trials::whole);
+  const Share whole{tile.whole->variance, tile.whole->cost};
   Model model{{}, whole, {}};
-  if (tiles.front().split) {
-    const Share split = total(tiles, &Trials::split);
-    model.onward.error = std::clamp((whole.error - split.error) * k / (k - 1), 0.0, whole.error);
-    model.onward.cost = (split.cost - whole.cost) / (k - 1);
-    model.first = {whole.error - model.onward.error, whole.cost - model.onward.cost};
+  if (tile.split) {
+    model.onward.error = variance_of_difference(*tile.whole, *tile.split) * k / (k + 1);
+    model.onward.cost = (tile.split->cost - whole.cost) / (k - 1);
+    model.first.error = tile.split->variance - model.onward.error / k;
+    model.first.cost = whole.cost - model.onward.cost;
   }
-  if (tiles.front().patient) {
-    const Share patient = total(tiles, &Trials::patient);
-    model.patient = {std::max(patient.error - model.first.error, 0.0),
-                     patient.cost - model.first.cost};
-  }
+  if (!tile.patient) return model;
+  model.patient = {tile.patient->variance, tile.patient->cost - model.first.cost};
+  if (tile.split)
+    model.patient.error =
+        variance_of_difference(*tile.patient, *tile.split) - model.onward.error / k;
   return model;
+}
+
+// Sums over the tiles. Errors are those of all but the noisiest, as relMSE weighs them.
+Model fit(const std::vector<Trials>& tiles) {
+  const std::vector<double> weights = weights_of(tiles);
+  std::vector<double> noise;
+  for (std::size_t i = 0; i < tiles.size(); ++i)
+    noise.push_back(weights[i] *
+                    (tiles[i].whole->variance + (tiles[i].split ? tiles[i].split->variance : 0)));
+  const std::vector<bool> is_calm = calm_ones(noise);
+  Model sum;
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    Model tile = model_of(tiles[i]);
+    const double weight = is_calm[i] ? weights[i] : 0;
+    for (Share* share : {&tile.first, &tile.onward, &tile.patient}) share->error *= weight;
+    sum.first += tile.first;
+    sum.onward += tile.onward;
+    sum.patient += tile.patient;
+  }
+  return sum;
 }
 
 // What the options leave open.
@@ -100,13 +118,26 @@ std::vector<PathPlan> plans_of(const RenderOptions& options) {
   return plans;
 }
 
+// The first hits' noise falls faster than the paths' do, whose many dimensions leave little to
+// Sobol points: by n^-3/2, that of edges in two dimensions [Owen97]. Of the samples of a replicate
+// the picture has more than the trial.
+double share_of_first_noise(const RenderOptions& options) {
+  if (options.sampler == SamplerKind::Independent) return 1;
+  const double ratio =
+      (double{trial_samples} / trial_replicates) /
+      (static_cast<double>(options.samples_per_pixel) / std::max(options.replicates, 1));
+  return std::min(std::sqrt(ratio), 1.0);
+}
+
 PathPlan best_plan(const std::vector<Trials>& tiles, const RenderOptions& options) {
   constexpr double least_gain = 1.05;
   PathPlan best = plan_without_trial(options);
-  const Model model = fit(tiles);
-  double lowest = model.effort(best) / least_gain;
+  Model model = fit(tiles);
+  model.first.error *= share_of_first_noise(options);
+  double lowest = model.effort(best, false) / least_gain;
   for (const PathPlan& plan : plans_of(options)) {
-    const double effort = model.effort(plan);
+    const bool is_patient = tiles.front().patient && plan.roulette_threshold == low_threshold;
+    const double effort = model.effort(plan, is_patient);
     if (effort >= lowest) continue;
     lowest = effort;
     best = plan;
@@ -118,11 +149,12 @@ PathPlan best_plan(const std::vector<Trials>& tiles, const RenderOptions& option
 std::uint32_t trial_tiles(const RenderOptions& options) {
   constexpr double share = 0.03;
   constexpr double most = 128;
-  constexpr double fewest = 16;
-  constexpr double samples_a_tile = double{tile_size * tile_size} * trial_samples * trial_splitting;
+  constexpr double fewest = 40;
+  constexpr double paths_a_sample = 1 + trial_splitting + 1;
+  constexpr double paths_a_tile = double{tile_size * tile_size} * trial_samples * paths_a_sample;
   const double samples = static_cast<double>(options.width) * options.height *
                          static_cast<double>(options.samples_per_pixel);
-  const double tiles = std::min(share * samples / samples_a_tile, most);
+  const double tiles = std::min(share * samples / paths_a_tile, most);
   return tiles < fewest ? 0 : static_cast<std::uint32_t>(tiles);
 }
 

@@ -69,7 +69,7 @@ double effort(const std::vector<Pair>& pairs, double picture_mean, Trial Pair::*
     cost += (pair.*trial).cost;
     errors.push_back((pair.*trial).variance * relative_weight(pair.mean(), picture_mean));
   }
-  return cost * trimmed_sum(std::move(errors));
+  return cost * trimmed_sum(errors);
 }
 
 bool pays(const std::vector<Pair>& pairs) {

@@ -38,7 +38,7 @@ class Branches {
  public:
   // Of each of the sixteen samples of the pixel that begin with first_sample.
   Branches(const PixelSampler& pixel, std::uint32_t first_sample, std::uint32_t splitting)
-      : pixel_(pixel), first_sample_(first_sample), splitting_(splitting) {}
+      : pixel_(pixel.of_branches()), first_sample_(first_sample), splitting_(splitting) {}
 
   [[nodiscard]] bool is_split() const { return splitting_ > 1; }
   // The running branch's random numbers; those of the samples themselves where there is but one.
@@ -96,7 +96,7 @@ class Branches {
   }
 
  private:
-  const PixelSampler& pixel_;
+  PixelSampler pixel_;
   std::uint32_t first_sample_;
   std::uint32_t splitting_;
   std::uint32_t branch_ = 0;

@@ -74,6 +74,8 @@ def growth(rows):
         own = own if len(own) > 1 else [r for r in rows if r["shape"] == shape]
         triangles = [r["triangles"] for r in own]
         for figure in ("build_s", *CLASSES):
+            if not all(r[f"{b}_{figure}"] > 0 for r in own for b in BACK_ENDS):
+                continue  # nothing was lit: no shadow rays
             line = {"shape": shape, "cost": "build" if figure == "build_s" else f"{figure} ray"}
             for back_end in BACK_ENDS:
                 values = [r[f"{back_end}_{figure}"] for r in own]
