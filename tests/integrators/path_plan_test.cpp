@@ -2,6 +2,10 @@
 // bits, less noise, and chosen where they pay.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
 #include "integrators/render.h"
 #include "renderer/image/compare.h"
 #include "tests/scenes/description.h"
@@ -121,6 +125,60 @@ TEST(Statistical_PathPlan, PathsEndWhereTheThresholdSaysSo) {
     const double found = static_cast<double>(rays.indirect) / static_cast<double>(rays.camera);
     EXPECT_NEAR(found, expected, 0.01 * expected) << threshold;
   }
+}
+
+// The trial takes its difference from a whole picture for what is after the first hit: the two may
+// have nothing else in common.
+TEST(Statistical_Splitting, SplitPathsShareTheFirstHitAlone) {
+  const Scene scene = compiled(lamp_in_a_box(), settings_of(48, 16).options);
+  const Image reference = rendered(scene, split_settings(48, 1024, 4, 107)).film.to_image(false);
+  double products = 0, whole_squares = 0, split_squares = 0;
+  std::uint64_t pixels = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    RenderSettings settings = split_settings(48, 4, 1, seed);
+    settings.options.replicates = 1;
+    const Image whole = rendered(scene, settings).film.to_image(false);
+    settings.options.splitting = 4;
+    const Image split = rendered(scene, settings).film.to_image(false);
+    for (std::size_t i = 0; i < reference.values.size(); i += 4, ++pixels) {
+      const double w = double{whole.values[i]} - double{reference.values[i]};
+      const double s = double{split.values[i]} - double{reference.values[i]};
+      products += w * s;
+      whole_squares += w * w;
+      split_squares += s * s;
+    }
+  }
+  const double correlation = products / std::sqrt(whole_squares * split_squares);
+  EXPECT_LT(std::abs(correlation) * std::sqrt(static_cast<double>(pixels)), 3) << correlation;
+}
+
+struct PlansOfSeeds {
+  std::uint32_t fewest = 4;  // paths from a first hit
+  std::uint32_t most = 1;
+};
+
+PlansOfSeeds plans_of_seeds(const SceneDescription& description) {
+  PlansOfSeeds plans;
+  const RenderSettings trial = split_settings(96, 64, std::nullopt);
+  const Scene scene = compiled(description, trial.options);
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    RenderSettings settings = split_settings(96, 64, std::nullopt, seed);
+    settings.options.crop = PixelRect{0, 0, 1, 1};  // the trial is that of the whole picture
+    settings.options.roulette_threshold.reset();
+    const std::uint32_t splitting = rendered(scene, settings).statistics.plan.splitting;
+    plans.fewest = std::min(plans.fewest, splitting);
+    plans.most = std::max(plans.most, splitting);
+  }
+  return plans;
+}
+
+// Where it is clear what pays, every trial finds it.
+TEST(Statistical_Splitting, TrialsOfOtherSeedsAgree) {
+  EXPECT_EQ(plans_of_seeds(lamp_in_a_box()).fewest, 4u);
+  EXPECT_GE(plans_of_seeds(small_room()).fewest, 2u);
+  SceneDescription sky_alone = furnace(box({-1, -1, -1}, {1, 1, 1}), 0.3, 0);
+  add_light(sky_alone, description::ConstantEnvironment{Vec3d(1), true});
+  EXPECT_EQ(plans_of_seeds(sky_alone).most, 1u);
 }
 
 TEST(Agreement_Splitting, SameBitsOverThreadsTilesAndCrops) {
