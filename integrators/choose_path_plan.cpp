@@ -119,14 +119,16 @@ std::vector<PathPlan> plans_of(const RenderOptions& options) {
 }
 
 // The first hits' noise falls faster than the paths' do, whose many dimensions leave little to
-// Sobol points: by n^-3/2, that of edges in two dimensions [Owen97]. Of the samples of a replicate
-// the picture has more than the trial.
+// Sobol points: by n^-3/2, that of edges in two dimensions [He15]. Of the samples of a replicate
+// the picture has more than the trial. Counted up to `most`: a lens or a sky's texels do not go on
+// like that for ever, and where something else ends the render, only the most samples are known.
 double share_of_first_noise(const RenderOptions& options) {
+  constexpr double most = 64;
   if (options.sampler == SamplerKind::Independent) return 1;
-  const double ratio =
-      (double{trial_samples} / trial_replicates) /
-      (static_cast<double>(options.samples_per_pixel) / std::max(options.replicates, 1));
-  return std::min(std::sqrt(ratio), 1.0);
+  const double samples =
+      static_cast<double>(options.samples_per_pixel) / std::max(options.replicates, 1);
+  return std::min(std::sqrt(double{trial_samples} / trial_replicates / std::min(samples, most)),
+                  1.0);
 }
 
 PathPlan best_plan(const std::vector<Trials>& tiles, const RenderOptions& options) {
