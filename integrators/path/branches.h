@@ -38,7 +38,7 @@ class Branches {
  public:
   // Of each of the sixteen samples of the pixel that begin with first_sample.
   Branches(const PixelSampler& pixel, std::uint32_t first_sample, std::uint32_t splitting)
-      : pixel_(pixel.of_branches()), first_sample_(first_sample), splitting_(splitting) {}
+      : pixel_(pixel), first_sample_(first_sample), splitting_(splitting) {}
 
   [[nodiscard]] bool is_split() const { return splitting_ > 1; }
   // The running branch's random numbers; those of the samples themselves where there is but one.
@@ -49,7 +49,7 @@ class Branches {
   void begin(LaneMask lanes, PathBlock& block) {
     lanes_ = lanes;
     block.split.camera_rays = block.rays;
-    own_.emplace(pixel_, first_sample_, splitting_, 0u);
+    draw_branch();
   }
   // What the first hit itself brought is no branch's.
   void keep_direct_light(PathBlock& block) const {
@@ -72,7 +72,7 @@ class Branches {
   template <FeatureSet F, class A>
   [[nodiscard]] LaneMask start(const PathContext<A>& context, const SamplerBlock& unsplit,
                                PathBlock& block, PlainLanes& lanes) {
-    own_.emplace(pixel_, first_sample_, splitting_, branch_);
+    draw_branch();
     BlockNumbers numbers;
     numbers.draw_material(context.scene, unsplit, 0);
     numbers.draw_direction<F>(context.scene, *own_, 0);
@@ -96,7 +96,10 @@ class Branches {
   }
 
  private:
-  PixelSampler pixel_;
+  // Of numbers that whole paths do not take: the trial compares the two.
+  void draw_branch() { own_.emplace(pixel_.of_branches(), first_sample_, splitting_, branch_); }
+
+  const PixelSampler& pixel_;
   std::uint32_t first_sample_;
   std::uint32_t splitting_;
   std::uint32_t branch_ = 0;
