@@ -149,9 +149,9 @@ PathPlan best_plan(const std::vector<Trials>& tiles, const RenderOptions& option
 
 // How many tiles a trial may have; 0 where they would be too few to tell anything.
 std::uint32_t trial_tiles(const RenderOptions& options) {
-  constexpr double share = 0.03;
+  constexpr double share = 0.045;
   constexpr double most = 128;
-  constexpr double fewest = 40;
+  constexpr double fewest = 64;
   constexpr double paths_a_sample = 1 + trial_splitting + 1;
   constexpr double paths_a_tile = double{tile_size * tile_size} * trial_samples * paths_a_sample;
   const double samples = static_cast<double>(options.width) * options.height *
