@@ -158,7 +158,7 @@ struct PlansOfSeeds {
   std::uint32_t most = 1;
 };
 
-// Without adaptive sampling or a picture: of one pixel, where the trial is that of all.
+// Renders one pixel, for which the trial is that of the whole picture.
 PlansOfSeeds plans_of_seeds(const SceneDescription& description, int samples = 64) {
   PlansOfSeeds plans;
   RenderSettings settings = split_settings(96, samples, std::nullopt);
