@@ -1,16 +1,17 @@
 // How the path kernel spends its effort: where paths multiply and where they end. Right in
-// expectation with any.
+// expectation with any; what pays: docs/decisions.md, "Splitting, by the same time".
 #pragma once
 
 #include <cstdint>
 
 namespace candela {
 
-// Where neither options nor a trial name another (docs/decisions.md).
+// Of renders that are not told another (docs/decisions.md).
 inline constexpr float default_roulette_threshold = 0.5f;
+inline constexpr std::uint32_t max_splitting = 64;
 
 struct PathPlan {
-  std::uint32_t splitting = 1;  // paths that go on from each first hit
+  std::uint32_t splitting = 1;  // paths that go on from each first hit, up to max_splitting
   // Russian roulette ends no path whose throughput is at least this, in (0, 1].
   float roulette_threshold = 1;
 };

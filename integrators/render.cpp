@@ -87,7 +87,7 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
   if (!has_default_strategy(options)) rounds.guiding = Guiding::Off;
   if (scene.features.media) {  // branches.h
     rounds.guiding = Guiding::Off;
-    rounds.splitting = 1;
+    rounds.plan.splitting = 1;
   }
   RenderResult result{Film(options.width, options.height, rendered_rect(options), options.aovs,
                            replicates_of(options), film_balance(options)),
@@ -100,7 +100,7 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
             render_rounds(rounds, kernel.render_tile, result.film, progress, cancel);
         const TileCounts& counts = done.counts;
         result.statistics = {counts.rays,          counts.skipped, counts.invalid_samples,
-                             counts.first_invalid, kernel.name,    done.plan,
+                             counts.first_invalid, kernel.name,    rounds.plan,
                              done.guiding,         done.stop};
         if (done.guiding.cells > 0) result.statistics.kernel = "path/guided";
         result.error = done.error;

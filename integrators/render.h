@@ -38,7 +38,6 @@ enum class SamplerKind : std::uint8_t { Sobol, Padded, Independent };
 // always.
 enum class Guiding : std::uint8_t { Off, Auto, On };
 
-inline constexpr int max_splitting = 64;
 inline constexpr int max_lamp_rays = 64;
 
 struct RenderOptions {
@@ -57,11 +56,7 @@ struct RenderOptions {
   // path: a pilot of all pixels decides which of them get how many of the samples; those above are
   // then means over the picture. Needs replicates, and enough samples (render_rounds.cpp).
   bool adaptive = false;
-  // path: how many paths go on from the first hit of each camera ray, up to max_splitting; none:
-  // what a trial finds best (choose_path_plan.h).
-  std::optional<int> splitting = 1;
-  // path: the throughput from which on Russian roulette ends no path, in (0, 1]; none: as above.
-  std::optional<float> roulette_threshold = 1.0f;
+  PathPlan plan;  // path; scenes with media are not split
   // path: camera rays a sample that look for lamps alone in pixels that lamps cover in part, at
   // most (path/find_lamp_pixels.h); 0: none.
   int lamp_rays = 0;
@@ -135,7 +130,7 @@ struct RenderStatistics {
   std::uint64_t invalid_samples = 0;
   std::optional<InvalidSample> first_invalid;
   std::string kernel;  // the instance that ran
-  PathPlan plan;       // the options', or what the trial found
+  PathPlan plan;       // the options', but for what is never split
   GuidingDone guiding;
   StopReason stop = StopReason::Samples;
 };

@@ -2,7 +2,6 @@
 
 #include <chrono>
 
-#include "integrators/choose_path_plan.h"
 #include "integrators/guiding/choose_guide.h"
 #include "integrators/rounds.h"
 #include "renderer/base/parallel.h"
@@ -78,8 +77,8 @@ class Loop {
     const auto most = static_cast<std::uint32_t>(options_.samples_per_pixel);
     std::optional<StopReason> stop;
     expect({});
-    if (options_.integrator == IntegratorKind::Path) plan_paths();
-    result.plan = plan_;
+    if (options_.integrator == IntegratorKind::Path)
+      guide_ = choose_guide(options_, render_tile_, cancel_);
     result.guiding = guiding_done();
     while (!stop) {
       if (pilot_samples_ > 0 && done_ == 0)
@@ -100,10 +99,6 @@ class Loop {
   }
 
  private:
-  void plan_paths() {
-    plan_ = choose_path_plan(options_, render_tile_, cancel_);
-    guide_ = choose_guide(options_, render_tile_, plan_, cancel_);
-  }
   [[nodiscard]] GuidingDone guiding_done() const {
     if (!guide_.field) return {guide_.training_samples};
     return {guide_.training_samples, guide_.field->cells(), guide_.field->guided_cells()};
@@ -133,7 +128,7 @@ class Loop {
   }
 
   [[nodiscard]] TilePass pass_of(const SampleRange& range) const {
-    return {{}, range, nullptr, options_.seed, plan_, guide_.field.get(), nullptr};
+    return {{}, range, nullptr, options_.seed, options_.plan, guide_.field.get(), nullptr};
   }
 
   // `render`: what renders a range of samples a pixel.
@@ -210,7 +205,6 @@ class Loop {
   std::uint32_t pilot_samples_;
   std::optional<SampleDensity> density_;  // once the pilot is there
   TileCounts counts_;
-  PathPlan plan_;
   GuideChoice guide_;
   std::uint32_t done_ = 0;
   std::uint32_t error_samples_ = 0;  // a pixel, when the error was estimated

@@ -11,7 +11,6 @@ namespace candela {
 struct RoundsDone {
   TileCounts counts;
   StopReason stop = StopReason::Samples;
-  PathPlan plan;
   GuidingDone guiding;
   std::optional<ErrorEstimate> error;  // of the film as it is now
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "integrators/guiding/training.h"
-#include "integrators/trial.h"
+#include "integrators/guiding/trial.h"
 #include "renderer/base/parallel.h"
 #include "renderer/sampling/hash.h"
 
@@ -39,8 +39,7 @@ struct Pair {
 };
 
 std::vector<Pair> run_pairs(const RenderOptions& options, const TileFunction& render_tile,
-                            const PathPlan& plan, const GuidingField& field,
-                            const CancelFlag* cancel) {
+                            const GuidingField& field, const CancelFlag* cancel) {
   constexpr double share = 0.01;
   constexpr double most = 512;
   constexpr double samples_a_tile = 2.0 * tile_size * tile_size * trial_samples;
@@ -53,7 +52,7 @@ std::vector<Pair> run_pairs(const RenderOptions& options, const TileFunction& re
     pass.tile = trial_tile(options, tile_size, seed, static_cast<std::uint32_t>(i));
     pass.range = {0, trial_samples};
     pass.seed = seed;
-    pass.plan = plan;
+    pass.plan = options.plan;
     pairs[i].plain = run_trial(pass, options, render_tile);
     pass.guide = &field;
     pairs[i].guided = run_trial(pass, options, render_tile);
@@ -85,15 +84,15 @@ bool pays(const std::vector<Pair>& pairs) {
 }  // namespace
 
 GuideChoice choose_guide(const RenderOptions& options, const TileFunction& render_tile,
-                         const PathPlan& plan, const CancelFlag* cancel) {
+                         const CancelFlag* cancel) {
   constexpr double first_share = 0.02, whole_share = 0.08, share_if_on = 0.1;
   if (options.guiding == Guiding::Off) return {};
   const bool is_on = options.guiding == Guiding::On;
-  Training training(options, render_tile, plan.roulette_threshold, cancel);
+  Training training(options, render_tile, cancel);
   training.run_until(training_samples(options, is_on ? share_if_on : first_share));
   const auto has_learned = [&] { return training.field().guided_cells() > 0; };
   if (!is_on && has_learned()) {
-    if (!pays(run_pairs(options, render_tile, plan, training.field(), cancel)))
+    if (!pays(run_pairs(options, render_tile, training.field(), cancel)))
       return {nullptr, training.samples()};
     training.run_until(training_samples(options, whole_share));
   }

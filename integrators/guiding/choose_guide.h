@@ -5,7 +5,6 @@
 
 #include "integrators/guiding/guiding_field.h"
 #include "integrators/kernel.h"
-#include "integrators/path_plan.h"
 #include "integrators/render.h"
 
 namespace candela {
@@ -16,11 +15,10 @@ struct GuideChoice {
 };
 
 // Guiding::On: learned from a tenth of the samples. Guiding::Auto: first from 2 %; then a trial
-// renders a few tiles with `plan`, with and without the guide (1 % of the samples), and only where
+// renders a few tiles, with and without the guide (1 % of the samples), and only where
 // guided paths reach an error in clearly less time it goes on to learn from 8 %. Pictures with too
 // few samples are not guided. The same for any crop and threads. `cancel` may be null.
 [[nodiscard]] GuideChoice choose_guide(const RenderOptions& options,
-                                       const TileFunction& render_tile, const PathPlan& plan,
-                                       const CancelFlag* cancel);
+                                       const TileFunction& render_tile, const CancelFlag* cancel);
 
 }  // namespace candela

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "integrators/trial.h"
+#include "integrators/guiding/trial.h"
 #include "renderer/base/parallel.h"
 #include "renderer/film/film.h"
 #include "renderer/sampling/hash.h"
@@ -43,10 +43,10 @@ Records run_block(const RenderOptions& options, const TileFunction& render_tile,
 }  // namespace
 
 Training::Training(const RenderOptions& options, const TileFunction& render_tile,
-                   float roulette_threshold, const CancelFlag* cancel)
+                   const CancelFlag* cancel)
     : options_(options), render_tile_(render_tile), cancel_(cancel) {
   settings_.seed = mix_bits(options.seed + 4);  // none that the picture or a trial uses
-  settings_.plan.roulette_threshold = roulette_threshold;
+  settings_.plan.roulette_threshold = options.plan.roulette_threshold;
 }
 
 std::uint64_t Training::samples() const {

@@ -15,8 +15,7 @@ namespace candela {
 class Training {
  public:
   // Keeps references. `cancel` may be null.
-  Training(const RenderOptions& options, const TileFunction& render_tile, float roulette_threshold,
-           const CancelFlag* cancel);
+  Training(const RenderOptions& options, const TileFunction& render_tile, const CancelFlag* cancel);
 
   // Goes on as long as no more samples than these are taken in all: the first time in three
   // iterations, of a quarter, a quarter and a half.

@@ -1,7 +1,7 @@
 // Splitting [Arvo90]: from the first hit of a camera ray several paths go on, one after the other,
 // and count as their mean. What lies before, the camera ray and the light that comes straight from
-// lights, is paid once; it pays where that brings little of the noise (choose_path_plan.h). Scenes
-// with media are not split: what a camera ray meets there is a matter of chance.
+// lights, is paid once; it pays where that brings little of the noise. Scenes with media are not
+// split: what a camera ray meets there is a matter of chance.
 #pragma once
 
 #include <optional>
@@ -96,8 +96,7 @@ class Branches {
   }
 
  private:
-  // Of numbers that whole paths do not take: the trial compares the two.
-  void draw_branch() { own_.emplace(pixel_.of_branches(), first_sample_, splitting_, branch_); }
+  void draw_branch() { own_.emplace(pixel_, first_sample_, splitting_, branch_); }
 
   const PixelSampler& pixel_;
   std::uint32_t first_sample_;

@@ -1,6 +1,5 @@
 // `--ray-limit`: how near a render is to the cost of its rays alone.
 
-#include "integrators/choose_path_plan.h"
 #include "integrators/path/kernels.h"
 #include "integrators/render.h"
 #include "renderer/base/thread_clock.h"
@@ -50,7 +49,7 @@ std::optional<RayLimit> measure(const Scene& scene, const A& accelerator,
   RayLimit limit;
   volatile double sink = 0;
   const auto measure_tile = [&](const PixelRect& tile) {
-    const TilePass pass{tile, {0, samples}, nullptr, options.seed, plan_without_trial(options)};
+    const TilePass pass{tile, {0, samples}, nullptr, options.seed, options.plan};
     recorder.rays().clear();
     recorded.render(recording, pass, film);
     const double start = thread_cpu_seconds();

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 
 #include "renderer/math/vec.h"
 #include "renderer/sampling/dimension.h"
@@ -101,12 +100,6 @@ class PixelSampler {
   }
   [[nodiscard]] PairOrder order() const { return order_; }
   [[nodiscard]] std::uint32_t replicates() const { return replicates_; }
-  // Other sequences, independent of these: of paths that are split.
-  [[nodiscard]] PixelSampler of_branches() const {
-    PixelSampler branches = *this;
-    branches.pixel_key_ = hash_counter(pixel_key_, std::numeric_limits<std::uint32_t>::max());
-    return branches;
-  }
   [[nodiscard]] std::uint64_t sequence_key(std::uint32_t replicate) const {
     return hash_counter(pixel_key_, replicate);
   }

@@ -1,5 +1,5 @@
 // Splitting at the first hit and the threshold of Russian roulette: right in expectation, the same
-// bits, less noise, and chosen where they pay.
+// bits, less noise.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,10 +38,10 @@ SceneDescription lamp_in_a_box() {
   return scene;
 }
 
-RenderSettings split_settings(int size, int samples, std::optional<int> splitting,
+RenderSettings split_settings(int size, int samples, std::uint32_t splitting,
                               std::uint64_t seed = 1) {
   RenderSettings settings = settings_of(size, samples, seed);
-  settings.options.splitting = splitting;
+  settings.options.plan.splitting = splitting;
   return settings;
 }
 
@@ -49,8 +49,8 @@ statistics::Moments means_over_seeds(const Scene& scene, const PathPlan& plan,
                                      std::optional<int> max_depth) {
   statistics::Moments means;
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
-    RenderSettings settings = split_settings(24, 20, static_cast<int>(plan.splitting), seed);
-    settings.options.roulette_threshold = plan.roulette_threshold;
+    RenderSettings settings = settings_of(24, 20, seed);
+    settings.options.plan = plan;
     settings.options.max_depth = max_depth;
     means.add(mean_of(picture(scene, settings)));
   }
@@ -77,7 +77,7 @@ struct Errors {
   double true_relmse = 0;
 };
 
-Errors errors_over_seeds(const Scene& scene, int splitting, const Image& reference) {
+Errors errors_over_seeds(const Scene& scene, std::uint32_t splitting, const Image& reference) {
   Errors errors;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const auto result = rendered(scene, split_settings(reference.width, 64, splitting, seed));
@@ -108,7 +108,7 @@ TEST(Statistical_PathPlan, PathsEndWhereTheThresholdSaysSo) {
   const double albedo = 0.7;  // lamp_in_a_box()
   for (const double threshold : {1.0, 0.5, 0.2}) {
     RenderSettings settings = settings_of(32, 64);
-    settings.options.roulette_threshold = static_cast<float>(threshold);
+    settings.options.plan.roulette_threshold = static_cast<float>(threshold);
     const Scene scene = compiled(lamp_in_a_box(), settings.options);
     const RayCounts rays = rendered(scene, settings).statistics.rays;
     double expected = 0;
@@ -128,79 +128,13 @@ TEST(Statistical_PathPlan, PathsEndWhereTheThresholdSaysSo) {
   }
 }
 
-// The trial takes its difference from a whole picture for what is after the first hit: the two may
-// have nothing else in common.
-TEST(Statistical_Splitting, SplitPathsShareTheFirstHitAlone) {
-  const Scene scene = compiled(lamp_in_a_box(), settings_of(48, 16).options);
-  const Image reference = rendered(scene, split_settings(48, 1024, 4, 107)).film.to_image(false);
-  double products = 0, whole_squares = 0, split_squares = 0;
-  std::uint64_t pixels = 0;
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    RenderSettings settings = split_settings(48, 4, 1, seed);
-    settings.options.replicates = 1;
-    const Image whole = rendered(scene, settings).film.to_image(false);
-    settings.options.splitting = 4;
-    const Image split = rendered(scene, settings).film.to_image(false);
-    for (std::size_t i = 0; i < reference.values.size(); i += 4, ++pixels) {
-      const double w = double{whole.values[i]} - double{reference.values[i]};
-      const double s = double{split.values[i]} - double{reference.values[i]};
-      products += w * s;
-      whole_squares += w * w;
-      split_squares += s * s;
-    }
-  }
-  const double correlation = products / std::sqrt(whole_squares * split_squares);
-  EXPECT_LT(std::abs(correlation) * std::sqrt(static_cast<double>(pixels)), 3) << correlation;
-}
-
-struct PlansOfSeeds {
-  std::uint32_t fewest = 4;  // paths from a first hit
-  std::uint32_t most = 1;
-};
-
-// Renders one pixel, for which the trial is that of the whole picture.
-PlansOfSeeds plans_of_seeds(const SceneDescription& description, int samples = 64) {
-  PlansOfSeeds plans;
-  RenderSettings settings = split_settings(96, samples, std::nullopt);
-  settings.options.crop = PixelRect{0, 0, 1, 1};
-  settings.options.roulette_threshold.reset();
-  settings.options.target_relmse = 1e30;
-  const Scene scene = compiled(description, settings.options);
-  for (settings.options.seed = 1; settings.options.seed <= 8; ++settings.options.seed) {
-    const std::uint32_t splitting = rendered(scene, settings).statistics.plan.splitting;
-    plans.fewest = std::min(plans.fewest, splitting);
-    plans.most = std::max(plans.most, splitting);
-  }
-  return plans;
-}
-
-// Where it is clear what pays, every trial finds it.
-TEST(Statistical_Splitting, TrialsOfOtherSeedsAgree) {
-  EXPECT_EQ(plans_of_seeds(lamp_in_a_box()).fewest, 4u);
-  EXPECT_GE(plans_of_seeds(small_room()).fewest, 2u);
-}
-
-// Nearly all the noise is in the light that comes straight from the sky; also where an error ends
-// the render and not the samples, whose number says nothing then.
-TEST(Statistical_Splitting, PathsUnderASkyAreNotSplit) {
-  const auto sky =
-      load(CANDELA_SOURCE_DIR "/tools/benchmarks/blender/scenes/environment_lit.yaml", {});
-  ASSERT_TRUE(sky);
-  EXPECT_EQ(plans_of_seeds(*sky).most, 1u);
-  EXPECT_EQ(plans_of_seeds(*sky, 1 << 20).most, 1u);
-}
-
 TEST(Agreement_Splitting, SameBitsOverThreadsTilesAndCrops) {
-  for (const std::optional<int> splitting : {std::optional(4), std::optional<int>()}) {
-    RenderSettings settings = split_settings(96, 84, splitting);
-    if (!splitting) settings.options.roulette_threshold.reset();
-    settings.options.crop = PixelRect{10, 0, 34, 44};
-    settings.options.aovs = aov_bit(Aov::Albedo) | aov_bit(Aov::Variance);
-    const Scene scene = compiled(lamp_in_a_box(), settings.options);
-    const RenderResult result = rendered(scene, settings);
-    EXPECT_GT(result.statistics.plan.splitting, 1u);
-    expect_same_bits_however_rendered(scene, settings, result.film.to_image(true), {13, 5, 30, 40});
-  }
+  RenderSettings settings = split_settings(96, 84, 4);
+  settings.options.crop = PixelRect{10, 0, 34, 44};
+  settings.options.aovs = aov_bit(Aov::Albedo) | aov_bit(Aov::Variance);
+  const Scene scene = compiled(lamp_in_a_box(), settings.options);
+  const RenderResult result = rendered(scene, settings);
+  expect_same_bits_however_rendered(scene, settings, result.film.to_image(true), {13, 5, 30, 40});
 }
 
 // Blocks that are cut trace their rays one by one.
@@ -230,71 +164,15 @@ TEST(Agreement_Splitting, SameBitsOverKernelsAndCutBlocks) {
   EXPECT_LT(different, cut.pixel_count() / 50);  // hits at edges
 }
 
-PathPlan found_plan(const SceneDescription& scene, RenderSettings settings) {
-  settings.options.splitting.reset();
-  settings.options.roulette_threshold.reset();
-  settings.options.crop = PixelRect{0, 0, 4, 4};
-  return rendered(scene, settings).statistics.plan;
-}
-
-// Small lamps close above a floor: nearly all noise is in the choice of a lamp at the first hit.
-SceneDescription floor_under_lamps() {
-  SceneDescription scene;
-  add_mesh(scene, quad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}),
-           add_material(scene, diffuse(Vec3d(0.9))));
-  const auto lamp = add_material(scene, diffuse(Vec3d(0.0)), Vec3d(100.0));
-  for (int row = 0; row < 8; ++row)
-    for (int column = 0; column < 8; ++column)
-      add_mesh(scene, quad({-2 + 0.5 * column, 0.4, 2 - 0.5 * row}, {0, 0, -0.02}, {0.02, 0, 0}),
-               lamp);
-  add_mesh(scene, quad({-2, 1, -2}, {4, 0, 0}, {0, 0, 4}),
-           add_material(scene, diffuse(Vec3d(0.9))));
-  set_camera(scene, {0, 0.7, 1.9}, {0, 0.2, 0}, 60);
-  return scene;
-}
-
-TEST(Unit_Splitting, IsChosenWhereItPays) {
-  EXPECT_EQ(found_plan(lamp_in_a_box(), settings_of(96, 64)).splitting, 4u) << "light that bounces";
-  EXPECT_EQ(found_plan(lamp_in_a_box(), settings_of(16, 64)).splitting, 1u)
-      << "too small for a trial";
-  RenderSettings emission_only = settings_of(96, 64);
-  emission_only.options.max_depth = 0;
-  EXPECT_EQ(found_plan(lamp_in_a_box(), emission_only).splitting, 1u) << "nothing to split";
-}
-
-TEST(Unit_RouletteThreshold, IsLowWhereLongPathsPay) {
-  EXPECT_EQ(found_plan(lamp_in_a_box(), settings_of(96, 64)).roulette_threshold, 0.25f)
-      << "light that bounces";
-  EXPECT_EQ(found_plan(floor_under_lamps(), settings_of(96, 64)).roulette_threshold, 0.5f)
-      << "noise of the first hit";
-  EXPECT_EQ(found_plan(lamp_in_a_box(), settings_of(16, 64)).roulette_threshold, 0.5f)
-      << "too small for a trial";
-}
-
-// A scene with media cannot be split, and has a trial for its roulette nevertheless.
-TEST(Unit_RouletteThreshold, IsTriedInMediaToo) {
-  SceneDescription scene = lamp_in_a_box();
-  scene.cameras[0].medium = add_medium(scene, Vec3d(0.01), Vec3d(0.0));
-  const PathPlan plan = found_plan(scene, settings_of(96, 64));
-  EXPECT_EQ(plan.roulette_threshold, 0.25f);
-  EXPECT_EQ(plan.splitting, 1u);
-}
-
-TEST(Unit_RouletteThreshold, WhatTheOptionsSayStays) {
-  RenderSettings settings = settings_of(96, 64);
-  settings.options.crop = PixelRect{0, 0, 4, 4};
-  settings.options.splitting.reset();
-  for (const float threshold : {0.25f, 0.5f, 1.0f}) {
-    settings.options.roulette_threshold = threshold;
-    const PathPlan split = rendered(lamp_in_a_box(), settings).statistics.plan;
-    EXPECT_EQ(split.roulette_threshold, threshold);
-    EXPECT_EQ(split.splitting, 4u);
-  }
-  settings.options.splitting = 3;
-  settings.options.roulette_threshold.reset();
-  const PathPlan patient = rendered(lamp_in_a_box(), settings).statistics.plan;
-  EXPECT_EQ(patient.splitting, 3u);
-  EXPECT_EQ(patient.roulette_threshold, 0.25f);
+// What a camera ray meets in media is a matter of chance.
+TEST(Unit_Splitting, MediaAreNotSplit) {
+  SceneDescription description = lamp_in_a_box();
+  description.cameras[0].medium = add_medium(description, Vec3d(0.01), Vec3d(0.0));
+  const Scene scene = compiled(description, settings_of(16, 16).options);
+  const RenderResult whole = rendered(scene, split_settings(16, 16, 1));
+  const RenderResult split = rendered(scene, split_settings(16, 16, 4));
+  EXPECT_EQ(split.statistics.plan.splitting, 1u);
+  EXPECT_EQ(split.film.to_image(true).values, whole.film.to_image(true).values);
 }
 
 }  // namespace

@@ -171,10 +171,10 @@ TEST(Agreement_PlainLanes, AreSingleStepsUnderEveryLamp) {
 }
 
 TEST(Agreement_PlainLanes, AreSingleStepsOfSplitPaths) {
-  for (const int splitting : {2, 5}) {
+  for (const std::uint32_t splitting : {2u, 5u}) {
     RenderSettings settings = settings_of(32, 32);
-    settings.options.splitting = splitting;
-    settings.options.roulette_threshold = 0.5f;
+    settings.options.plan.splitting = splitting;
+    settings.options.plan.roulette_threshold = 0.5f;
     settings.options.lamp_rays = 3;
     expect_general(room_of_lamps(), settings, fmt::format("splitting {}", splitting));
   }
@@ -182,10 +182,10 @@ TEST(Agreement_PlainLanes, AreSingleStepsOfSplitPaths) {
 
 TEST(Agreement_PlainLanes, AreSingleStepsUpToADepth) {
   for (const int depth : {0, 1, 2, 5}) {
-    for (const int splitting : {1, 3}) {
+    for (const std::uint32_t splitting : {1u, 3u}) {
       RenderSettings settings = settings_of(24, 32);
       settings.options.max_depth = depth;
-      settings.options.splitting = splitting;
+      settings.options.plan.splitting = splitting;
       expect_general(room_of_lamps(), settings, fmt::format("depth {}, {}", depth, splitting));
     }
   }
@@ -193,9 +193,9 @@ TEST(Agreement_PlainLanes, AreSingleStepsUpToADepth) {
 
 TEST(Agreement_PlainLanes, AreSingleStepsWhateverMapsSay) {
   const TemporaryFolder folder;
-  for (const int splitting : {1, 3}) {
+  for (const std::uint32_t splitting : {1u, 3u}) {
     RenderSettings settings = settings_of(32, 32);
-    settings.options.splitting = splitting;
+    settings.options.plan.splitting = splitting;
     const std::string what = fmt::format("splitting {}", splitting);
     expect_general(room_of_maps(folder), settings, what);
     expect_general(room_of_strangers(folder), settings, what + ", strangers");
@@ -239,9 +239,9 @@ TEST(Agreement_PlainLanes, AreSingleStepsUnderASky) {
   description::LatLongEnvironment sky;
   sky.image = description::ImageHandle(0);
   add_light(scene, sky);
-  for (const int splitting : {1, 3}) {
+  for (const std::uint32_t splitting : {1u, 3u}) {
     RenderSettings settings = settings_of(32, 32);
-    settings.options.splitting = splitting;
+    settings.options.plan.splitting = splitting;
     expect_general(scene, settings, fmt::format("splitting {}", splitting));
   }
 }

@@ -58,7 +58,6 @@ TEST(Unit_WhiteBalancedFilm, SumsAndVariancesAreOfTheBalancedSamples) {
   const Film plain = rendered(scene, settings_of(8, 16)).film;
   RenderSettings settings = settings_of(8, 16);
   settings.options.white_balance_kelvins = 4200;
-  settings.options.splitting = 1;
   const Film film = rendered(scene, settings).film;
   const Mat3d matrix = white_balance(4200);
   for (std::size_t i = 0; i < film.pixel_count(); ++i) {

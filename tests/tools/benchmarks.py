@@ -69,9 +69,13 @@ def runs_of(rows):
     return [truth.Run(relmse, relmse, cpu, wall, 16, 1) for relmse, cpu, wall in rows]
 
 
-def compared(on, off, same_picture):
+def compared(on, off, same_picture, rate):
     return ablation.compared(runs_of(json.loads(on)), runs_of(json.loads(off)),
-                             json.loads(same_picture))
+                             json.loads(same_picture), float(rate))
+
+
+def error_rate(fewer, more):
+    return truth.error_rate(runs_of(json.loads(fewer)), runs_of(json.loads(more)))
 
 
 def verdicts(ratios):
@@ -81,8 +85,8 @@ def verdicts(ratios):
                               for scene, ratio in json.loads(ratios).items()])
 
 
-def before_and_now(pairs):
-    return before.compared([runs_of(pair) for pair in json.loads(pairs)])
+def before_and_now(pairs, rate):
+    return before.compared([runs_of(pair) for pair in json.loads(pairs)], float(rate))
 
 
 def ratios_of(pairs, counts):

@@ -116,14 +116,25 @@ TEST_F(Unit_Benchmarks, TimesToAnErrorAreInterpolatedOnly) {
 TEST_F(Unit_Benchmarks, AnAblationsRatiosAreOffOverOn) {
   const std::string on = "[[0.2, 1, 1], [0.1, 2, 2], [0.4, 4, 4]]";
   const std::string off = "[[0.1, 1.5, 3], [0.05, 3, 6], [0.2, 8, 12]]";
-  const Json row = ask({"compared", on, off, "false"});
+  const Json row = ask({"compared", on, off, "false", "1"});
   EXPECT_NEAR(row["cpu"], 1.5, 1e-12);
   EXPECT_NEAR(row["cpu_high"], 2, 1e-12);
   EXPECT_NEAR(row["wall"], 3, 1e-12);
   EXPECT_NEAR(row["relmse"], 0.5, 1e-12);
   EXPECT_NEAR(row["time_to_error"], std::cbrt(0.75 * 0.75 * 1), 1e-12);
   EXPECT_NEAR(row["high"], 1, 1e-12);  // the mean's logarithm is twice its own error below 0
-  EXPECT_NEAR(ask({"compared", on, off, "true"})["time_to_error"], 1.5, 1e-12);
+  EXPECT_NEAR(ask({"compared", on, off, "true", "1"})["time_to_error"], 1.5, 1e-12);
+  EXPECT_NEAR(ask({"compared", on, off, "false", "2"})["time_to_error"],
+              std::cbrt(1.5 * 1.5 * 2) * std::sqrt(0.5), 1e-12);
+}
+
+// What takes twice as long and has half the error is no better where error falls faster than that.
+TEST_F(Unit_Benchmarks, ErrorsFallAsAPowerOfTheTime) {
+  EXPECT_NEAR(ask({"error_rate", "[[0.8, 1, 1]]", "[[0.1, 4, 4]]"}), 1.5, 1e-12);
+  EXPECT_NEAR(ask({"error_rate", "[[0.6, 1, 1], [1, 1, 1]]", "[[0.4, 2, 4], [0.4, 2, 4]]"}), 1,
+              1e-12);
+  EXPECT_EQ(ask({"error_rate", "[[0.8, 1, 1]]", "[[0.7, 4, 4]]"}), 1);
+  EXPECT_EQ(ask({"error_rate", "[[0.8, 1, 1]]", "[[0.9, 4, 4]]"}), 1);
 }
 
 TEST_F(Unit_Benchmarks, ATechniquePaysIfItGainsInTheMeanAndLosesNowhere) {
@@ -136,8 +147,8 @@ TEST_F(Unit_Benchmarks, ATechniquePaysIfItGainsInTheMeanAndLosesNowhere) {
   EXPECT_EQ(pays(R"({"a": 1.04, "b": 1.05})"), "no a");
 }
 
-// One pair: as much time, twice the error at 4 samples; half the time for equal errors at 16. To
-// an error of .01, which candela reaches after 2 seconds, the other needs 4.
+// One pair. candela's first point is below the other's first error; to that of .01 candela's line
+// comes after 2 seconds; from its last, .005, on to .0025 it would take twice the time.
 TEST_F(Unit_Benchmarks, PeersRatiosAreTheirsOverOurs) {
   const Json rows =
       ask({"ratios_of", "[[[[0.02, 1, 1], [0.005, 4, 4]], [[0.04, 1, 2], [0.0025, 16, 32]]]]",
@@ -147,16 +158,21 @@ TEST_F(Unit_Benchmarks, PeersRatiosAreTheirsOverOurs) {
   EXPECT_NEAR(rows[0]["cpu_ratio"], 2, 1e-9);
   EXPECT_NEAR(rows[0]["wall_ratio"], 4, 1e-9);
   EXPECT_EQ(rows[1]["by"], "4 spp");
-  EXPECT_NEAR(rows[1]["cpu_ratio"], 2, 1e-12);
-  EXPECT_NEAR(rows[1]["wall_ratio"], 4, 1e-12);
+  EXPECT_NEAR(rows[1]["cpu_ratio"], 1, 1e-12);
+  EXPECT_NEAR(rows[1]["wall_ratio"], 2, 1e-12);
   EXPECT_NEAR(rows[2]["cpu_ratio"], 2, 1e-12);
   EXPECT_NEAR(rows[2]["relmse_ratio"], 0.5, 1e-12);
+  const Json between =
+      ask({"ratios_of", "[[[[0.02, 1, 1], [0.005, 4, 4]], [[0.04, 1, 2], [0.01, 16, 32]]]]",
+           "[4, 16]"});
+  EXPECT_NEAR(between[2]["cpu_ratio"], 8, 1e-9);
 }
 
 TEST_F(Unit_Benchmarks, EarlierBuildsAreHeldAgainstThisOne) {
   const Json row =
       ask({"before_and_now",
-           "[[[0.2, 3, 2], [0.1, 1, 1]], [[0.4, 6, 4], [0.1, 2, 4]], [[0.4, 8, 8], [0.1, 2, 2]]]"});
+           "[[[0.2, 3, 2], [0.1, 1, 1]], [[0.4, 6, 4], [0.1, 2, 4]], [[0.4, 8, 8], [0.1, 2, 2]]]",
+           "1"});
   EXPECT_NEAR(row["relmse_ratio"], 4, 1e-12);
   EXPECT_NEAR(row["cpu_ratio"], 12, 1e-12);
   EXPECT_NEAR(row["cpu_high"], 16, 1e-12);

@@ -49,18 +49,13 @@ TEST(Unit_OptionValues, DepthsMayBeNone) {
   EXPECT_FALSE(parse_depth_limit("None"));
 }
 
-TEST(Unit_OptionValues, PlansOfPathsMayBeLeftToATrial) {
-  EXPECT_EQ(parse_splitting("auto")->paths, std::nullopt);
-  EXPECT_EQ(parse_splitting("4")->paths, 4);
-  EXPECT_EQ(parse_roulette("auto")->threshold, std::nullopt);
-  EXPECT_EQ(parse_roulette(".25")->threshold, 0.25f);
-  EXPECT_EQ(parse_roulette("1")->threshold, 1.0f);
-  for (const char* wrong : {"0", "-1", "2.5", "65", "none", ""})
-    EXPECT_FALSE(parse_splitting(wrong)) << wrong;
+TEST(Unit_OptionValues, RouletteHasAThresholdAboveZero) {
+  EXPECT_EQ(*parse_roulette(".25"), 0.25);
+  EXPECT_EQ(*parse_roulette("1"), 1.0);
   for (const char* wrong : {"0", "-1", "1.01", "nan", "none", "1e-60", ""})
     EXPECT_FALSE(parse_roulette(wrong)) << wrong;
   EXPECT_EQ(parse_roulette("2").diagnostics.list().front().message,
-            "expected a number from 1e-06 to 1 or 'auto', found '2'");
+            "expected a number from 1e-06 to 1, found '2'");
 }
 
 TEST(Unit_OptionValues, ColoursAreThreeNonNegativeNumbers) {

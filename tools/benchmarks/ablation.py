@@ -1,9 +1,9 @@
 """Each technique off in turn: what that does to error, to time, and to the time to the same error.
 
 A scene's picture is rendered with everything on and with one technique off, in pairs of one seed
-that take turns; above 1 the technique pays. relMSE falls as 1 / samples, so the time to the same
-error goes as relMSE * CPU seconds. On by default stays what gains 5 % in the geometric mean and
-loses no more than 3 % on any scene.
+that take turns; above 1 the technique pays. relMSE falls as a power of the time, which pictures of
+half the samples tell; so the time to the same error follows from both ratios. On by default stays
+what gains 5 % in the geometric mean and loses no more than 3 % on any scene.
 """
 
 import dataclasses
@@ -12,7 +12,7 @@ import statistics
 
 import chosen_scenes
 import truth
-from fits import geometric_mean, spread
+from fits import geometric_mean, spread, times_to_same_error
 from renders import CandelaFailed
 
 ABOUT = "each technique off in turn: time to the same error"
@@ -35,8 +35,10 @@ TECHNIQUES = (  # a row is a line
     Technique("Embree (off: reference BVH)", {"accel": "bvh"}, same_picture=True),
     Technique("robust mode", {"robust": "off"}, same_picture=True),
     Technique("adaptive sampling", {"adaptive": "off"}),
-    Technique("splitting at the first hit", {"splitting": 1}),
-    Technique("roulette by a trial (off: at any throughput)", {"roulette": 1}),
+    Technique("no splitting (off: by two)", {"splitting": 2}),
+    Technique("no splitting (off: by four)", {"splitting": 4}),
+    Technique("roulette from 1/2 on (off: at any throughput)", {"roulette": 1}),
+    Technique("roulette from 1/2 on (off: from 1/4)", {"roulette": .25}),
     Technique("no path guiding (off: everywhere)", {"guiding": "on"}),
     Technique("no path guiding (off: where a trial says that it pays)", {"guiding": "auto"}),
     Technique("Sobol points (off: plain random numbers)", {"sampler": "independent"}),
@@ -95,9 +97,10 @@ def run(options):
     for name, scene in scenes.items():
         right = truth.reference(candela, name, scene, size, 16 * spp)
         common = {"size": f"{size}x{size}", "spp": spp, "threads": options.threads}
+        rate = rate_of(candela, scene, right, pairs, common)
         for technique in techniques:
             try:
-                rows.append(row(candela, name, scene, right, technique, pairs, common))
+                rows.append(row(candela, name, scene, right, technique, pairs, common, rate))
             except CandelaFailed as reason:
                 results.note(f"{name}, {technique.name}: left out. {str(reason).splitlines()[0]}")
         print(f"{name}: done", flush=True)
@@ -107,7 +110,14 @@ def run(options):
     results.finish()
 
 
-def row(candela, name, scene, right, technique, pairs, common):
+def rate_of(candela, scene, right, pairs, common):
+    """With everything on."""
+    fewer, more = ([truth.measured(candela, scene, right, seed=seed, **common | {"spp": spp})
+                    for seed in range(1, pairs + 1)] for spp in (common["spp"] // 2, common["spp"]))
+    return truth.error_rate(fewer, more)
+
+
+def row(candela, name, scene, right, technique, pairs, common, rate):
     on, off = [], []
     for seed in range(1, pairs + 1):
         on.append(truth.measured(candela, scene, right, seed=seed, **common))
@@ -117,29 +127,31 @@ def row(candela, name, scene, right, technique, pairs, common):
             on[-1] = dataclasses.replace(on[-1], cpu_seconds=timed.cpu_seconds,
                                          seconds=timed.seconds)
         off.append(truth.measured(candela, scene, right, seed=seed, **common, **technique.off))
-    return {"technique": technique.name, "scene": name} | compared(on, off, technique.same_picture)
+    return {"technique": technique.name, "scene": name} | compared(on, off, technique.same_picture,
+                                                                 rate)
 
 
-def compared(on, off, same_picture):
-    """Ratios off / on: of CPU time by pairs, of error by medians, and of both together: of the
-    products of pairs the geometric mean, with twice its standard error, since what a trial chooses
-    may differ between the seeds, and with it time and error against each other."""
+def compared(on, off, same_picture, rate):
+    """Ratios off / on: of CPU time by pairs, of error by medians, and of both together by pairs: the
+    geometric mean, with twice its standard error."""
     cpu = spread(b.cpu_seconds / a.cpu_seconds for a, b in zip(on, off))
     wall = spread(b.seconds / a.seconds for a, b in zip(on, off))
     row = {"cpu": cpu.median, "cpu_low": cpu.low, "cpu_high": cpu.high, "wall": wall.median}
     if same_picture:
-        return row | {"relmse": 1.0, "time_to_error": cpu.median, "low": cpu.low, "high": cpu.high}
+        return row | {"relmse": 1.0, "rate": rate, "time_to_error": cpu.median, "low": cpu.low, "high": cpu.high}
     error = spread(r.relmse for r in off).median / spread(r.relmse for r in on).median
-    mean, factor = with_factor([(b.cpu_seconds * b.relmse) / (a.cpu_seconds * a.relmse)
+    if min(r.relmse for r in on + off) <= 0:  # lost in the reference's noise
+        return row | {"relmse": error, "rate": rate, "time_to_error": math.nan, "low": math.nan,
+                      "high": math.nan}
+    mean, factor = with_factor([times_to_same_error(b.cpu_seconds / a.cpu_seconds,
+                                                    b.relmse / a.relmse, rate)
                                 for a, b in zip(on, off)])
-    return row | {"relmse": error, "time_to_error": mean, "low": mean / factor,
+    return row | {"relmse": error, "rate": rate, "time_to_error": mean, "low": mean / factor,
                   "high": mean * factor}
 
 
 def with_factor(ratios):
     """Geometric mean, and the factor by which it may be off."""
-    if min(ratios) <= 0:  # an error that is lost in the reference's
-        return statistics.median(ratios), math.inf
     logs = [math.log(ratio) for ratio in ratios]
     error = statistics.stdev(logs) / math.sqrt(len(logs)) if len(logs) > 1 else 0
     return math.exp(statistics.fmean(logs)), math.exp(2 * error)

@@ -46,8 +46,7 @@ def measure(candela, path, truth, size, spp, seeds):
 
 
 def mean_of_pairs(above, below):
-    """The geometric mean of the ratios, seed by seed, and twice its standard error: a seed has one
-    plan of paths, split or not, with the switch and without."""
+    """The geometric mean of the ratios, seed by seed, and twice its standard error."""
     logs = [math.log(a / b) for a, b in zip(above, below)]
     mean = math.exp(statistics.mean(logs))
     return mean, 2 * mean * statistics.stdev(logs) / math.sqrt(len(logs))

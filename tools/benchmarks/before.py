@@ -14,7 +14,7 @@ import subprocess
 
 import chosen_scenes
 import truth
-from fits import geometric_mean, spread
+from fits import geometric_mean, spread, times_to_same_error
 from renders import CandelaFailed
 
 ABOUT = "against another build of candela: time to the same error"
@@ -49,9 +49,12 @@ def run(options):
             programs = [Program(path.resolve(), out / "renders", words)
                         for path in (options.before, options.program)]
             is_told = all(program.tells_cpu_seconds for program in programs)
-            rows.append({"scene": name} | compared(
-                [[program.measured(spp, seed, right, is_told) for program in programs]
-                 for seed in range(1, pairs + 1)]))
+            measured = [[program.measured(spp, seed, right, is_told) for program in programs]
+                        for seed in range(1, pairs + 1)]
+            fewer = [programs[1].measured(spp // 2, seed, right, is_told)
+                     for seed in range(1, pairs + 1)]
+            rate = truth.error_rate(fewer, [now for _, now in measured])
+            rows.append({"scene": name} | compared(measured, rate))
             print(f"{name}: {rows[-1]['cpu_ratio']:.2f}", flush=True)
         except CandelaFailed as reason:
             results.note(f"{name}: left out. {str(reason).splitlines()[0]}")
@@ -99,13 +102,16 @@ def cpu_of(words):
     return usage.ru_utime + usage.ru_stime
 
 
-def compared(pairs):
-    """`pairs`: [before, now] each. Ratios before / now; error by medians, time by pairs."""
+def compared(pairs, rate):
+    """`pairs`: [before, now] each. Ratios before / now; error by medians, time by pairs. `rate`: with
+    which the error falls over time, now."""
     error = (spread(before.relmse for before, _ in pairs).median
              / spread(now.relmse for _, now in pairs).median)
-    cpu = spread(error * before.cpu_seconds / now.cpu_seconds for before, now in pairs)
-    wall = spread(error * before.seconds / now.seconds for before, now in pairs)
+    cpu = spread(times_to_same_error(before.cpu_seconds / now.cpu_seconds, error, rate)
+                 for before, now in pairs)
+    wall = spread(times_to_same_error(before.seconds / now.seconds, error, rate)
+                  for before, now in pairs)
     means = spread(before.mean_ratio / now.mean_ratio for before, now in pairs)
-    return {"relmse_ratio": error, "cpu_ratio": cpu.median, "cpu_low": cpu.low,
+    return {"relmse_ratio": error, "rate": rate, "cpu_ratio": cpu.median, "cpu_low": cpu.low,
             "cpu_high": cpu.high, "wall_ratio": wall.median, "wall_low": wall.low,
             "wall_high": wall.high, "means_before_over_now": means.median}

@@ -20,7 +20,7 @@ CURVES = {
     "path, BSDF samples": {"sampling": "bsdf"},
     "path, cosine": {"sampling": "cosine"},
     "path, uniform": {"sampling": "uniform"},
-    "path, no splitting": {"splitting": 1},
+    "path, split by four": {"splitting": 4},
     "path, guided": {"guiding": "on"},
     "path, guided by a trial": {"guiding": "auto"},
     "path, 1 replicate": {"replicates": 1},

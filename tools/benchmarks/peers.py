@@ -83,19 +83,19 @@ def run(options):
         means.append({"scene": name} | means_of(*references) | {
             "approximated": "; ".join(part["what"] for part in scene["approximated"])})
         shown.append((name, *references))
-        print(f"{name}: relMSE * CPU seconds, Cycles / candela: "
+        print(f"{name}: time to Cycles' last error, Cycles / candela: "
               f"{own_ratios[-1]['cpu_ratio']:.2f}", flush=True)
     results.table("points", f"All points, {bench.size}x{bench.size}, {bench.pairs} pairs", points)
     results.table("ratios", "Cycles over candela: times as slow to the same error", ratios,
-                  "By relMSE * seconds at equal samples, and by the time to a relMSE where both get "
-                  "there; ranges over the pairs.")
+                  "To the relMSE that Cycles has at so many samples, and to a relMSE where both get there; "
+                  "ranges over the pairs.")
     results.table("means", "The references' means, candela's over Cycles'", means)
     from blender import pictures
     pictures.references(out / "references.png", shown)
     results.plot("references.png", "The references, and how far candela's is above Cycles' in blocks of "
                  "4 x 4 pixels")
     last = [r for r in ratios if r["by"] == f"{bench.counts[-1]} spp" and r["cpu_ratio"] > 0]
-    without = geometric_mean(r["cpu_ratio"] / r["relmse_ratio"] * r["trimmed_ratio"] for r in last)
+    without = geometric_mean(r["trimmed_cpu_ratio"] for r in last)
     results.note(f"geometric mean over {len(last)} scenes at {bench.counts[-1]} spp: "
                  f"{geometric_mean(r['cpu_ratio'] for r in last):.2f} by CPU time, "
                  f"{geometric_mean(r['wall_ratio'] for r in last):.2f} by wall time; least "
@@ -246,18 +246,16 @@ def better_setting(ladders):
 
 
 def ratios_of(pairs, counts):
-    """Rows: by relMSE * seconds at each count, and by the time to each goal."""
+    """Rows: by the time to Cycles' error at each count, and to each goal."""
     rows = []
     for i, count in enumerate(counts):
         error = (spread(theirs[i].relmse for _, theirs in pairs).median
                  / spread(ours[i].relmse for ours, _ in pairs).median)
-        trimmed = (spread(theirs[i].trimmed for _, theirs in pairs).median
-                   / spread(ours[i].trimmed for ours, _ in pairs).median)
-        rows.append({"by": f"{count} spp", "relmse_ratio": error, "trimmed_ratio": trimmed}
-                    | columns("cpu", [error * theirs[i].cpu_seconds / ours[i].cpu_seconds
-                                      for ours, theirs in pairs])
-                    | columns("wall", [error * theirs[i].seconds / ours[i].seconds
-                                       for ours, theirs in pairs]))
+        rows.append({"by": f"{count} spp", "relmse_ratio": error}
+                    | columns("cpu", times_to_their_error(pairs, i, "relmse", "cpu_seconds"))
+                    | columns("wall", times_to_their_error(pairs, i, "relmse", "seconds"))
+                    | columns("trimmed_cpu",
+                              times_to_their_error(pairs, i, "trimmed", "cpu_seconds")))
     for goal in GOALS:
         found = {key: [] for key in ("cpu", "wall")}
         for ours, theirs in pairs:
@@ -267,10 +265,27 @@ def ratios_of(pairs, counts):
                 if a and b:
                     found[key].append(b / a)
         if found["cpu"] and found["wall"]:
-            rows.append({"by": f"time to {goal:g}", "relmse_ratio": None, "trimmed_ratio": None}
+            rows.append({"by": f"time to {goal:g}", "relmse_ratio": None}
                         | columns("cpu", found["cpu"]) | columns("wall", found["wall"]))
     # The last count's row stands last: it is the one that is told.
     return rows[len(counts):] + rows[:len(counts)]
+
+
+def times_to_their_error(pairs, i, error, seconds):
+    """How many times as long Cycles' picture i takes, pair by pair, as candela does to its error: by
+    the line through candela's own points. Where they begin below that error the first one's time
+    counts; where they end above it the last one's, lengthened as plain random numbers would be."""
+    errors = [spread(getattr(run, error) for run in point).median
+              for point in zip(*(ours for ours, _ in pairs))]
+    goal = spread(getattr(theirs[i], error) for _, theirs in pairs).median
+    ratios = []
+    for ours, theirs in pairs:
+        times = [getattr(run, seconds) for run in ours]
+        own = x_where(goal, times, errors)
+        if own is None:
+            own = times[0] if errors[0] < goal else times[-1] * errors[-1] / goal
+        ratios.append(getattr(theirs[i], seconds) / own)
+    return ratios
 
 
 def columns(key, values):

@@ -5,6 +5,7 @@ own noise, which its seeds tell; it should be below 1/20 of what is claimed with
 """
 
 import dataclasses
+import math
 import statistics
 
 from calibration import layers, side_by_side, square, with_weight
@@ -52,6 +53,15 @@ def measured(candela, scene, truth, **options):
 def run_of(image, truth, cpu_seconds, seconds, spp):
     return Run(truth.relmse(image), trimmed(truth, image), cpu_seconds, seconds, spp,
                float(image.mean() / truth.image.mean()))
+
+
+def error_rate(fewer, more):
+    """The exponent with which relMSE falls over time, from runs of few and of more samples; at least
+    1, that of plain random numbers."""
+    mean = statistics.fmean
+    error = mean(r.relmse for r in fewer) / mean(r.relmse for r in more)
+    time = mean(r.cpu_seconds for r in more) / mean(r.cpu_seconds for r in fewer)
+    return max(math.log(error) / math.log(time), 1) if error > 1 < time else 1
 
 
 def summary(runs, truth):

@@ -28,18 +28,6 @@ struct DepthLimit {
   friend bool operator==(const DepthLimit&, const DepthLimit&) = default;
 };
 
-// --splitting: `auto` is said, too.
-struct SplittingChoice {
-  std::optional<int> paths;
-  friend bool operator==(const SplittingChoice&, const SplittingChoice&) = default;
-};
-
-// --roulette: `auto` is said, too.
-struct RouletteChoice {
-  std::optional<float> threshold;
-  friend bool operator==(const RouletteChoice&, const RouletteChoice&) = default;
-};
-
 // What every command that reads a scene takes.
 struct SceneArguments {
   std::string path;
@@ -58,8 +46,8 @@ struct RenderArguments {
   std::optional<double> time_limit_seconds;
   std::optional<int> replicates;
   std::optional<bool> adaptive;
-  std::optional<SplittingChoice> splitting;
-  std::optional<RouletteChoice> roulette;
+  std::optional<int> splitting;
+  std::optional<double> roulette;
   std::optional<Guiding> guiding;
   std::optional<double> clamp;
   std::optional<Size> size;

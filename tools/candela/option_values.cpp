@@ -235,22 +235,12 @@ Result<DepthLimit> parse_depth_limit(std::string_view text) {
   return DepthLimit{depth};
 }
 
-Result<SplittingChoice> parse_splitting(std::string_view text) {
-  if (text == "auto") return SplittingChoice{};
-  const auto paths = whole<int>(text);
-  if (!paths || *paths < 1 || *paths > max_splitting)
-    return failure(fmt::format("expected a whole number from 1 to {} or 'auto', found '{}'",
-                               max_splitting, text));
-  return SplittingChoice{paths};
-}
-
-Result<RouletteChoice> parse_roulette(std::string_view text) {
-  if (text == "auto") return RouletteChoice{};
+Result<double> parse_roulette(std::string_view text) {
   const Result<double> threshold = parse_probability(text);
   if (!threshold || *threshold < min_roulette_threshold)
-    return failure(fmt::format("expected a number from {} to 1 or 'auto', found '{}'",
-                               min_roulette_threshold, text));
-  return RouletteChoice{static_cast<float>(*threshold)};
+    return failure(
+        fmt::format("expected a number from {} to 1, found '{}'", min_roulette_threshold, text));
+  return threshold;
 }
 
 Result<Vec3d> parse_rgb(std::string_view text) {

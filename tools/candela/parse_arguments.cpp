@@ -118,10 +118,11 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
             "Independent sequences a pixel, from which the error is stated; 1 states none [4]");
   add_value(command, "--adaptive", "on|off", render.adaptive, parse_switch,
             "Deal out the samples by a pilot: --spp is then the mean over the picture [on]");
-  add_value(command, "--splitting", "N|auto", render.splitting, parse_splitting,
-            "Paths that go on from the first hit of a camera ray [auto: what a trial finds best]");
-  add_value(command, "--roulette", "X|auto", render.roulette, parse_roulette,
-            "Throughput from which on no path is ended at random [auto: .5, or .25 by a trial]");
+  add_value(command, "--splitting", "N", render.splitting,
+            integer_between(1, static_cast<int>(max_splitting)),
+            "Paths that go on from the first hit of a camera ray [1]");
+  add_value(command, "--roulette", "X", render.roulette, parse_roulette,
+            "Throughput from which on no path is ended at random [.5]");
   add_choice(command, "--guiding", "guiding", render.guiding, guiding_choices(),
              "Whether paths follow what others learned of the light; auto: where a trial says that "
              "it pays [off]");

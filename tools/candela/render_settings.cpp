@@ -161,10 +161,9 @@ void settle_stop_rules(const RenderArguments& arguments, RenderOptions& options)
   options.replicates = arguments.replicates.value_or(options.replicates);
   options.adaptive = arguments.adaptive.value_or(options.integrator == IntegratorKind::Path &&
                                                  options.replicates > 1);
-  options.splitting.reset();
-  if (arguments.splitting) options.splitting = arguments.splitting->paths;
-  options.roulette_threshold.reset();
-  if (arguments.roulette) options.roulette_threshold = arguments.roulette->threshold;
+  options.plan.splitting = static_cast<std::uint32_t>(arguments.splitting.value_or(1));
+  options.plan.roulette_threshold =
+      static_cast<float>(arguments.roulette.value_or(default_roulette_threshold));
   options.guiding = arguments.guiding.value_or(options.guiding);
   options.use_general_kernel = arguments.uses_general_kernel;
   if (arguments.error_goal) options.target_relmse = *arguments.error_goal * *arguments.error_goal;

@@ -70,7 +70,7 @@ SceneDescription evenly_lit() {
 RenderSettings guided_settings(int size, int samples, Guiding guiding, std::uint64_t seed = 1) {
   RenderSettings settings = settings_of(size, samples, seed);
   settings.options.guiding = guiding;
-  settings.options.roulette_threshold = 0.25f;
+  settings.options.plan.roulette_threshold = 0.25f;
   return settings;
 }
 
