@@ -42,10 +42,21 @@ TEST(Unit_RenderSettings, ASilentSceneGetsTheDefaults) {
   EXPECT_EQ(s.options.max_depth, std::nullopt);
   EXPECT_EQ(s.options.seed, 0u);
   EXPECT_EQ(s.options.filter, FilterKind::BlackmanHarris);
+  EXPECT_EQ(s.options.plan.splitting, 1u);
+  EXPECT_EQ(s.options.plan.roulette_threshold, 0.5f);
   EXPECT_EQ(s.display.exposure, 0);
   RenderArguments arguments;
   arguments.scene.path = "folder/name.with.dots.yaml";
   EXPECT_EQ(output_paths(arguments), std::vector<std::string>{"name.with.dots.exr"});
+}
+
+TEST(Unit_RenderSettings, PathsAreSplitAndEndedAsAsked) {
+  RenderArguments arguments;
+  arguments.splitting = 3;
+  arguments.roulette = 0.25;
+  const PathPlan plan = settings(arguments, {}).options.plan;
+  EXPECT_EQ(plan.splitting, 3u);
+  EXPECT_EQ(plan.roulette_threshold, 0.25f);
 }
 
 TEST(Unit_RenderSettings, TheSceneOverridesTheDefaults) {
