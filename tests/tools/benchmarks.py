@@ -75,7 +75,7 @@ def compared(on, off, same_picture, rate):
 
 
 def error_rate(fewer, more):
-    return truth.error_rate(runs_of(json.loads(fewer)), runs_of(json.loads(more)))
+    return truth.rate_of_runs(runs_of(json.loads(fewer)), runs_of(json.loads(more)))
 
 
 def verdicts(ratios):

@@ -114,7 +114,7 @@ def rate_of(candela, scene, right, pairs, common):
     """With everything on."""
     fewer, more = ([truth.measured(candela, scene, right, seed=seed, **common | {"spp": spp})
                     for seed in range(1, pairs + 1)] for spp in (common["spp"] // 2, common["spp"]))
-    return truth.error_rate(fewer, more)
+    return truth.rate_of_runs(fewer, more)
 
 
 def row(candela, name, scene, right, technique, pairs, common, rate):

@@ -1,10 +1,12 @@
-"""What adaptive sampling gains: relMSE and time with it over those without, alternating."""
+"""What adaptive sampling gains: relMSE and time with it over those without, alternating; efficiency is
+the time to the same error without over with."""
 
 import math
 import pathlib
 import statistics
 
 from calibration import layers, safe, side_by_side, square, with_weight, write_csv
+from fits import error_rate, times_to_same_error
 from renders import Candela
 
 ABOUT = "what adaptive sampling gains: error and CPU time with it over those without"
@@ -33,16 +35,18 @@ def reference(candela, name, path, size, spp):
 
 
 def measure(candela, path, truth, size, spp, seeds):
-    """By switch: true relMSE, stated relMSE and CPU seconds of each seed."""
-    found = {"off": [], "on": []}
+    """Of adaptive sampling off, on, and off with half the samples: true relMSE, stated relMSE and CPU
+    seconds of each seed."""
+    ways = {"off": (spp, "off"), "on": (spp, "on"), "half": (spp // 2, "off")}
+    found = {way: [] for way in ways}
     for seed in range(1, seeds + 1):
-        for switch, rows in found.items():
+        for way, (samples, switch) in ways.items():
             render = candela.render("picture", path, png=False, integrator="path",
-                                    size=square(size), spp=spp, seed=seed, threads=1, filter="box",
-                                    adaptive=switch, aov=AOVS)
-            rows.append((truth.relmse(layers(render)[0]), render.stats["error"]["relmse"],
-                         render.stats["cpu_seconds"]["render"]))
-    return {switch: list(zip(*rows)) for switch, rows in found.items()}
+                                    size=square(size), spp=samples, seed=seed, threads=1,
+                                    filter="box", adaptive=switch, aov=AOVS)
+            found[way].append((truth.relmse(layers(render)[0]), render.stats["error"]["relmse"],
+                               render.stats["cpu_seconds"]["render"]))
+    return {way: list(zip(*rows)) for way, rows in found.items()}
 
 
 def mean_of_pairs(above, below):
@@ -55,10 +59,14 @@ def mean_of_pairs(above, below):
 def row_of(name, spp, found):
     true_off, _, seconds_off = found["off"]
     true_on, stated_on, seconds_on = found["on"]
+    true_half, _, seconds_half = found["half"]
     error_gain, spread = mean_of_pairs(true_off, true_on)
     time_ratio, _ = mean_of_pairs(seconds_on, seconds_off)
+    rate = error_rate(mean_of_pairs(true_half, true_off)[0],
+                      mean_of_pairs(seconds_off, seconds_half)[0])
     return {"scene": name, "spp": spp, "error_gain": error_gain, "plus_minus": spread,
-            "time_ratio": time_ratio, "efficiency": error_gain / time_ratio,
+            "time_ratio": time_ratio, "rate": rate,
+            "efficiency": 1 / times_to_same_error(time_ratio, 1 / error_gain, rate),
             "stated_over_true": statistics.mean(stated_on) / statistics.mean(true_on)}
 
 

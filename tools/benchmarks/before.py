@@ -53,7 +53,7 @@ def run(options):
                         for seed in range(1, pairs + 1)]
             fewer = [programs[1].measured(spp // 2, seed, right, is_told)
                      for seed in range(1, pairs + 1)]
-            rate = truth.error_rate(fewer, [now for _, now in measured])
+            rate = truth.rate_of_runs(fewer, [now for _, now in measured])
             rows.append({"scene": name} | compared(measured, rate))
             print(f"{name}: {rows[-1]['cpu_ratio']:.2f}", flush=True)
         except CandelaFailed as reason:

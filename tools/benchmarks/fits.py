@@ -52,6 +52,14 @@ def times_to_same_error(cpu_ratio, error_ratio, rate):
     return cpu_ratio * error_ratio ** (1 / rate)
 
 
+def error_rate(error_ratio, time_ratio):
+    """The exponent with which error falls over time, where it is divided by `error_ratio` in
+    `time_ratio` times the time; at least 1, that of plain random numbers."""
+    if not error_ratio > 1 < time_ratio:
+        return 1
+    return max(math.log(error_ratio) / math.log(time_ratio), 1)
+
+
 def geometric_mean(values):
     return math.exp(statistics.mean(map(math.log, values)))
 

@@ -5,12 +5,11 @@ own noise, which its seeds tell; it should be below 1/20 of what is claimed with
 """
 
 import dataclasses
-import math
 import statistics
 
 from calibration import layers, side_by_side, square, with_weight
 from chosen_scenes import safe
-from fits import spread
+from fits import error_rate, spread
 
 REFERENCE_SEEDS = (900001, 900002)
 TRIMMED = 1e-3  # of the pixels, the worst
@@ -55,13 +54,11 @@ def run_of(image, truth, cpu_seconds, seconds, spp):
                float(image.mean() / truth.image.mean()))
 
 
-def error_rate(fewer, more):
-    """The exponent with which relMSE falls over time, from runs of few and of more samples; at least
-    1, that of plain random numbers."""
+def rate_of_runs(fewer, more):
+    """With which relMSE falls over CPU time, from runs of few and of more samples."""
     mean = statistics.fmean
-    error = mean(r.relmse for r in fewer) / mean(r.relmse for r in more)
-    time = mean(r.cpu_seconds for r in more) / mean(r.cpu_seconds for r in fewer)
-    return max(math.log(error) / math.log(time), 1) if error > 1 < time else 1
+    return error_rate(mean(r.relmse for r in fewer) / mean(r.relmse for r in more),
+                      mean(r.cpu_seconds for r in more) / mean(r.cpu_seconds for r in fewer))
 
 
 def summary(runs, truth):
