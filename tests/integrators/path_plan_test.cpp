@@ -8,7 +8,6 @@
 
 #include "integrators/render.h"
 #include "renderer/image/compare.h"
-#include "scene_io/load.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
 #include "tests/statistics/moments.h"

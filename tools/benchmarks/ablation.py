@@ -138,7 +138,8 @@ def compared(on, off, same_picture, rate):
     wall = spread(b.seconds / a.seconds for a, b in zip(on, off))
     row = {"cpu": cpu.median, "cpu_low": cpu.low, "cpu_high": cpu.high, "wall": wall.median}
     if same_picture:
-        return row | {"relmse": 1.0, "rate": rate, "time_to_error": cpu.median, "low": cpu.low, "high": cpu.high}
+        return row | {"relmse": 1.0, "rate": rate, "time_to_error": cpu.median, "low": cpu.low,
+                      "high": cpu.high}
     error = spread(r.relmse for r in off).median / spread(r.relmse for r in on).median
     if min(r.relmse for r in on + off) <= 0:  # lost in the reference's noise
         return row | {"relmse": error, "rate": rate, "time_to_error": math.nan, "low": math.nan,

@@ -1,5 +1,5 @@
-"""What adaptive sampling gains: relMSE and time with it over those without, alternating; efficiency is
-the time to the same error without over with."""
+"""What adaptive sampling gains: relMSE and time with it over those without, alternating; efficiency
+is the time to the same error without over with."""
 
 import math
 import pathlib
@@ -35,8 +35,8 @@ def reference(candela, name, path, size, spp):
 
 
 def measure(candela, path, truth, size, spp, seeds):
-    """Of adaptive sampling off, on, and off with half the samples: true relMSE, stated relMSE and CPU
-    seconds of each seed."""
+    """Of adaptive sampling off, on, and off with half the samples: true relMSE, stated relMSE and
+    CPU seconds of each seed."""
     ways = {"off": (spp, "off"), "on": (spp, "on"), "half": (spp // 2, "off")}
     found = {way: [] for way in ways}
     for seed in range(1, seeds + 1):

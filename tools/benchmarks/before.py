@@ -103,8 +103,8 @@ def cpu_of(words):
 
 
 def compared(pairs, rate):
-    """`pairs`: [before, now] each. Ratios before / now; error by medians, time by pairs. `rate`: with
-    which the error falls over time, now."""
+    """`pairs`: [before, now] each. Ratios before / now; error by medians, time by pairs. `rate`:
+    with which the error falls over time, now."""
     error = (spread(before.relmse for before, _ in pairs).median
              / spread(now.relmse for _, now in pairs).median)
     cpu = spread(times_to_same_error(before.cpu_seconds / now.cpu_seconds, error, rate)

@@ -87,8 +87,8 @@ def run(options):
               f"{own_ratios[-1]['cpu_ratio']:.2f}", flush=True)
     results.table("points", f"All points, {bench.size}x{bench.size}, {bench.pairs} pairs", points)
     results.table("ratios", "Cycles over candela: times as slow to the same error", ratios,
-                  "To the relMSE that Cycles has at so many samples, and to a relMSE where both get there; "
-                  "ranges over the pairs.")
+                  "To the relMSE that Cycles has at so many samples, and to a relMSE where both get "
+                  "there; ranges over the pairs.")
     results.table("means", "The references' means, candela's over Cycles'", means)
     from blender import pictures
     pictures.references(out / "references.png", shown)
