@@ -28,6 +28,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanit
   set_source_files_properties(
     integrators/path/camera_rays.cpp integrators/path/plain_bsdf_lanes.cpp
     integrators/path/plain_lanes.cpp renderer/accel/embree_block.cpp
+    renderer/accel/face_lanes.cpp
     PROPERTIES
     SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS
     "-O3;-fno-trapping-math;--param=max-tree-if-conversion-phi-args=64")

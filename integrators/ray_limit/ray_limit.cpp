@@ -17,15 +17,29 @@ std::vector<PixelRect> share_of_tiles(const RenderOptions& options) {
   return share;
 }
 
+// Bare calls of the back end.
+Hit intersect_barely(const EmbreeAccel& embree, const Ray& ray) {
+  return embree.intersect_by_tree(ray);
+}
+bool occluded_barely(const EmbreeAccel& embree, const Ray& ray) {
+  return embree.occluded_by_tree(ray);
+}
+Hit intersect_barely(const BvhAccel& bvh, const Ray& ray) {
+  return bvh.intersect(ray);
+}
+bool occluded_barely(const BvhAccel& bvh, const Ray& ray) {
+  return bvh.occluded(ray);
+}
+
 // Replays the rays of one tile; the sum keeps the compiler from leaving them out.
 template <class A>
 double replay(const A& accelerator, const std::vector<RecordedRay>& rays) {
   double sum = 0;
   for (const RecordedRay& recorded : rays) {
     if (recorded.is_shadow) {
-      sum += accelerator.occluded(recorded.ray) ? 1 : 0;
+      sum += occluded_barely(accelerator, recorded.ray) ? 1 : 0;
     } else {
-      const Hit hit = accelerator.intersect(recorded.ray);
+      const Hit hit = intersect_barely(accelerator, recorded.ray);
       sum += hit.is_hit() ? static_cast<double>(hit.t) : 0;
     }
   }

@@ -9,7 +9,8 @@
 
 namespace candela {
 
-enum class AcceleratorKind : std::uint8_t { Embree, Bvh };
+// Auto: what is fastest, Embree with a list of faces for scenes of few (face_list.h).
+enum class AcceleratorKind : std::uint8_t { Auto, Embree, Bvh };
 
 using AnyAccelerator = std::variant<EmbreeAccel, BvhAccel>;
 
@@ -18,6 +19,7 @@ using AnyAccelerator = std::variant<EmbreeAccel, BvhAccel>;
 [[nodiscard]] inline AnyAccelerator build_accelerator(const Scene& scene, AcceleratorKind kind,
                                                       EmbreeOptions embree = {}) {
   if (kind == AcceleratorKind::Bvh) return BvhAccel(scene);
+  embree.faces = kind == AcceleratorKind::Auto;
   return EmbreeAccel(scene, embree);
 }
 

@@ -11,6 +11,7 @@
 #include "renderer/accel/embree_api.h"
 #include "renderer/accel/embree_block.h"
 #include "renderer/accel/embree_spheres.h"
+#include "renderer/accel/face_list.h"
 #include "renderer/accel/placement.h"
 #include "renderer/base/handover.h"
 #include "renderer/base/parallel.h"
@@ -110,8 +111,11 @@ struct EmbreeAccel::State {
   Device device;
   std::vector<EmbreeScene> objects;
   EmbreeScene world;
+  FaceList faces;
 
-  State(const Scene& s, EmbreeOptions o) : scene(&s), options(o) {}
+  State(const Scene& s, EmbreeOptions o) : scene(&s), options(o) {
+    if (o.faces) faces = FaceList(s);
+  }
 
   void open_device();
   void build();
@@ -121,6 +125,12 @@ struct EmbreeAccel::State {
   void attach_instance(std::size_t index);
   void build_object(std::size_t index);
   void throw_if_failed();
+
+  // By Embree itself.
+  [[nodiscard]] Hit intersect(const Ray& ray) const;
+  [[nodiscard]] bool occluded(const Ray& ray) const;
+  [[nodiscard]] HitBlock intersect(const RayBlock& rays, LaneMask lanes, Coherence coherence) const;
+  [[nodiscard]] LaneMask occluded(const RayBlock& rays, LaneMask lanes) const;
 
   static void record_error(void* state, RTCError code, const char* text);
   static bool count_bytes(void* state, ssize_t bytes, bool is_done);
@@ -257,54 +267,96 @@ EmbreeAccel::EmbreeAccel(EmbreeAccel&&) noexcept = default;
 EmbreeAccel& EmbreeAccel::operator=(EmbreeAccel&&) noexcept = default;
 EmbreeAccel::~EmbreeAccel() = default;
 
-Hit EmbreeAccel::intersect(const Ray& ray) const {
+Hit EmbreeAccel::State::intersect(const Ray& ray) const {
   embree::Query query;
   embree::initialise(query, &ray, nullptr);
   RTCRayHit ray_hit;
   set_ray(ray_hit.ray, ray);
   ray_hit.hit.geomID = none;
   ray_hit.hit.instID[0] = none;
-  embree::intersect_one(state_->world.get(), ray_hit, query);
+  embree::intersect_one(world.get(), ray_hit, query);
 
   const RTCHit& found = ray_hit.hit;
   if (found.geomID == none) return {};
-  return in_tables(*state_->scene, {ray_hit.ray.tfar, found.u, found.v, found.geomID, found.primID,
+  return in_tables(*scene, {ray_hit.ray.tfar, found.u, found.v, found.geomID, found.primID,
                                     found.instID[0]});
 }
 
-bool EmbreeAccel::occluded(const Ray& ray) const {
+bool EmbreeAccel::State::occluded(const Ray& ray) const {
   embree::Query query;
   embree::initialise(query, &ray, nullptr);
   RTCRay embree_ray;
   set_ray(embree_ray, ray);
-  embree::occluded_one(state_->world.get(), embree_ray, query);
+  embree::occluded_one(world.get(), embree_ray, query);
   return embree_ray.tfar < 0;  // Embree's mark of an occluded ray: -infinity
 }
 
-HitBlock EmbreeAccel::intersect(const RayBlock& rays, LaneMask lanes, Coherence coherence) const {
+HitBlock EmbreeAccel::State::intersect(const RayBlock& rays, LaneMask lanes, Coherence coherence) const {
   embree::Query query;
   embree::initialise(query, nullptr, &rays);
   RTCRayHit16 ray_hits;
   const ValidLanes valid = set_rays(rays, lanes, ray_hits.ray);
   std::fill_n(ray_hits.hit.geomID, block_size, none);
   std::fill_n(ray_hits.hit.instID[0], block_size, none);
-  embree::intersect_block(state_->world.get(), valid.lanes.data(), ray_hits, query, coherence);
+  embree::intersect_block(world.get(), valid.lanes.data(), ray_hits, query, coherence);
 
   HitBlock hits;
   set_hits(ray_hits, hits);
   for_each_lane(hits.instanced, [&](std::uint32_t i) {
-    hits.set(i, in_tables_of_instance(*state_->scene, hits[i]));
+    hits.set(i, in_tables_of_instance(*scene, hits[i]));
   });
   return hits;
 }
 
-LaneMask EmbreeAccel::occluded(const RayBlock& rays, LaneMask lanes) const {
+LaneMask EmbreeAccel::State::occluded(const RayBlock& rays, LaneMask lanes) const {
   embree::Query query;
   embree::initialise(query, nullptr, &rays);
   RTCRay16 embree_rays;
   const ValidLanes valid = set_rays(rays, lanes, embree_rays);
-  embree::occluded_block(state_->world.get(), valid.lanes.data(), embree_rays, query);
+  embree::occluded_block(world.get(), valid.lanes.data(), embree_rays, query);
   return occluded_lanes(embree_rays) & lanes;
+}
+
+// What the list of faces does not know for certain the tree is asked for.
+Hit EmbreeAccel::intersect(const Ray& ray) const {
+  if (!state_->faces.is_empty())
+    if (const std::optional<Hit> known = state_->faces.intersect(ray)) return *known;
+  return state_->intersect(ray);
+}
+
+bool EmbreeAccel::occluded(const Ray& ray) const {
+  if (!state_->faces.is_empty())
+    if (const std::optional<bool> known = state_->faces.occluded(ray)) return *known;
+  return state_->occluded(ray);
+}
+
+HitBlock EmbreeAccel::intersect(const RayBlock& rays, LaneMask lanes, Coherence coherence) const {
+  if (state_->faces.is_empty()) return state_->intersect(rays, lanes, coherence);
+  FaceList::BlockAnswer answer = state_->faces.intersect(rays, lanes);
+  for_each_lane(answer.open,
+                [&](std::uint32_t i) { answer.hits.set(i, state_->intersect(rays[i])); });
+  return answer.hits;
+}
+
+LaneMask EmbreeAccel::occluded(const RayBlock& rays, LaneMask lanes) const {
+  if (state_->faces.is_empty()) return state_->occluded(rays, lanes);
+  FaceList::BlockOcclusion answer = state_->faces.occluded(rays, lanes);
+  for_each_lane(answer.open, [&](std::uint32_t i) {
+    if (state_->occluded(rays[i])) answer.occluded |= 1u << i;
+  });
+  return answer.occluded;
+}
+
+Hit EmbreeAccel::intersect_by_tree(const Ray& ray) const {
+  return state_->intersect(ray);
+}
+
+bool EmbreeAccel::occluded_by_tree(const Ray& ray) const {
+  return state_->occluded(ray);
+}
+
+std::size_t EmbreeAccel::face_count() const {
+  return state_->faces.size();
 }
 
 std::size_t EmbreeAccel::memory_bytes() const {

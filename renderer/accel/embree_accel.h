@@ -12,6 +12,9 @@ struct EmbreeOptions {
   // RTC_SCENE_FLAG_ROBUST: no ray slips between triangles that share an edge, and none meets the
   // face that it left (docs/accuracy_stress.md tells what happens without, and what it costs).
   bool robust = true;
+  // Scenes of few triangles are looked at face by face (face_list.h), and Embree is asked only where
+  // rounding matters.
+  bool faces = false;
   // Building fails as if out of memory beyond this; 0: no limit.
   std::size_t memory_limit_bytes = 0;
 };
@@ -31,6 +34,11 @@ class EmbreeAccel {
   [[nodiscard]] bool occluded(const Ray& ray) const;
   [[nodiscard]] HitBlock intersect(const RayBlock& rays, LaneMask lanes, Coherence coherence) const;
   [[nodiscard]] LaneMask occluded(const RayBlock& rays, LaneMask lanes) const;
+  // By Embree alone, whatever the options say.
+  [[nodiscard]] Hit intersect_by_tree(const Ray& ray) const;
+  [[nodiscard]] bool occluded_by_tree(const Ray& ray) const;
+  // How many faces are looked at one by one; 0: there is no list of them.
+  [[nodiscard]] std::size_t face_count() const;
   // What Embree has allocated; the scene's own arrays are not counted.
   [[nodiscard]] std::size_t memory_bytes() const;
 

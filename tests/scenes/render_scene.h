@@ -12,7 +12,7 @@ namespace candela::test {
 
 struct RenderSettings {
   RenderOptions options;
-  AcceleratorKind accelerator = AcceleratorKind::Embree;
+  AcceleratorKind accelerator = AcceleratorKind::Auto;
   int threads = 0;
 };
 

@@ -112,7 +112,7 @@ struct Estimator {
   const char* name;
   SamplingStrategy sampling;
   Heuristic heuristic = Heuristic::Power;
-  AcceleratorKind accelerator = AcceleratorKind::Embree;
+  AcceleratorKind accelerator = AcceleratorKind::Auto;
   bool is_heavy = false;  // not in the default suite
 };
 

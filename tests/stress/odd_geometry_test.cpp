@@ -125,7 +125,8 @@ TEST(Stress_OddGeometry, RaysInThePlaneOfAFaceAreHarmless) {
     RenderSettings settings = small();
     settings.options.filter = FilterKind::Box;
     settings.options.filter_radius = 0.0f;
-    for (const auto accelerator : {AcceleratorKind::Embree, AcceleratorKind::Bvh})
+    for (const auto accelerator :
+         {AcceleratorKind::Auto, AcceleratorKind::Embree, AcceleratorKind::Bvh})
       for (const int size : {1, 33}) {
         settings.accelerator = accelerator;
         settings.options.width = settings.options.height = size;

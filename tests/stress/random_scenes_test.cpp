@@ -147,7 +147,7 @@ TEST(Stress_RandomScenes, NothingIsInvalid) {
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     const SceneDescription scene = RandomScene(seed).make();
     RenderSettings settings = settings_of(12, 8);
-    settings.accelerator = seed % 2 == 0 ? AcceleratorKind::Embree : AcceleratorKind::Bvh;
+    settings.accelerator = seed % 2 == 0 ? AcceleratorKind::Auto : AcceleratorKind::Bvh;
     settings.options.max_depth = seed % 3 == 0 ? std::optional<int>(5) : std::nullopt;
     const std::string name = fmt::format("scene {}", seed);
     const Renders renders = renders_of(name, scene, settings, 1);  // expects no invalid ones

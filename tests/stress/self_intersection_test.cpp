@@ -204,6 +204,7 @@ TEST(Stress_SelfIntersection, RaysLeaveConvexSurfaces) {
     const Scene scene = compiled(convex.scene, {});
     expect_clean(BvhAccel(scene), "own BVH", convex, scene);
     expect_clean(EmbreeAccel(scene, {.robust = true}), "Embree, robust", convex, scene);
+    expect_clean(EmbreeAccel(scene, {.faces = true}), "Embree and faces", convex, scene);
     expect_clean(EmbreeAccel(scene, {.robust = false}), "Embree, not robust", convex, scene, false);
   }
 }

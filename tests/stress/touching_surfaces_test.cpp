@@ -68,7 +68,8 @@ TEST(Stress_Grazing, ThePlaneUnderALowSunIsEven) {
     SceneDescription scene =
         plane_under_a_sun(Vec3d(0.6, 0, 0.8) * std::sqrt(1 - sine * sine) + Vec3d(0, sine, 0));
     set_camera(scene, {0, 5, 0}, {0, 0, 0}, 20, {0, 0, 1});
-    for (const auto accelerator : {AcceleratorKind::Embree, AcceleratorKind::Bvh}) {
+    for (const auto accelerator :
+         {AcceleratorKind::Auto, AcceleratorKind::Embree, AcceleratorKind::Bvh}) {
       const Image image = rendered(turned(scene), sharp(32, 16, accelerator)).film.to_image(true);
       const Evenness even = evenness_of(image, reflectance / pi_double * sine);
       EXPECT_EQ(even.covered, 32 * 32);
@@ -88,7 +89,8 @@ TEST(Stress_Grazing, ThePlaneSeenFromLowIsEven) {
     SceneDescription scene = plane_under_a_sun({0, 1, 0});
     const double field_radians = 0.3 * sine;  // stays between the edges, seen at .75 and 1.5 sine
     set_camera(scene, {-3, 3 * sine, 0}, {0, 0, 0}, field_radians * 180 / pi_double);
-    for (const auto accelerator : {AcceleratorKind::Embree, AcceleratorKind::Bvh}) {
+    for (const auto accelerator :
+         {AcceleratorKind::Auto, AcceleratorKind::Embree, AcceleratorKind::Bvh}) {
       const Image image = rendered(turned(scene), sharp(32, 16, accelerator)).film.to_image(true);
       const Evenness even = evenness_of(image, reflectance / pi_double);
       EXPECT_EQ(even.black, 0) << sine;
@@ -107,7 +109,8 @@ TEST(Stress_Grazing, ThePlaneSeenFromLowIsEven) {
 // side, and no light on the other.
 TEST(Stress_Grazing, SpheresUnderTheSunHaveNeitherAcneNorLeaks) {
   const Vec3d to_light = normalize(Vec3d(1, 0.2, 0.3));
-  for (const auto accelerator : {AcceleratorKind::Embree, AcceleratorKind::Bvh}) {
+  for (const auto accelerator :
+         {AcceleratorKind::Auto, AcceleratorKind::Embree, AcceleratorKind::Bvh}) {
     SceneDescription scene = empty_scene();
     add_mesh(scene, sphere({0, 0, 0}, 1, 5, false),
              add_material(scene, diffuse(Vec3d(reflectance))));
@@ -198,7 +201,8 @@ SceneDescription room_of_slabs() {
 
 TEST(Stress_Touching, RoomsOfTouchingSlabsAreDark) {
   for (const bool is_turned : {false, true})
-    for (const auto accelerator : {AcceleratorKind::Embree, AcceleratorKind::Bvh}) {
+    for (const auto accelerator :
+         {AcceleratorKind::Auto, AcceleratorKind::Embree, AcceleratorKind::Bvh}) {
       RenderSettings settings = sharp(64, is_heavy() ? 256 : 4, accelerator);
       const SceneDescription scene = is_turned ? turned(room_of_slabs()) : room_of_slabs();
       const RenderResult result = rendered(scene, settings);

@@ -160,7 +160,8 @@ TEST(Unit_PlaceTextures, HolesAreWhereTheWorldHasThem) {
   scene.materials[0].opacity.texture = description::TextureHandle(std::size_t{0});
   std::get<CheckerboardTexture>(scene.textures[0].kind).even.factor = Vec3d(1.0);
   const Scene compiled_scene = compiled(scene, {});
-  for (const AcceleratorKind kind : {AcceleratorKind::Embree, AcceleratorKind::Bvh}) {
+  for (const AcceleratorKind kind :
+       {AcceleratorKind::Auto, AcceleratorKind::Embree, AcceleratorKind::Bvh}) {
     set_camera(scene, {0.5, 0.5, 9}, {0.5, 0.5, 0}, 0.001);
     RenderSettings settings = settings_of(1, 16);
     settings.accelerator = kind;

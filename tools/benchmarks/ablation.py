@@ -32,7 +32,9 @@ SAME_KERNEL = {"heuristic": "balance"}
 
 TECHNIQUES = (  # a row is a line
     Technique("kernel for what the scene needs", {"kernel": "general"}, same_picture=True),
-    Technique("Embree (off: reference BVH)", {"accel": "bvh"}, same_picture=True),
+    Technique("Embree and lists of few faces (off: reference BVH)", {"accel": "bvh"},
+              same_picture=True),
+    Technique("lists of few faces (off: Embree alone)", {"accel": "embree"}, same_picture=True),
     Technique("robust mode", {"robust": "off"}, same_picture=True),
     Technique("adaptive sampling", {"adaptive": "off"}),
     Technique("no splitting (off: by two)", {"splitting": 2}),

@@ -67,7 +67,7 @@ struct RenderArguments {
   std::optional<double> report_p_rr;
   std::optional<std::uint64_t> seed;
   int threads = 0;  // 0: as many as there are
-  AcceleratorKind accelerator = AcceleratorKind::Embree;
+  AcceleratorKind accelerator = AcceleratorKind::Auto;
   EmbreeOptions embree;
   bool uses_general_kernel = false;
   std::optional<FilterKind> filter;

@@ -44,7 +44,8 @@ constexpr Choice<FilterKind> filters[] = {{"box", FilterKind::Box},
                                           {"triangle", FilterKind::Triangle},
                                           {"mitchell", FilterKind::Mitchell},
                                           {"sinc", FilterKind::Sinc}};
-constexpr Choice<AcceleratorKind> accelerators[] = {{"embree", AcceleratorKind::Embree},
+constexpr Choice<AcceleratorKind> accelerators[] = {{"auto", AcceleratorKind::Auto},
+                                                    {"embree", AcceleratorKind::Embree},
                                                     {"bvh", AcceleratorKind::Bvh}};
 constexpr Choice<ToneMap> tone_maps[] = {
     {"srgb", ToneMap::Srgb}, {"aces", ToneMap::Aces}, {"lab3", ToneMap::Lab3}};

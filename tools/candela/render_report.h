@@ -27,7 +27,7 @@ struct RenderReport {
   std::string scene;    // path, as given
   std::string scene_hash;
   RenderOptions options;
-  AcceleratorKind accelerator = AcceleratorKind::Embree;
+  AcceleratorKind accelerator = AcceleratorKind::Auto;
   bool is_robust = false;
   DisplayTransform display;
   int threads = 0;

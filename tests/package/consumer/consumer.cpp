@@ -17,7 +17,7 @@ int main(int, char** arguments) {
   if (!description) return give_up(description.diagnostics);
   const auto scene = candela::compile(*description, {.width = 64, .height = 64});
   if (!scene) return give_up(scene.diagnostics);
-  const auto accelerator = build_accelerator(*scene, candela::AcceleratorKind::Embree);
+  const auto accelerator = build_accelerator(*scene, candela::AcceleratorKind::Auto);
   const candela::RenderOptions options{.width = 64, .height = 64, .samples_per_pixel = 4};
   const auto result = candela::render(*scene, accelerator, options, nullptr, nullptr);
   std::printf("%ju camera rays\n", std::uintmax_t{result.statistics.rays.camera});

@@ -1,0 +1,89 @@
+// Rays against flat faces: loops over lanes, of rays or of faces.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "renderer/accel/ray_block.h"
+#include "renderer/math/constants.h"
+
+namespace candela {
+
+// Sixteen convex polygons of up to four corners, each in its plane. Places are relative to one of
+// the corners, so that small faces lose nothing by being far from the origin.
+struct FaceGroup {
+  Vec3Lanes corner;
+  Vec3Lanes normal;  // unit; 0 in lanes without a face, which no ray meets
+  // How far a place in the plane is inside of an edge: its part along a unit vector, and a number.
+  // Triangles have one edge twice.
+  std::array<Vec3Lanes, 4> inward;
+  std::array<Lanes<float>, 4> distance{};
+};
+
+struct FaceGroups {
+  std::vector<FaceGroup> groups;
+  std::uint32_t size = 0;  // faces: number sixteen g + i is in lane i of group g
+  float reach = 0;         // the largest sum of a corner's absolute coordinates
+};
+
+// Where a ray meets a face's plane.
+struct FaceMeeting {
+  float t;
+  float inside;  // of the edge that is next to it; negative: outside of the face
+  float doubt;   // bound of the error of `inside`
+};
+
+// What bounds the errors of a ray's meetings.
+struct RayDoubt {
+  float of_place;
+  float of_distance;  // times how far the ray goes while it comes nearer to the plane by 1
+};
+[[nodiscard]] inline RayDoubt doubt_of(const Vec3f& origin, const Vec3f& direction, float reach) {
+  const auto sum = [](const Vec3f& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+  const float of_place = gamma_bound(16) * (sum(origin) + reach);
+  return {of_place, of_place * sum(direction)};
+}
+
+// Both the place relative to the corner and its distance from the plane are sums of a few products,
+// none of which is larger than the ray's origin and the face are far from the scene's centre; the
+// latter's error moves the meeting along the ray.
+[[nodiscard]] inline FaceMeeting meet_face(const FaceGroup& faces, std::size_t k,
+                                           const Vec3f& origin, const Vec3f& direction,
+                                           RayDoubt doubt) {
+  Vec3f normal = faces.normal[k];
+  Vec3f from = origin - faces.corner[k];
+  const float inverse = 1 / dot(normal, direction);
+  const float t = -dot(normal, from) * inverse;
+  Vec3f place = from + t * direction;
+  float inside = std::numeric_limits<float>::max();
+  for (std::size_t edge = 0; edge < 4; ++edge) {
+    const float distance = dot(faces.inward[edge][k], place) + faces.distance[edge][k];
+    inside = distance < inside ? distance : inside;
+  }
+  return {t, inside, doubt.of_place + doubt.of_distance * std::abs(inverse)};
+}
+
+// What rays are known to meet.
+struct FaceLanes {
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  Lanes<float> t;
+  Lanes<std::uint32_t> face;
+  // A ray that passes an edge closer than rounding can tell may meet what stands here, or not.
+  LaneFlags is_open{};
+};
+
+// The nearest faces that the rays of a block meet for certain.
+[[nodiscard]] FaceLanes find_nearest_faces(const FaceGroups& faces, const RayBlock& rays);
+
+struct NearestFace {
+  float t;
+  std::uint32_t face;
+  bool is_open;
+};
+// The same of one ray.
+[[nodiscard]] NearestFace find_nearest_face(const FaceGroups& faces, const Ray& ray);
+
+}  // namespace candela

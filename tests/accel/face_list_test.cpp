@@ -1,0 +1,194 @@
+// Scenes of few faces, looked at one by one: what is known for certain is right, and the rest is
+// left to Embree.
+#include "renderer/accel/face_list.h"
+
+#include <gtest/gtest.h>
+
+#include "integrators/ray_bench/ray_bench.h"
+#include "renderer/accel/any_accel.h"
+#include "renderer/base/parallel.h"
+#include "tests/accel/brute_force.h"
+#include "tests/accel/ray_sets.h"
+
+namespace candela {
+namespace {
+
+using test::Soup;
+
+using Quad = std::array<Vec3f, 4>;
+
+// As two triangles with vertices in common, along the diagonal from corner 0 or 1.
+Geometry geometry_of(const std::vector<Quad>& quads) {
+  Geometry geometry;
+  for (const Quad& quad : quads) {
+    const auto first = static_cast<std::uint32_t>(geometry.positions.size());
+    geometry.positions.insert(geometry.positions.end(), quad.begin(), quad.end());
+    const std::uint32_t turn = first / 4 % 2;
+    const auto corner = [&](std::uint32_t i) { return first + (i + turn) % 4; };
+    geometry.triangles.push_back({corner(0), corner(1), corner(2)});
+    geometry.triangles.push_back({corner(2), corner(3), corner(0)});
+  }
+  return geometry;
+}
+
+// Six walls, none of them along an axis, and no two alike.
+std::vector<Quad> room() {
+  const auto corner = [](float x, float y, float z) {
+    return Vec3f(x + 0.2f * y - 0.1f * z, y + 0.3f * z, z - 0.15f * x);
+  };
+  const Vec3f c[2][2][2]{
+      {{corner(-1, -1, -1), corner(-1, -1, 1)}, {corner(-1, 1, -1), corner(-1, 1, 1)}},
+      {{corner(1, -1, -1), corner(1, -1, 1)}, {corner(1, 1, -1), corner(1, 1, 1)}}};
+  return {{c[0][0][0], c[0][0][1], c[0][1][1], c[0][1][0]},
+          {c[1][0][0], c[1][1][0], c[1][1][1], c[1][0][1]},
+          {c[0][0][0], c[1][0][0], c[1][0][1], c[0][0][1]},
+          {c[0][1][0], c[0][1][1], c[1][1][1], c[1][1][0]},
+          {c[0][0][0], c[0][1][0], c[1][1][0], c[1][0][0]},
+          {c[0][0][1], c[1][0][1], c[1][1][1], c[0][1][1]}};
+}
+
+std::size_t face_count(const Scene& scene) {
+  return EmbreeAccel(scene, {.faces = true}).face_count();
+}
+std::size_t face_count(const std::vector<Quad>& quads) {
+  return face_count(test::scene_of(std::vector<Geometry>{geometry_of(quads)}));
+}
+
+TEST(Unit_FaceList, TwoTrianglesOfAConvexPlaneAreOneFace) {
+  EXPECT_EQ(face_count(room()), 6u);
+  const Vec3f a(0, 0, 0), b(2, 0, 0), c(2, 2, 0);
+  EXPECT_EQ(face_count({Quad{a, b, c, Vec3f(0, 2, 0)}}), 1u);
+  EXPECT_EQ(face_count({Quad{a, b, c, Vec3f(1.5f, 0.5f, 0)}}), 2u) << "not convex";
+  EXPECT_EQ(face_count({Quad{a, b, c, Vec3f(0, 2, 1e-4f)}}), 2u) << "not flat";
+}
+
+TEST(Unit_FaceList, FacesAreOfOneGeometry) {
+  Geometry first = geometry_of({Quad{Vec3f(0), Vec3f(1, 0, 0), Vec3f(1, 1, 0), Vec3f(0, 1, 0)}});
+  Geometry second = first;
+  first.triangles.pop_back();
+  second.triangles.erase(second.triangles.begin());
+  EXPECT_EQ(face_count(test::scene_of(std::vector<Geometry>{first, second})), 2u);
+}
+
+TEST(Unit_FaceList, OthersScenesHaveNone) {
+  const std::size_t most = FaceList::most_faces;
+  EXPECT_EQ(face_count(test::scene_of(test::random_soup(most, 0.2f, 1))), most);
+  EXPECT_EQ(face_count(test::scene_of(test::random_soup(most + 1, 0.2f, 1))), 0u);
+  EXPECT_EQ(face_count(test::scene_of_all_kinds()), 0u);
+  Scene with_cutouts = test::scene_of(std::vector<Geometry>{geometry_of(room())});
+  with_cutouts.geometries[0].has_cutouts = true;
+  EXPECT_EQ(face_count(with_cutouts), 0u);
+  const Scene scene = test::scene_of(std::vector<Geometry>{geometry_of(room())});
+  EXPECT_EQ(EmbreeAccel(scene).face_count(), 0u) << "unless it is asked for";
+}
+
+TEST(Unit_FaceList, TrianglesWithoutAreaAreNoFaces) {
+  Geometry geometry = geometry_of(room());
+  geometry.triangles.push_back({0, 1, 1});
+  geometry.positions.push_back(Vec3f(std::numeric_limits<float>::quiet_NaN()));
+  geometry.triangles.push_back({0, 1, static_cast<std::uint32_t>(geometry.positions.size() - 1)});
+  EXPECT_EQ(face_count(test::scene_of(std::vector<Geometry>{geometry})), 6u);
+}
+
+// Rays of all sets, about soups that a list takes.
+struct Case {
+  std::string name;
+  Scene scene;
+  Soup soup;
+};
+std::vector<Case> cases() {
+  std::vector<Case> made;
+  const auto add = [&](const std::string& name, const Soup& soup) {
+    made.push_back({name, test::scene_of(soup), soup});
+  };
+  add("random", test::random_soup(30, 0.7f, 1));
+  add("slivers", test::sliver_soup(30, 2));
+  add("duplicates", test::duplicate_soup(8, 3));
+  add("coplanar", test::coplanar_soup(30, 4));
+  add("mixed scales", test::mixed_scale_soup(30, 5));
+  Soup walls;
+  const Geometry geometry = geometry_of(room());
+  for (const auto& [a, b, c] : geometry.triangles)
+    walls.push_back({geometry.positions[a], geometry.positions[b], geometry.positions[c]});
+  made.push_back({"room", test::scene_of(std::vector<Geometry>{geometry}), walls});
+  return made;
+}
+
+std::vector<Ray> rays_about(const Soup& soup, std::size_t count) {
+  std::vector<Ray> rays = test::random_rays(soup, count, 1);
+  for (const auto& more :
+       {test::axis_rays(soup, count, 2), test::in_plane_rays(soup, count, 3),
+        test::edge_rays(soup, count, 4), test::surface_rays(soup, count, 5)})
+    rays.insert(rays.end(), more.begin(), more.end());
+  return rays;
+}
+
+TEST(Agreement_FaceList, SaysWhatTheReferenceTreeSays) {
+  for (const Case& c : cases()) {
+    const EmbreeAccel faces(c.scene, {.faces = true});
+    ASSERT_GT(faces.face_count(), 0u) << c.name;
+    const BvhAccel bvh(c.scene);
+    const std::vector<Ray> rays = rays_about(c.soup, 4000);
+    with_threads(0, [&] {
+      EXPECT_EQ(count_agreement(c.scene, faces, bvh, rays, false).disagreeing, 0u) << c.name;
+      EXPECT_EQ(count_agreement(c.scene, faces, bvh, rays, true).disagreeing, 0u) << c.name;
+    });
+  }
+}
+
+TEST(Agreement_FaceList, SaysWhatBruteForceSays) {
+  for (const Case& c : cases()) {
+    const EmbreeAccel faces(c.scene, {.faces = true});
+    for (const Ray& ray : rays_about(c.soup, 1000))
+      ASSERT_EQ(test::brute_force_complaint(c.scene, ray, faces.intersect(ray)), "") << c.name;
+  }
+}
+
+TEST(Unit_FaceList, OfManyRaysAFewAreLeftOpen) {
+  const Scene scene = test::scene_of(std::vector<Geometry>{geometry_of(room())});
+  const FaceList faces(scene);
+  const Soup soup = cases().back().soup;
+  const auto open_share = [&](const std::vector<Ray>& rays) {
+    double open = 0;
+    for (const Ray& ray : rays) open += faces.intersect(ray) ? 0 : 1;
+    return open / static_cast<double>(rays.size());
+  };
+  EXPECT_LT(open_share(test::random_rays(soup, 20000, 1)), 1e-3);
+  // Half of these go through vertices, and of the others a third through diagonals.
+  EXPECT_NEAR(open_share(test::edge_rays(soup, 1000, 1)), 5.0 / 6, 0.05);
+}
+
+bool are_equal(const Hit& a, const Hit& b) {
+  return a.t == b.t && a.u == b.u && a.v == b.v && a.geometry == b.geometry &&
+         a.triangle == b.triangle;
+}
+
+// In any lane and beside any others a ray is told the same.
+TEST(Unit_FaceList, BlocksAreToldWhatRaysAre) {
+  for (const Case& c : cases()) {
+    const EmbreeAccel faces(c.scene, {.faces = true});
+    const std::vector<Ray> rays = rays_about(c.soup, 800);
+    std::size_t hits = 0;
+    for (std::size_t first = 0; first + block_size <= rays.size(); first += block_size) {
+      RayBlock block;
+      for (std::size_t i = 0; i < block_size; ++i)
+        block.set(i, rays[(first + i * 251) % rays.size()]);
+      const LaneMask lanes = first % 3 == 0 ? 0b0110100110010110u : all_lanes;
+      const HitBlock found = faces.intersect(block, lanes, Coherence::Incoherent);
+      const LaneMask occluded = faces.occluded(block, lanes);
+      EXPECT_EQ(occluded & ~lanes, 0u);
+      EXPECT_EQ(found.met & ~lanes, 0u);
+      for_each_lane(lanes, [&](std::uint32_t i) {
+        const Hit single = faces.intersect(block[i]);
+        hits += single.is_hit();
+        ASSERT_TRUE(are_equal(found[i], single)) << c.name;
+        ASSERT_EQ((occluded >> i & 1) != 0, faces.occluded(block[i])) << c.name;
+        ASSERT_EQ(faces.occluded(block[i]), single.is_hit()) << c.name;
+      });
+    }
+    EXPECT_GT(hits, 100u) << c.name;
+  }
+}
+
+}  // namespace
+}  // namespace candela
