@@ -28,13 +28,6 @@ struct FaceGroups {
   float reach = 0;         // the largest sum of a corner's absolute coordinates
 };
 
-// Where a ray meets a face's plane.
-struct FaceMeeting {
-  float t;
-  float inside;  // of the edge that is next to it; negative: outside of the face
-  float doubt;   // bound of the error of `inside`
-};
-
 // What bounds the errors of a ray's meetings.
 struct RayDoubt {
   float of_place;
@@ -46,23 +39,36 @@ struct RayDoubt {
   return {of_place, of_place * sum(direction)};
 }
 
-// Both the place relative to the corner and its distance from the plane are sums of a few products,
-// none of which is larger than the ray's origin and the face are far from the scene's centre; the
-// latter's error moves the meeting along the ray.
-[[nodiscard]] inline FaceMeeting meet_face(const FaceGroup& faces, std::size_t k,
-                                           const Vec3f& origin, const Vec3f& direction,
-                                           RayDoubt doubt) {
+// Where a ray meets a face's plane.
+struct PlaneMeeting {
+  float t;
+  float inverse;  // how far the ray goes while it comes nearer to the plane by 1
+};
+[[nodiscard]] inline PlaneMeeting meet_plane(const FaceGroup& faces, std::size_t k,
+                                             const Vec3f& origin, const Vec3f& direction) {
   Vec3f normal = faces.normal[k];
-  Vec3f from = origin - faces.corner[k];
   const float inverse = 1 / dot(normal, direction);
-  const float t = -dot(normal, from) * inverse;
-  Vec3f place = from + t * direction;
-  float inside = std::numeric_limits<float>::max();
+  return {-dot(normal, origin - faces.corner[k]) * inverse, inverse};
+}
+
+// Whether that is inside of the face. The place relative to the corner and its distance from the
+// plane are sums of a few products, none of which is larger than the ray's origin and the face are
+// far from the scene's centre; the latter's error moves the meeting along the ray.
+struct FaceVerdict {
+  std::uint32_t is_inside;  // for certain
+  std::uint32_t is_open;    // an edge is closer than rounding can tell
+};
+[[nodiscard]] inline FaceVerdict judge(const FaceGroup& faces, std::size_t k, const Vec3f& origin,
+                                       const Vec3f& direction, PlaneMeeting meeting,
+                                       RayDoubt doubt) {
+  Vec3f place = origin - faces.corner[k] + meeting.t * direction;
+  float inside = std::numeric_limits<float>::max();  // of the nearest edge
   for (std::size_t edge = 0; edge < 4; ++edge) {
     const float distance = dot(faces.inward[edge][k], place) + faces.distance[edge][k];
     inside = distance < inside ? distance : inside;
   }
-  return {t, inside, doubt.of_place + doubt.of_distance * std::abs(inverse)};
+  const float error = doubt.of_place + doubt.of_distance * std::abs(meeting.inverse);
+  return {flag(inside > error), flag(inside >= -error) & flag(inside <= error)};
 }
 
 // What rays are known to meet.
@@ -71,8 +77,9 @@ struct FaceLanes {
 
   Lanes<float> t;
   Lanes<std::uint32_t> face;
-  // A ray that passes an edge closer than rounding can tell may meet what stands here, or not.
-  LaneFlags is_open{};
+  // The nearest place where a ray passes an edge of a face closer than rounding can tell: before
+  // `t` it is open what the ray meets.
+  Lanes<float> open_t;
 };
 
 // The nearest faces that the rays of a block meet for certain.
@@ -85,5 +92,8 @@ struct NearestFace {
 };
 // The same of one ray.
 [[nodiscard]] NearestFace find_nearest_face(const FaceGroups& faces, const Ray& ray);
+
+[[nodiscard]] LaneMask open_lanes(const FaceLanes& nearest);
+[[nodiscard]] LaneMask lanes_with_face(const FaceLanes& nearest);
 
 }  // namespace candela

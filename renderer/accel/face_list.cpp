@@ -24,11 +24,11 @@ struct SceneTriangle {
 // Other than of objects without a surface.
 bool has_instances(const Scene& scene) {
   return std::ranges::any_of(scene.instances, [&](const Instance& instance) {
-    return std::ranges::any_of(
-        scene.objects[instance.object.index].geometries, [&](GeometryHandle handle) {
-          const Geometry& geometry = scene.geometries[handle.index];
-          return !geometry.triangles.empty() || !geometry.spheres.empty();
-        });
+    return std::ranges::any_of(scene.objects[instance.object.index].geometries,
+                               [&](GeometryHandle handle) {
+                                 const Geometry& geometry = scene.geometries[handle.index];
+                                 return !geometry.triangles.empty() || !geometry.spheres.empty();
+                               });
   });
 }
 
@@ -59,10 +59,9 @@ struct Quad {
 };
 std::optional<Quad> quad_along(const SceneTriangle& a, std::size_t edge, const SceneTriangle& b,
                                std::size_t other_edge) {
-  const bool share_edge = (a.corner(edge) == b.corner(other_edge + 1) &&
-                           a.corner(edge + 1) == b.corner(other_edge)) ||
-                          (a.corner(edge) == b.corner(other_edge) &&
-                           a.corner(edge + 1) == b.corner(other_edge + 1));
+  const bool share_edge =
+      (a.corner(edge) == b.corner(other_edge + 1) && a.corner(edge + 1) == b.corner(other_edge)) ||
+      (a.corner(edge) == b.corner(other_edge) && a.corner(edge + 1) == b.corner(other_edge + 1));
   if (!share_edge) return {};
   const Vec3d normal = normalize(a.perpendicular());
   const Quad quad{
@@ -142,19 +141,20 @@ FaceList::FaceList(const Scene& scene) {
       is_taken[partner] = true;
       put_face(quad->corners, normal, faces_);
       const Vec3d& corner = quad->corners[0];
-      triangles_.push_back({Vec3f(cross(normal, quad->corners[2] - corner)),
+      triangles_.push_back({Vec3f(corner), Vec3f(cross(normal, quad->corners[2] - corner)),
                             face_triangle(all[i], corner), face_triangle(all[partner], corner)});
     } else {
       put_face(all[i].corners, normal, faces_);
-      triangles_.push_back({Vec3f(0), face_triangle(all[i], all[i].corners[0]), {}});
+      triangles_.push_back(
+          {Vec3f(all[i].corners[0]), Vec3f(0), face_triangle(all[i], all[i].corners[0]), {}});
     }
   }
 }
 
-Hit FaceList::hit_of(const Ray& ray, std::uint32_t face, float t) const {
-  const FaceGroup& group = faces_.groups[face / block_size];
-  const Vec3f place = ray.origin - group.corner[face % block_size] + t * ray.direction;
+Hit FaceList::hit_of(const Vec3f& origin, const Vec3f& direction, std::uint32_t face,
+                     float t) const {
   const FaceTriangles& triangles = triangles_[face];
+  const Vec3f place = origin - triangles.corner + t * direction;
   const bool is_first = dot(triangles.across, place) >= 0;
   const FaceTriangles::Triangle& in = is_first ? triangles.first : triangles.second;
   const float u = std::clamp(dot(in.u_gradient, place) + in.u, 0.0f, 1.0f);
@@ -165,28 +165,44 @@ Hit FaceList::hit_of(const Ray& ray, std::uint32_t face, float t) const {
 FaceList::BlockAnswer FaceList::intersect(const RayBlock& rays, LaneMask lanes) const {
   const FloatingPointTraps traps(Traps::Off);  // planes that rays never meet
   const FaceLanes nearest = find_nearest_faces(faces_, rays);
-  BlockAnswer answer{{}, mask_of(nearest.is_open) & lanes};
-  for_each_lane(lanes & ~answer.open, [&](std::uint32_t i) {
-    if (nearest.face[i] != FaceLanes::none)
-      answer.hits.set(i, hit_of(rays[i], nearest.face[i], nearest.t[i]));
+  BlockAnswer answer{{}, open_lanes(nearest) & lanes};
+  const LaneMask met = lanes & ~answer.open & lanes_with_face(nearest);
+  for_each_lane(met, [&](std::uint32_t i) {
+    const Hit hit = hit_of(rays.origin[i], rays.direction[i], nearest.face[i], nearest.t[i]);
+    answer.hits.t[i] = hit.t;
+    answer.hits.u[i] = hit.u;
+    answer.hits.v[i] = hit.v;
+    answer.hits.geometry[i] = hit.geometry;
+    answer.hits.triangle[i] = hit.triangle;
   });
+  answer.hits.met = met;
   return answer;
 }
 
 FaceList::BlockOcclusion FaceList::occluded(const RayBlock& rays, LaneMask lanes) const {
+  constexpr std::uint32_t fewest_of_block = 5;
+  BlockOcclusion answer{};
+  if (lane_count(lanes) < fewest_of_block) {
+    for_each_lane(lanes, [&](std::uint32_t i) {
+      const std::optional<bool> known = occluded(rays[i]);
+      answer.occluded |= flag(known.value_or(false)) << i;
+      answer.open |= flag(!known) << i;
+    });
+    return answer;
+  }
   const FloatingPointTraps traps(Traps::Off);
   const FaceLanes nearest = find_nearest_faces(faces_, rays);
-  LaneMask occluded = 0;
-  for (std::uint32_t i = 0; i < block_size; ++i)
-    occluded |= flag(nearest.face[i] != FaceLanes::none) << i;
-  return {occluded & lanes, mask_of(nearest.is_open) & lanes & ~occluded};
+  answer.occluded = lanes_with_face(nearest) & lanes;
+  answer.open = open_lanes(nearest) & lanes & ~answer.occluded;
+  return answer;
 }
 
 std::optional<Hit> FaceList::intersect(const Ray& ray) const {
   const FloatingPointTraps traps(Traps::Off);
   const NearestFace nearest = find_nearest_face(faces_, ray);
   if (nearest.is_open) return {};
-  return nearest.face == FaceLanes::none ? Hit{} : hit_of(ray, nearest.face, nearest.t);
+  if (nearest.face == FaceLanes::none) return Hit{};
+  return hit_of(ray.origin, ray.direction, nearest.face, nearest.t);
 }
 
 std::optional<bool> FaceList::occluded(const Ray& ray) const {

@@ -23,6 +23,7 @@ struct FaceTriangles {
     float u = 0, v = 0;  // at the corner
   };
 
+  Vec3f corner{0};  // the face's
   Vec3f across{0};  // above 0 at places on the first one's side of the diagonal
   Triangle first, second;
 };
@@ -54,7 +55,8 @@ class FaceList {
   [[nodiscard]] std::optional<bool> occluded(const Ray& ray) const;
 
  private:
-  [[nodiscard]] Hit hit_of(const Ray& ray, std::uint32_t face, float t) const;
+  [[nodiscard]] Hit hit_of(const Vec3f& origin, const Vec3f& direction, std::uint32_t face,
+                           float t) const;
 
   FaceGroups faces_;
   std::vector<FaceTriangles> triangles_;  // by face

