@@ -26,7 +26,8 @@ set_source_files_properties(renderer/sampling/sampler_block.cpp PROPERTIES
 # meet than GCC takes by default.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
   set_source_files_properties(
-    integrators/path/camera_rays.cpp integrators/path/plain_bsdf_lanes.cpp
+    integrators/path/block_lanes.cpp integrators/path/camera_rays.cpp
+    integrators/path/plain_bsdf_lanes.cpp
     integrators/path/plain_lanes.cpp renderer/accel/embree_block.cpp
     renderer/accel/face_lanes.cpp
     PROPERTIES

@@ -48,6 +48,12 @@ class BlockNumbers {
       samplers.sample_1d(bounce, Dimension::Roulette, roulette_);
   }
 
+  [[nodiscard]] std::uint32_t light_choice(std::size_t i) const { return light_choice_[i]; }
+  [[nodiscard]] Vec2f light_point(std::size_t i) const { return unit_point(light_point_, i); }
+  [[nodiscard]] const Lanes<std::uint32_t>& lobe() const { return lobe_; }
+  [[nodiscard]] const SobolPointLanes& direction() const { return direction_; }
+  [[nodiscard]] const Lanes<std::uint32_t>& roulette() const { return roulette_; }
+
   template <FeatureSet F>
   [[nodiscard]] StepNumbers lane(std::size_t i) const {
     return {light_choice_[i],

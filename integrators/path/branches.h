@@ -30,7 +30,7 @@ template <FeatureSet F, class A>
   const bool goes_on =
       scatter_from<F>(context.options, numbers, guide_at<F>(context.guide, point, bsdf), point,
                       bsdf, point.shading.to_local(wo), ray, path);
-  block.paths[i] = path;
+  block.paths.set(i, path);
   return goes_on && set_ray(block, i, ray);
 }
 
@@ -54,16 +54,16 @@ class Branches {
   // What the first hit itself brought is no branch's.
   void keep_direct_light(PathBlock& block) const {
     for_each_lane(lanes_, [&](std::uint32_t i) {
-      block.split.radiance[i] = block.paths[i].radiance;
-      block.paths[i].radiance = Rgb(0);
+      block.split.radiance.set(i, block.paths.radiance[i]);
+      block.paths.radiance.set(i, Rgb(0));
     });
   }
   // The running branch has ended; false where it was the last.
   [[nodiscard]] bool next(PathBlock& block) {
     const float share = 1.0f / static_cast<float>(splitting_);
     for_each_lane(lanes_, [&](std::uint32_t i) {
-      block.split.radiance[i] += block.paths[i].radiance * share;
-      block.paths[i].radiance = Rgb(0);
+      block.split.radiance.set(i, block.split.radiance[i] + block.paths.radiance[i] * share);
+      block.paths.radiance.set(i, Rgb(0));
     });
     return ++branch_ < splitting_;
   }
@@ -92,7 +92,7 @@ class Branches {
   }
   void end(PathBlock& block) const {
     for_each_lane(lanes_,
-                  [&](std::uint32_t i) { block.paths[i].radiance = block.split.radiance[i]; });
+                  [&](std::uint32_t i) { block.paths.radiance.set(i, block.split.radiance[i]); });
   }
 
  private:

@@ -83,8 +83,7 @@ class Convoy {
     PlainSteps<F, A> steps(lanes_);
     for (const PlainModel model : plain_models) {
       for (std::size_t i = 0; i < size_; ++i)
-        for_each_lane(plain[i].of(model),
-                      [&](std::uint32_t lane) { steps.add(*trips_[i], lane, model); });
+        steps.add(*trips_[i], plain[i].of(model), model);
       steps.end(model);
     }
   }

@@ -49,43 +49,45 @@ inline void put_coat(const Bsdf& bsdf, float cos_o, std::uint32_t slot, BsdfLane
   bsdfs.mean_transmittance[slot] = bsdf.coat->mean_transmittance(bsdf.alpha);
 }
 
+inline void put_bsdf(PlainModel model, const TextureStore& textures, std::uint32_t slot,
+                     PlainLanes& lanes) {
+  BsdfLanes& bsdfs = lanes.bsdfs;
+  const Material& material = *bsdfs.material[slot];
+  const TexturePoint at = texture_point_of(lanes, slot);
+  if (model == PlainModel::Diffuse) {
+    bsdfs.diffuse.set(slot, colour_at(material.diffuse, textures, at));
+    return;
+  }
+  if (model == PlainModel::Conductor) {
+    const MetalIndex metal = metal_index_at(material, textures, at);
+    bsdfs.eta.set(slot, metal.eta);
+    bsdfs.k.set(slot, metal.k);
+    bsdfs.alpha[slot] = ggx_width(material.roughness.constant);
+    return;
+  }
+  if (model == PlainModel::CoatedDiffuse) {
+    put_coat(coated_diffuse_at(material, textures, at),
+             dot(-lanes.met.direction[slot], lanes.met.shading_normal[slot]), slot, bsdfs);
+    return;
+  }
+  Bsdf bsdf = model == PlainModel::Lab ? lab_at(material, textures, at)
+                                       : cook_torrance_at(material, textures, at);
+  bsdfs.diffuse.set(slot, bsdf.diffuse);
+  bsdfs.specular.set(slot, bsdf.specular);
+  bsdfs.f0.set(slot, bsdf.f0);
+  bsdfs.alpha[slot] = bsdf.alpha;
+}
 // What textures say is looked up one path after the other, once it is known where they are.
 inline void put_bsdfs(PlainModel model, const TextureStore& textures, PlainLanes& lanes) {
-  BsdfLanes& bsdfs = lanes.bsdfs;
-  for (std::uint32_t slot = 0; slot < lanes.size; ++slot) {
-    const Material& material = *bsdfs.material[slot];
-    const TexturePoint at = texture_point_of(lanes, slot);
-    if (model == PlainModel::Diffuse) {
-      bsdfs.diffuse.set(slot, colour_at(material.diffuse, textures, at));
-      continue;
-    }
-    if (model == PlainModel::Conductor) {
-      const MetalIndex metal = metal_index_at(material, textures, at);
-      bsdfs.eta.set(slot, metal.eta);
-      bsdfs.k.set(slot, metal.k);
-      bsdfs.alpha[slot] = ggx_width(material.roughness.constant);
-      continue;
-    }
-    if (model == PlainModel::CoatedDiffuse) {
-      put_coat(coated_diffuse_at(material, textures, at),
-               dot(-lanes.met.direction[slot], lanes.met.shading_normal[slot]), slot, bsdfs);
-      continue;
-    }
-    Bsdf bsdf = model == PlainModel::Lab ? lab_at(material, textures, at)
-                                         : cook_torrance_at(material, textures, at);
-    bsdfs.diffuse.set(slot, bsdf.diffuse);
-    bsdfs.specular.set(slot, bsdf.specular);
-    bsdfs.f0.set(slot, bsdf.f0);
-    bsdfs.alpha[slot] = bsdf.alpha;
-  }
+  for_each_lane(lanes.filled, [&](std::uint32_t slot) { put_bsdf(model, textures, slot, lanes); });
 }
 
 // Likewise, where surfaces have bumps.
 inline void put_bumps(const Scene& scene, PlainLanes& lanes) {
   MetLanes& met = lanes.met;
-  for (std::uint32_t slot = 0; slot < lanes.size; ++slot) {
+  for_each_lane(lanes.filled, [&](std::uint32_t slot) {
     const Material& material = *lanes.bsdfs.material[slot];
-    if (!has_bump(material)) continue;
+    if (!has_bump(material)) return;
     const Geometry& geometry = scene.geometries[met.geometry[slot]];
     const Float4 corner0 = to_lanes(met.corner0[slot]);
     SurfacePoint point;
@@ -98,7 +100,7 @@ inline void put_bumps(const Scene& scene, PlainLanes& lanes) {
                                            met.front_normal[slot], point.dpdu, point.dpdv));
     met.is_flat[slot] = 0;
     met.all_are_flat = false;
-  }
+  });
 }
 
 inline void put_normals(const Geometry& geometry, const std::array<std::uint32_t, 3>& corners,
@@ -112,33 +114,38 @@ inline void put_normals(const Geometry& geometry, const std::array<std::uint32_t
   met.normal2.set(slot, geometry.normals[corners[2]]);
 }
 
-// What a path's ray met, and the numbers by which it goes on.
-inline void put_path(const Scene& scene, const StepNumbers& numbers, std::uint32_t bounce,
-                     const Hit& hit, const Ray& ray, const PathState& path, std::uint32_t slot,
-                     PlainLanes& lanes) {
-  const Geometry& geometry = scene.geometries[hit.geometry];
-  const auto& corners = geometry.triangles[hit.triangle];
+inline void put_surface(const Scene& scene, const Geometry& geometry, std::uint32_t triangle,
+                        float u, float v, std::uint32_t slot, PlainLanes& lanes) {
+  const auto& corners = geometry.triangles[triangle];
   MetLanes& met = lanes.met;
-  met.geometry[slot] = hit.geometry;
-  met.triangle[slot] = hit.triangle;
   met.corner0.set(slot, geometry.positions[corners[0]]);
   met.corner1.set(slot, geometry.positions[corners[1]]);
   met.corner2.set(slot, geometry.positions[corners[2]]);
   put_normals(geometry, corners, slot, met);
+  lanes.bsdfs.material[slot] = &scene.materials[geometry.material.index];
+  lanes.bsdfs.uv[slot] = geometry.uvs.empty() ? SurfacePoint{}.uv : uv_of(geometry, corners, u, v);
+}
+
+// What a path's ray met, and the numbers by which it goes on.
+inline void put_path(const Scene& scene, const StepNumbers& numbers, std::uint32_t bounce,
+                     const Hit& hit, const Ray& ray, const PathState& path, std::uint32_t slot,
+                     PlainLanes& lanes) {
+  put_surface(scene, scene.geometries[hit.geometry], hit.triangle, hit.u, hit.v, slot, lanes);
+  MetLanes& met = lanes.met;
+  met.geometry[slot] = hit.geometry;
+  met.triangle[slot] = hit.triangle;
   met.u[slot] = hit.u;
   met.v[slot] = hit.v;
   met.direction.set(slot, ray.direction);
   met.throughput.set(slot, path.throughput);
   met.roulette_scale[slot] = path.roulette_scale;
-  lanes.bsdfs.material[slot] = &scene.materials[geometry.material.index];
-  lanes.bsdfs.uv[slot] =
-      geometry.uvs.empty() ? SurfacePoint{}.uv : uv_of(geometry, corners, hit.u, hit.v);
   ScatteredLanes& scattered = lanes.scattered;
   scattered.bounce[slot] = bounce;
   scattered.lobe[slot] = numbers.lobe;
   scattered.direction_x[slot] = numbers.direction.x;
   scattered.direction_y[slot] = numbers.direction.y;
   scattered.roulette[slot] = numbers.roulette;
+  lanes.filled |= 1u << slot;
 }
 
 inline void put_light(const Light& light, std::uint32_t slot, LampLanes& lamps) {
@@ -158,10 +165,9 @@ inline void put_light(const Light& light, std::uint32_t slot, LampLanes& lamps) 
 }
 
 // Deals a light sample to the path. Where lights are few, its lane often has the light already.
-inline void put_lamp(const Scene& scene, const StepNumbers& numbers, std::uint32_t slot,
+inline void put_lamp(const Scene& scene, std::uint32_t choice, Vec2f u, std::uint32_t slot,
                      LampLanes& lamps) {
-  Vec2f u = numbers.light_point;
-  const LightPick pick = pick_light(scene.light_sampler, numbers.light_choice, u);
+  const LightPick pick = pick_light(scene.light_sampler, choice, u);
   if (lamps.light[slot] != pick.light) {
     lamps.light[slot] = pick.light;
     lamps.probability[slot] = pick.probability;
@@ -174,11 +180,11 @@ inline void put_lamp(const Scene& scene, const StepNumbers& numbers, std::uint32
 // The path in lane i of the block goes on.
 inline void take_scattered(const PlainLanes& lanes, std::uint32_t slot, std::uint32_t i,
                            PathBlock& block) {
-  PathState& path = block.paths[i];
-  path.throughput = lanes.scattered.throughput[slot];
-  path.bsdf_pdf = lanes.scattered.pdf[slot];
-  path.receiving_normal = lanes.met.shading_normal[slot];
-  path.is_delta = false;
+  PathLanes& paths = block.paths;
+  paths.throughput.set(i, lanes.scattered.throughput[slot]);
+  paths.bsdf_pdf[i] = lanes.scattered.pdf[slot];
+  paths.receiving_normal.set(i, lanes.met.shading_normal[slot]);
+  paths.is_delta[i] = 0;
   block.rays.set(i, {lanes.scattered.origin[slot], lanes.scattered.direction[slot], infinity});
 }
 
@@ -198,23 +204,17 @@ template <FeatureSet F, class A>
                                                  LaneMask of_block, PathBlock& block,
                                                  PlainLanes& lanes) {
   if (context.max_depth == 0 || of_block == 0) return 0;
-  std::array<std::uint32_t, block_size> lane_of;
   lanes.clear();
   for_each_lane(of_block, [&](std::uint32_t i) {
-    block.paths[i] = PathState{};
+    block.paths.set(i, PathState{});
     put_path(context.scene, numbers.lane<F>(i), 0, block.split.hits[i], block.split.camera_rays[i],
-             block.paths[i], lanes.size, lanes);
-    lane_of[lanes.size++] = i;
+             PathState{}, i, lanes);
   });
   find_surfaces(model, context.scene, lanes);
-  LaneMask going_on = 0;
   const ScatterMasks scattered = scatter(model, context.inverse_roulette_threshold, lanes);
-  for_each_lane(scattered.going_on, [&](std::uint32_t slot) {
-    take_scattered(lanes, slot, lane_of[slot], block);
-    going_on |= 1u << lane_of[slot];
-  });
-  for_each_lane(scattered.lost, [&](std::uint32_t slot) { lose_path(block, lane_of[slot]); });
-  return going_on;
+  for_each_lane(scattered.going_on, [&](std::uint32_t i) { take_scattered(lanes, i, i, block); });
+  for_each_lane(scattered.lost, [&](std::uint32_t i) { lose_path(block, i); });
+  return scattered.going_on;
 }
 
 }  // namespace candela

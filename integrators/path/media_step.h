@@ -82,8 +82,8 @@ template <FeatureSet F, class A>
 [[nodiscard]] inline bool step_in_media(const PathContext<A>& context, const StepNumbers& numbers,
                                         std::uint32_t bounce, const Hit& hit, Ray& ray,
                                         MediumHandle& medium, PathState& path, DirectLight& picked,
-                                        MediumHandle& shadow_medium, FilmSample& first_hit,
-                                        TileCounts& counts) {
+                                        MediumHandle& shadow_medium, float& alpha,
+                                        FilmSample& first_hit, TileCounts& counts) {
   const Scene& scene = context.scene;
   Vec3f from = ray.origin;
   MediaFlight flight = fly(context, numbers.free_flight, hit, ray, medium, path, counts);
@@ -96,7 +96,7 @@ template <FeatureSet F, class A>
   }
   if (!flight.hit.is_hit()) {
     add_environment<F>(scene, context.options, bounce, ray.direction, path);
-    if (bounce == 0) first_hit.alpha = 0;
+    if (bounce == 0) alpha = 0;
     return false;
   }
   const Geometry& geometry = scene.geometries[flight.hit.geometry];

@@ -8,11 +8,33 @@
 
 namespace candela {
 
+// PathState, by lane.
+struct PathLanes {
+  [[nodiscard]] PathState operator[](std::size_t i) const {
+    return {throughput[i],     radiance[i],         bsdf_pdf[i],
+            roulette_scale[i], receiving_normal[i], is_delta[i] != 0};
+  }
+  void set(std::size_t i, const PathState& path) {
+    throughput.set(i, path.throughput);
+    radiance.set(i, path.radiance);
+    bsdf_pdf[i] = path.bsdf_pdf;
+    roulette_scale[i] = path.roulette_scale;
+    receiving_normal.set(i, path.receiving_normal);
+    is_delta[i] = flag(path.is_delta);
+  }
+  void add_radiance(std::size_t i, const Rgb& more) { radiance.set(i, radiance[i] + more); }
+
+  Vec3Lanes throughput, radiance;
+  Lanes<float> bsdf_pdf{}, roulette_scale{};
+  Vec3Lanes receiving_normal;
+  LaneFlags is_delta{};
+};
+
 // Where paths are split: where they all come from, and what those that have ended brought.
 struct SplitPaths {
   RayBlock camera_rays;
   HitBlock hits;
-  std::array<Rgb, block_size> radiance;
+  Vec3Lanes radiance;
 };
 
 // Which lanes of a block have a shadow ray after a step, and which a ray to go on with.
@@ -25,10 +47,12 @@ struct LanesAfterStep {
 struct PathBlock {
   RayBlock rays;
   HitBlock hits;  // of the rays
-  std::array<PathState, block_size> paths;
+  PathLanes paths;
   RayBlock shadow_rays;
-  std::array<Rgb, block_size> unshadowed;  // what the shadow rays bring if nothing is in their way
-  std::array<FilmSample, block_size> samples;
+  Vec3Lanes unshadowed;  // what the shadow rays bring if nothing is in their way
+  // Of the film's samples: the filter's weight, alpha, and where there are layers what those keep.
+  Lanes<float> weight, alpha;
+  std::array<FilmSample, block_size> first_hits;
   SplitPaths split;
   // Kernels with media only: around the paths, and where the shadow rays start.
   std::array<MediumHandle, block_size> media;
@@ -47,7 +71,7 @@ template <FeatureSet F>
 
 // The next ray of a path cannot be traced, which makes the sample invalid.
 inline void lose_path(PathBlock& block, std::uint32_t i) {
-  block.paths[i].radiance = Rgb(std::numeric_limits<float>::quiet_NaN());
+  block.paths.radiance.set(i, Rgb(std::numeric_limits<float>::quiet_NaN()));
 }
 // The next ray of a path; false where it cannot be traced.
 [[nodiscard]] inline bool set_ray(PathBlock& block, std::uint32_t i, const Ray& ray) {

@@ -179,9 +179,10 @@ CANDELA_LANES void sample_coats(PlainLanes& lanes) {
 template <class Cosine>
 void put_transmittances(const Cosine& cosine, PlainLanes& lanes) {
   BsdfLanes& bsdfs = lanes.bsdfs;
-  for (std::uint32_t slot = 0; slot < lanes.size; ++slot)
+  for_each_lane(lanes.filled, [&](std::uint32_t slot) {
     bsdfs.transmittance_i[slot] =
         bsdfs.material[slot]->coat->transmittance(cosine(slot), bsdfs.alpha[slot]);
+  });
 }
 
 }  // namespace

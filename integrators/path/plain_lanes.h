@@ -1,6 +1,6 @@
 // Paths on plain surfaces of one model, side by side: loops over lanes around the very functions
-// that take a single path's step, written so that the compiler makes vector code of them. The
-// paths fill the first lanes; what others hold means nothing.
+// that take a single path's step, written so that the compiler makes vector code of them. What
+// lanes hold that no path fills means nothing.
 #pragma once
 
 #include <array>
@@ -106,11 +106,11 @@ struct ScatteredLanes {
 
 struct PlainLanes {
   void clear() {
-    size = 0;
+    filled = 0;
     met.any_has_normals = false;
   }
 
-  std::uint32_t size = 0;  // lanes that are filled
+  LaneMask filled = 0;
   MetLanes met;
   LampLanes lamps;
   LightSampleLanes light_samples;
@@ -131,7 +131,7 @@ struct PlainLanes {
 
 // Of the lanes that are filled.
 [[nodiscard]] inline LaneMask filled_mask(const LaneFlags& flags, const PlainLanes& lanes) {
-  return mask_of(flags) & ((1u << lanes.size) - 1);
+  return mask_of(flags) & lanes.filled;
 }
 
 inline constexpr std::array plain_models{PlainModel::Diffuse, PlainModel::CookTorrance,

@@ -19,13 +19,11 @@ inline void start(BlockTrip<A>& trip) {
   const PlaceLanes places = sample_places(context.filter, {}, numbers);
   trip.alive = aim_camera_rays(context.camera, cell_of(context, trip.place.x, trip.place.y), places,
                                numbers, trip.place.lanes, block.rays);
-  for_each_lane(trip.place.lanes, [&](std::uint32_t i) {
-    block.paths[i] = PathState{};
-    if constexpr (F.media) block.media[i] = context.camera.medium;
-    block.samples[i].alpha = 1;
-    block.samples[i].has_hit = false;
-    block.samples[i].weight = context.filter.weight(places[i]);
-  });
+  begin_paths(block.paths);
+  if constexpr (F.media) block.media.fill(context.camera.medium);
+  block.alpha.fill(1);
+  for (std::uint32_t i = 0; i < block_size; ++i) block.weight[i] = context.filter.weight(places[i]);
+  if (context.options.aovs != 0) block.first_hits.fill({});
   for_each_lane(trip.place.lanes & ~trip.alive, [&](std::uint32_t i) { lose_path(block, i); });
   trip.counts.rays.camera += lane_count(trip.place.lanes);
 }
@@ -38,13 +36,17 @@ inline void finish(BlockTrip<A>& trip, Film& film, TileCounts& counts) {
   if constexpr (F.guided) {
     if (context.training != nullptr)
       for_each_lane(trip.place.lanes,
-                    [&](std::uint32_t i) { context.training->end(i, block.paths[i].radiance); });
+                    [&](std::uint32_t i) { context.training->end(i, block.paths.radiance[i]); });
   }
   if (context.lamp_rays > 0) add_seen_lamps<F>(trip);
+  FilmSample bare;
   for_each_lane(trip.place.lanes, [&](std::uint32_t i) {
-    block.samples[i].radiance = block.paths[i].radiance;
-    add_or_count(block.samples[i], trip.place.x, trip.place.y, trip.place.first + i,
-                 context.options.clamp, film, trip.counts);
+    FilmSample& sample = context.options.aovs != 0 ? block.first_hits[i] : bare;
+    sample.radiance = block.paths.radiance[i];
+    sample.weight = block.weight[i];
+    sample.alpha = block.alpha[i];
+    add_or_count(sample, trip.place.x, trip.place.y, trip.place.first + i, context.options.clamp,
+                 film, trip.counts);
   });
   film.add_cost(trip.place.x, trip.place.y, static_cast<std::uint32_t>(cost_of(trip.counts.rays)));
   counts.add(trip.counts);

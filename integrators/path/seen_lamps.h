@@ -57,8 +57,8 @@ template <FeatureSet F, class A>
     const HitBlock hits =
         intersect_lanes(context.accelerator, rays, traced, 0, trip.place.is_whole());
     for_each_lane(traced, [&](std::uint32_t i) {
-      trip.block.paths[i].radiance +=
-          share * lamp_radiance<F>(context.scene, context.options, rays[i], hits[i]);
+      trip.block.paths.add_radiance(
+          i, share * lamp_radiance<F>(context.scene, context.options, rays[i], hits[i]));
     });
     trip.counts.rays.lamp += lane_count(traced);
   }

@@ -7,21 +7,26 @@
 
 namespace candela {
 
-// Paths on plain surfaces of one model that wait until they are enough to take their steps
-// together.
+// Steps of paths on plain surfaces of one model: those of a block in the lanes that they have there
+// where they are many, else of several blocks, which wait until they are enough.
 template <FeatureSet F, class A>
 class PlainSteps {
  public:
+  static constexpr std::uint32_t fewest_of_block = 8;
+
   explicit PlainSteps(PlainLanes& lanes) : lanes_(lanes) {}
 
-  void add(BlockTrip<A>& trip, std::uint32_t lane, PlainModel model) {
-    places_[size_++] = {&trip, lane};
-    if (size_ == block_size) step(model);
+  void add(BlockTrip<A>& trip, LaneMask of_block, PlainModel model) {
+    if (lane_count(of_block) >= fewest_of_block) return step_block(trip, of_block, model);
+    for_each_lane(of_block, [&](std::uint32_t lane) {
+      waiting_[size_++] = {&trip, lane};
+      if (size_ == block_size) step_waiting(model);
+    });
   }
   void end(PlainModel model) {
     constexpr std::uint32_t fewest = 4;  // that are worth it
-    if (size_ >= fewest) return step(model);
-    for (std::uint32_t i = 0; i < size_; ++i) step_lane<F>(*places_[i].trip, places_[i].lane);
+    if (size_ >= fewest) return step_waiting(model);
+    for (std::uint32_t i = 0; i < size_; ++i) step_lane<F>(*waiting_[i].trip, waiting_[i].lane);
     size_ = 0;
   }
 
@@ -31,65 +36,107 @@ class PlainSteps {
     std::uint32_t lane;
   };
 
-  void step(PlainModel model) {
-    fill();
+  void step_block(BlockTrip<A>& trip, LaneMask of_block, PlainModel model) {
+    block_ = &trip;
+    fill_from_block(of_block);
+    step(model);
+    block_ = nullptr;
+  }
+  void step_waiting(PlainModel model) {
+    fill_from_waiting();
     size_ = 0;
-    if (lanes_.size == 0) return;
+    step(model);
+  }
+  void step(PlainModel model) {
+    if (lanes_.filled == 0) return;
     find_surfaces(model, scene(), lanes_);
     for (const std::uint32_t index : lights().always()) add_light_of(index, model);
     if (lights().has_table()) add_picked_light(model);
     scatter_paths(model);
   }
 
-  [[nodiscard]] const PathContext<A>& context() const { return places_[0].trip->context; }
+  // Whose path is in a lane.
+  [[nodiscard]] Place place(std::uint32_t slot) const {
+    return block_ != nullptr ? Place{block_, slot} : places_[slot];
+  }
+
+  [[nodiscard]] const PathContext<A>& context() const {
+    return (block_ != nullptr ? block_ : places_[0].trip)->context;
+  }
   [[nodiscard]] const Scene& scene() const { return context().scene; }
   [[nodiscard]] const LightSampler& lights() const { return scene().light_sampler; }
 
   // Those that are as deep as paths may be end here.
-  void fill() {
+  void fill_from_waiting() {
     lanes_.clear();
+    std::uint32_t slot = 0;
     for (std::uint32_t k = 0; k < size_; ++k) {
-      const Place place = places_[k];
-      meet_surface(place);
-      BlockTrip<A>& trip = *place.trip;
+      BlockTrip<A>& trip = *waiting_[k].trip;
+      const std::uint32_t lane = waiting_[k].lane;
+      meet_surface(trip, lane, geometry_met(trip, lane));
       if (trip.bounce >= trip.context.max_depth) continue;
-      const StepNumbers numbers = numbers_of<F>(trip, place.lane);
-      put_path(scene(), numbers, trip.bounce, trip.block.hits[place.lane],
-               trip.block.rays[place.lane], trip.block.paths[place.lane], lanes_.size, lanes_);
-      if (lights().has_table()) put_lamp(scene(), numbers, lanes_.size, lanes_.lamps);
-      places_[lanes_.size++] = place;
+      const StepNumbers numbers = numbers_of<F>(trip, lane);
+      put_path(trip.context.scene, numbers, trip.bounce, trip.block.hits[lane],
+               trip.block.rays[lane], trip.block.paths[lane], slot, lanes_);
+      put_lamp_where_any(trip.context.scene, numbers.light_choice, numbers.light_point, slot);
+      places_[slot++] = waiting_[k];
     }
   }
+  void fill_from_block(LaneMask of_block) {
+    lanes_.clear();
+    BlockTrip<A>& trip = *block_;
+    const Scene& scene = trip.context.scene;
+    const HitBlock& hits = trip.block.hits;
+    const bool goes_on = trip.bounce < trip.context.max_depth;
+    if (goes_on) put_paths(trip.block, trip.numbers, trip.bounce, of_block, lanes_);
+    for_each_lane(of_block, [&](std::uint32_t lane) {
+      const Geometry& geometry = geometry_met(trip, lane);
+      meet_surface(trip, lane, geometry);
+      if (!goes_on) return;
+      put_surface(scene, geometry, hits.triangle[lane], hits.u[lane], hits.v[lane], lane, lanes_);
+      put_lamp_where_any(scene, trip.numbers.light_choice(lane), trip.numbers.light_point(lane),
+                         lane);
+    });
+  }
 
-  void meet_surface(const Place& place) {
-    const PathContext<A>& context = place.trip->context;
-    PathBlock& block = place.trip->block;
-    const Hit hit = block.hits[place.lane];
-    const Ray ray = block.rays[place.lane];
-    const Geometry& geometry = context.scene.geometries[hit.geometry];
-    if (is_emission_met(context, geometry, place.trip->bounce))
-      add_emission<F>(context.scene, context.options, geometry, hit, ray.origin, ray.direction,
-                      hit.t, block.paths[place.lane]);
-    if (place.trip->bounce == 0 && context.options.aovs != 0)
-      record_camera_hit<F>(context.scene, context.camera, ray, hit,
+  [[nodiscard]] static const Geometry& geometry_met(const BlockTrip<A>& trip, std::uint32_t lane) {
+    return trip.context.scene.geometries[trip.block.hits.geometry[lane]];
+  }
+  void put_lamp_where_any(const Scene& scene, std::uint32_t choice, Vec2f u, std::uint32_t slot) {
+    if (scene.light_sampler.has_table()) put_lamp(scene, choice, u, slot, lanes_.lamps);
+  }
+
+  static void meet_surface(BlockTrip<A>& trip, std::uint32_t lane, const Geometry& geometry) {
+    const PathContext<A>& context = trip.context;
+    PathBlock& block = trip.block;
+    if (is_emission_met(context, geometry, trip.bounce)) {
+      PathState path = block.paths[lane];
+      add_emission<F>(context.scene, context.options, geometry, block.hits[lane],
+                      block.rays.origin[lane], block.rays.direction[lane], block.hits.t[lane],
+                      path);
+      block.paths.radiance.set(lane, path.radiance);
+    }
+    if (trip.bounce == 0 && context.options.aovs != 0)
+      record_camera_hit<F>(context.scene, context.camera, block.rays[lane], block.hits[lane],
                            context.scene.materials[geometry.material.index],
-                           block.samples[place.lane]);
+                           block.first_hits[lane]);
   }
 
   // Of a light that is sampled at every hit.
   void add_light_of(std::uint32_t index, PlainModel model) {
     lanes_.light_samples.choice.fill(1);
     if (!sample_delta_light(scene().lights[index], lanes_))
-      for (std::uint32_t slot = 0; slot < lanes_.size; ++slot) sample_alone(slot, index, Vec2f(0));
+      for_each_lane(lanes_.filled,
+                    [&](std::uint32_t slot) { sample_alone(slot, index, Vec2f(0)); });
     for_each_lane(weighed_light(model), [&](std::uint32_t slot) {
-      BlockTrip<A>& trip = *places_[slot].trip;
+      const Place at = place(slot);
       const LightSampleLanes& samples = lanes_.light_samples;
       const DirectLight light{samples.contribution[slot], samples.shadow_ray(slot)};
-      Rgb& radiance = trip.block.paths[places_[slot].lane].radiance;
+      PathLanes& paths = at.trip->block.paths;
       if constexpr (F.media)
-        radiance += shadowed_in(context(), light, MediumHandle{}, trip.counts);
+        paths.add_radiance(at.lane, shadowed_in(context(), light, MediumHandle{}, at.trip->counts));
       else
-        radiance += shadowed(context().accelerator, light, trip.counts);
+        paths.add_radiance(at.lane, shadowed(context().accelerator, light, at.trip->counts));
     });
   }
 
@@ -101,14 +148,21 @@ class PlainSteps {
       if (sample_alone(slot, lamps.light[slot], {lamps.u_x[slot], lamps.u_y[slot]}))
         skies |= 1u << slot;
     });
-    for_each_lane(weighed_light(model), [&](std::uint32_t slot) {
-      const Place& place = places_[slot];
-      PathBlock& block = place.trip->block;
-      block.shadow_rays.set(place.lane, samples.shadow_ray(slot));
-      block.unshadowed[place.lane] = samples.contribution[slot];
-      if constexpr (F.media) block.shadow_media[place.lane] = {};
-      place.trip->after.shadow_rays |= 1u << place.lane;
-      place.trip->after.sky_rays |= (skies >> slot & 1u) << place.lane;
+    const LaneMask to_trace = weighed_light(model);
+    if (block_ != nullptr) {
+      take_shadow_rays(samples, to_trace, block_->block);
+      block_->after.shadow_rays |= to_trace;
+      block_->after.sky_rays |= to_trace & skies;
+    }
+    for_each_lane(to_trace, [&](std::uint32_t slot) {
+      const Place at = place(slot);
+      PathBlock& block = at.trip->block;
+      if constexpr (F.media) block.shadow_media[at.lane] = {};
+      if (block_ != nullptr) return;
+      block.shadow_rays.set(at.lane, samples.shadow_ray(slot));
+      block.unshadowed.set(at.lane, samples.contribution[slot]);
+      at.trip->after.shadow_rays |= 1u << at.lane;
+      at.trip->after.sky_rays |= (skies >> slot & 1u) << at.lane;
     });
   }
 
@@ -124,25 +178,32 @@ class PlainSteps {
   [[nodiscard]] LaneMask weighed_light(PlainModel model) {
     const LightMasks masks = weigh_light(model, context().options, lanes_);
     for_each_lane(masks.dark,
-                  [&](std::uint32_t slot) { ++places_[slot].trip->counts.skipped.shadow_rays; });
+                  [&](std::uint32_t slot) { ++place(slot).trip->counts.skipped.shadow_rays; });
     return masks.shadow_rays;
   }
 
   void scatter_paths(PlainModel model) {
     const ScatterMasks scattered = scatter(model, context().inverse_roulette_threshold, lanes_);
-    for_each_lane(scattered.going_on, [&](std::uint32_t slot) {
-      const Place& place = places_[slot];
-      take_scattered(lanes_, slot, place.lane, place.trip->block);
-      place.trip->after.going_on |= 1u << place.lane;
-    });
+    if (block_ != nullptr) {
+      take_scattered(lanes_, scattered.going_on, block_->block);
+      block_->after.going_on |= scattered.going_on;
+    } else {
+      for_each_lane(scattered.going_on, [&](std::uint32_t slot) {
+        const Place at = places_[slot];
+        take_scattered(lanes_, slot, at.lane, at.trip->block);
+        at.trip->after.going_on |= 1u << at.lane;
+      });
+    }
     for_each_lane(scattered.lost, [&](std::uint32_t slot) {
-      lose_path(places_[slot].trip->block, places_[slot].lane);
+      lose_path(place(slot).trip->block, place(slot).lane);
     });
   }
 
   PlainLanes& lanes_;
-  std::array<Place, block_size> places_;
-  std::uint32_t size_ = 0;
+  BlockTrip<A>* block_ = nullptr;         // whose paths are in the lanes, each in its own; else:
+  std::array<Place, block_size> places_;  // of the paths in the lanes
+  std::array<Place, block_size> waiting_;
+  std::uint32_t size_ = 0;  // of those that wait
 };
 
 }  // namespace candela

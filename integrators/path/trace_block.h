@@ -3,6 +3,7 @@
 #pragma once
 
 #include "integrators/guiding/training_log.h"
+#include "integrators/path/block_lanes.h"
 #include "integrators/path/block_trip.h"
 #include "integrators/path/media_step.h"
 
@@ -27,9 +28,9 @@ template <FeatureSet F, class A>
                                     TileCounts& counts) {
   if constexpr (F.media)
     return step_in_media<F>(context, numbers, bounce, hit, ray, block.media[i], path, picked,
-                            block.shadow_media[i], block.samples[i], counts);
+                            block.shadow_media[i], block.alpha[i], block.first_hits[i], counts);
   else
-    return step<F>(context, numbers, bounce, hit, ray, path, picked, block.samples[i], counts);
+    return step<F>(context, numbers, bounce, hit, ray, path, picked, block.first_hits[i], counts);
 }
 
 // The numbers of the path in a lane at this bounce.
@@ -64,17 +65,17 @@ inline void step_lane(BlockTrip<A>& trip, std::uint32_t i) {
                                     ray, path, picked, block, trip.counts);
   if (!is_black(picked.contribution) && is_traceable(picked.shadow_ray)) {
     block.shadow_rays.set(i, picked.shadow_ray);
-    block.unshadowed[i] = picked.contribution;
+    block.unshadowed.set(i, picked.contribution);
     after.shadow_rays |= 1u << i;
     if (picked.lacks_sky) after.sky_rays |= 1u << i;
   }
   if constexpr (F.guided) {
     if (context.training != nullptr && goes_on && !path.is_delta)
       context.training->leave(i, ray, path.receiving_normal, path.bsdf_pdf,
-                              path.bsdf_pdf * block.paths[i].roulette_scale / path.roulette_scale,
-                              block.paths[i].throughput);
+                              path.bsdf_pdf * block.paths.roulette_scale[i] / path.roulette_scale,
+                              block.paths.throughput[i]);
   }
-  block.paths[i] = path;
+  block.paths.set(i, path);
   if (goes_on && set_ray(block, i, ray)) after.going_on |= 1u << i;
 }
 
@@ -86,17 +87,20 @@ template <FeatureSet F, class A>
   LaneMask arriving = 0;
   if (F.media && context.scene.features.clear_boundaries) {
     for_each_lane(lanes, [&](std::uint32_t i) {
-      block.unshadowed[i] *=
+      const Rgb unshadowed =
+          block.unshadowed[i] *
           light_through_boundaries(context, block.shadow_rays[i], block.shadow_media[i], counts);
-      if (!is_black(block.unshadowed[i])) arriving |= 1u << i;
+      block.unshadowed.set(i, unshadowed);
+      if (!is_black(unshadowed)) arriving |= 1u << i;
     });
     return arriving;
   }
   arriving = lanes & ~context.accelerator.occluded(block.shadow_rays, lanes);
   if constexpr (F.media) {
     for_each_lane(arriving, [&](std::uint32_t i) {
-      block.unshadowed[i] *= transmittance_of(optical_depth_along(
+      const Rgb transmittance = transmittance_of(optical_depth_along(
           context.scene, block.shadow_media[i], block.shadow_rays[i], block.shadow_rays.t_max[i]));
+      block.unshadowed.set(i, block.unshadowed[i] * transmittance);
     });
   }
   counts.rays.shadow += lane_count(lanes);
@@ -109,10 +113,11 @@ inline void add_direct_light(const PathContext<A>& context, const LanesAfterStep
                              PathBlock& block, TileCounts& counts) {
   const LaneMask arriving = trace_shadow_rays<F>(context, after.shadow_rays, block, counts);
   for_each_lane(arriving & after.sky_rays, [&](std::uint32_t i) {
-    block.unshadowed[i] *= environment_radiance(*context.scene.environment, context.scene.textures,
-                                                block.shadow_rays.direction[i]);
+    const Rgb radiance = environment_radiance(*context.scene.environment, context.scene.textures,
+                                              block.shadow_rays.direction[i]);
+    block.unshadowed.set(i, block.unshadowed[i] * radiance);
   });
-  for_each_lane(arriving, [&](std::uint32_t i) { block.paths[i].radiance += block.unshadowed[i]; });
+  if (arriving != 0) add_unshadowed(arriving, block);
 }
 
 // Ends the paths whose rays left the scene, one right after the other, so that their waits for the
@@ -123,9 +128,10 @@ template <FeatureSet F, class A>
                                                  PathBlock& block) {
   const LaneMask ended = lanes_without_medium<F>(block, alive) & ~hits.met;
   for_each_lane(ended, [&](std::uint32_t i) {
-    add_environment<F>(context.scene, context.options, bounce, block.rays.direction[i],
-                       block.paths[i]);
-    if (bounce == 0) block.samples[i].alpha = 0;
+    PathState path = block.paths[i];
+    add_environment<F>(context.scene, context.options, bounce, block.rays.direction[i], path);
+    block.paths.radiance.set(i, path.radiance);
+    if (bounce == 0) block.alpha[i] = 0;
   });
   return alive & ~ended;
 }
@@ -157,7 +163,7 @@ inline void go_on(BlockTrip<A>& trip, PlainLanes& lanes) {
   if constexpr (F.guided) {
     if (trip.context.training != nullptr)
       for_each_lane(trip.alive, [&](std::uint32_t i) {
-        trip.context.training->had(i, block.paths[i].radiance);
+        trip.context.training->had(i, block.paths.radiance[i]);
       });
   }
   Branches& branches = trip.branches;

@@ -270,7 +270,7 @@ TEST(Agreement_PlainLanes, DoNotDependOnWhoTravelsAlong) {
 // As any ray that goes astray makes its sample an invalid one (set_ray()).
 TEST(Unit_PlainLanes, PathsWhoseRaysCannotBeTracedAreLost) {
   PlainLanes lanes;
-  lanes.size = block_size;
+  lanes.filled = all_lanes;
   lanes.met.normal.z.fill(1);
   lanes.met.shading_normal.z.fill(1);
   lanes.met.throughput.x.fill(1);
