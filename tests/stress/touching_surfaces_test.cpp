@@ -110,7 +110,7 @@ TEST(Stress_Grazing, ThePlaneSeenFromLowIsEven) {
 TEST(Stress_Grazing, SpheresUnderTheSunHaveNeitherAcneNorLeaks) {
   const Vec3d to_light = normalize(Vec3d(1, 0.2, 0.3));
   for (const auto accelerator :
-         {AcceleratorKind::Auto, AcceleratorKind::Embree, AcceleratorKind::Bvh}) {
+       {AcceleratorKind::Auto, AcceleratorKind::Embree, AcceleratorKind::Bvh}) {
     SceneDescription scene = empty_scene();
     add_mesh(scene, sphere({0, 0, 0}, 1, 5, false),
              add_material(scene, diffuse(Vec3d(reflectance))));

@@ -34,6 +34,7 @@ TEST(Unit_Info, TellsWhatIsInTheCornellBox) {
   EXPECT_GT(info["memory_bytes"]["embree"], 0);
   EXPECT_FALSE(info["memory_bytes"].contains("bvh"));
   EXPECT_FALSE(info["kernel"].get<std::string>().empty());
+  EXPECT_EQ(info["faces"], 17);
   EXPECT_EQ(info["textures"].size(), 0u);
 }
 
@@ -65,7 +66,7 @@ TEST(Unit_Info, TheTextNamesEveryPart) {
   const ProgramResult result = run_candela({"info", small_scene()});
   EXPECT_EQ(result.exit_code, 0) << result.error;
   for (const char* part : {"hash", "triangles", "instances", "cameras", "lights", "bounds",
-                           "memory", "kernel", "materials", "textures", "dropped"})
+                           "memory", "kernel", "rays", "materials", "textures", "dropped"})
     EXPECT_NE(result.output.find(fmt::format("\n  {} ", part)), std::string::npos) << part;
 }
 

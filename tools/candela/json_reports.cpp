@@ -195,6 +195,7 @@ std::string to_json(const SceneInfo& info) {
   for (const Dropped& dropped : info.dropped)
     json["dropped"].push_back({{"what", dropped.what}, {"count", dropped.count}});
   json["kernel"] = info.kernel;
+  json["faces"] = info.faces;
   return text_of(json);
 }
 

@@ -178,9 +178,10 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
 
 void add_render_machinery(CLI::App& command, RenderArguments& render) {
   add_threads(command, render.threads);
-  add_choice(command, "--accel", "accelerator", render.accelerator, accelerator_choices(),
-             "Who traces rays: Embree, in scenes of few triangles mostly a list of their faces; Embree "
-             "alone; the reference BVH [auto]");
+  add_choice(
+      command, "--accel", "accelerator", render.accelerator, accelerator_choices(),
+      "Who traces rays: Embree, in scenes of few triangles mostly a list of their faces; Embree "
+      "alone; the reference BVH [auto]");
   add_value(command, "--robust", "on|off", render.embree.robust, parse_switch,
             "Embree's robust mode: watertight, a little slower [on]");
   add_choice(

@@ -158,6 +158,8 @@ std::string to_text(const SceneInfo& info) {
   if (info.accelerator_bytes)
     line("", fmt::format("{} {}", info.accelerator, bytes_text(*info.accelerator_bytes)));
   line("kernel", info.kernel);
+  if (info.faces > 0)
+    line("rays", fmt::format("against all of {} faces, without a tree", info.faces));
   line("materials", fmt::format("{}", info.materials.size()));
   for (const std::string& name : info.materials) text += fmt::format("    {}\n", name);
   line("media", fmt::format("{}", info.media.size()));

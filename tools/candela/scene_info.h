@@ -51,6 +51,7 @@ struct SceneInfo {
   std::string accelerator;
   std::vector<Dropped> dropped;
   std::string kernel;
+  std::size_t faces = 0;  // that rays are tested against one by one; 0: they go down a tree
 };
 
 [[nodiscard]] SceneInfo describe_scene(const description::SceneDescription& description,
