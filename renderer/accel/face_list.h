@@ -30,7 +30,7 @@ struct FaceTriangles {
 
 class FaceList {
  public:
-  static constexpr std::size_t most_faces = 32;
+  static constexpr std::size_t most_faces = 32;  // that pay (docs/decisions.md)
 
   FaceList() = default;
   // Empty where there are more, or anything in the scene that is no opaque triangle of the world.
