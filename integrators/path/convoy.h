@@ -82,8 +82,7 @@ class Convoy {
     }
     PlainSteps<F, A> steps(lanes_);
     for (const PlainModel model : plain_models) {
-      for (std::size_t i = 0; i < size_; ++i)
-        steps.add(*trips_[i], plain[i].of(model), model);
+      for (std::size_t i = 0; i < size_; ++i) steps.add(*trips_[i], plain[i].of(model), model);
       steps.end(model);
     }
   }

@@ -278,8 +278,8 @@ Hit EmbreeAccel::State::intersect(const Ray& ray) const {
 
   const RTCHit& found = ray_hit.hit;
   if (found.geomID == none) return {};
-  return in_tables(*scene, {ray_hit.ray.tfar, found.u, found.v, found.geomID, found.primID,
-                                    found.instID[0]});
+  return in_tables(
+      *scene, {ray_hit.ray.tfar, found.u, found.v, found.geomID, found.primID, found.instID[0]});
 }
 
 bool EmbreeAccel::State::occluded(const Ray& ray) const {
@@ -291,7 +291,8 @@ bool EmbreeAccel::State::occluded(const Ray& ray) const {
   return embree_ray.tfar < 0;  // Embree's mark of an occluded ray: -infinity
 }
 
-HitBlock EmbreeAccel::State::intersect(const RayBlock& rays, LaneMask lanes, Coherence coherence) const {
+HitBlock EmbreeAccel::State::intersect(const RayBlock& rays, LaneMask lanes,
+                                       Coherence coherence) const {
   embree::Query query;
   embree::initialise(query, nullptr, &rays);
   RTCRayHit16 ray_hits;
@@ -302,9 +303,8 @@ HitBlock EmbreeAccel::State::intersect(const RayBlock& rays, LaneMask lanes, Coh
 
   HitBlock hits;
   set_hits(ray_hits, hits);
-  for_each_lane(hits.instanced, [&](std::uint32_t i) {
-    hits.set(i, in_tables_of_instance(*scene, hits[i]));
-  });
+  for_each_lane(hits.instanced,
+                [&](std::uint32_t i) { hits.set(i, in_tables_of_instance(*scene, hits[i])); });
   return hits;
 }
 

@@ -12,8 +12,8 @@ struct EmbreeOptions {
   // RTC_SCENE_FLAG_ROBUST: no ray slips between triangles that share an edge, and none meets the
   // face that it left (docs/accuracy_stress.md tells what happens without, and what it costs).
   bool robust = true;
-  // Scenes of few triangles are looked at face by face (face_list.h), and Embree is asked only where
-  // rounding matters.
+  // Scenes of few triangles are looked at face by face (face_list.h), and Embree is asked only
+  // where rounding matters.
   bool faces = false;
   // Building fails as if out of memory beyond this; 0: no limit.
   std::size_t memory_limit_bytes = 0;
