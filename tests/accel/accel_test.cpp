@@ -14,14 +14,6 @@ namespace {
 
 using test::Soup;
 
-std::vector<Ray> rays_of_all_sets(const Soup& soup, std::size_t count) {
-  std::vector<Ray> rays = test::random_rays(soup, count, 1);
-  for (const auto& more : {test::axis_rays(soup, count, 2), test::in_plane_rays(soup, count, 3),
-                           test::edge_rays(soup, count, 4), test::surface_rays(soup, count, 5)})
-    rays.insert(rays.end(), more.begin(), more.end());
-  return rays;
-}
-
 template <Accelerator A>
 void expect_oracle_content(const A& accelerator, const Scene& scene, const std::vector<Ray>& rays) {
   int complaints = 0;
@@ -34,7 +26,7 @@ void expect_oracle_content(const A& accelerator, const Scene& scene, const std::
 }
 
 void expect_oracle_content(const Scene& scene, const Soup& rays_about) {
-  const std::vector<Ray> rays = rays_of_all_sets(rays_about, 1000);
+  const std::vector<Ray> rays = test::rays_of_all_sets(rays_about, 1000);
   expect_oracle_content(BvhAccel(scene), scene, rays);
   expect_oracle_content(EmbreeAccel(scene, {.robust = false}), scene, rays);
   expect_oracle_content(EmbreeAccel(scene, {.robust = true}), scene, rays);

@@ -114,20 +114,12 @@ std::vector<Case> cases() {
   return made;
 }
 
-std::vector<Ray> rays_about(const Soup& soup, std::size_t count) {
-  std::vector<Ray> rays = test::random_rays(soup, count, 1);
-  for (const auto& more : {test::axis_rays(soup, count, 2), test::in_plane_rays(soup, count, 3),
-                           test::edge_rays(soup, count, 4), test::surface_rays(soup, count, 5)})
-    rays.insert(rays.end(), more.begin(), more.end());
-  return rays;
-}
-
 TEST(Agreement_FaceList, SaysWhatTheReferenceTreeSays) {
   for (const Case& c : cases()) {
     const EmbreeAccel faces(c.scene, {.faces = true});
     ASSERT_GT(faces.face_count(), 0u) << c.name;
     const BvhAccel bvh(c.scene);
-    const std::vector<Ray> rays = rays_about(c.soup, 4000);
+    const std::vector<Ray> rays = test::rays_of_all_sets(c.soup, 4000);
     with_threads(0, [&] {
       EXPECT_EQ(count_agreement(c.scene, faces, bvh, rays, false).disagreeing, 0u) << c.name;
       EXPECT_EQ(count_agreement(c.scene, faces, bvh, rays, true).disagreeing, 0u) << c.name;
@@ -138,7 +130,7 @@ TEST(Agreement_FaceList, SaysWhatTheReferenceTreeSays) {
 TEST(Agreement_FaceList, SaysWhatBruteForceSays) {
   for (const Case& c : cases()) {
     const EmbreeAccel faces(c.scene, {.faces = true});
-    for (const Ray& ray : rays_about(c.soup, 1000))
+    for (const Ray& ray : test::rays_of_all_sets(c.soup, 1000))
       ASSERT_EQ(test::brute_force_complaint(c.scene, ray, faces.intersect(ray)), "") << c.name;
   }
 }
@@ -166,7 +158,7 @@ bool are_equal(const Hit& a, const Hit& b) {
 TEST(Unit_FaceList, BlocksAreToldWhatRaysAre) {
   for (const Case& c : cases()) {
     const EmbreeAccel faces(c.scene, {.faces = true});
-    const std::vector<Ray> rays = rays_about(c.soup, 800);
+    const std::vector<Ray> rays = test::rays_of_all_sets(c.soup, 800);
     std::size_t hits = 0;
     for (std::size_t first = 0; first + block_size <= rays.size(); first += block_size) {
       RayBlock block;

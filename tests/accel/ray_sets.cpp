@@ -111,4 +111,12 @@ std::vector<Ray> surface_rays(const Soup& soup, std::size_t count, std::uint32_t
   });
 }
 
+std::vector<Ray> rays_of_all_sets(const Soup& soup, std::size_t count) {
+  std::vector<Ray> rays = random_rays(soup, count, 1);
+  for (const auto& more : {axis_rays(soup, count, 2), in_plane_rays(soup, count, 3),
+                           edge_rays(soup, count, 4), surface_rays(soup, count, 5)})
+    rays.insert(rays.end(), more.begin(), more.end());
+  return rays;
+}
+
 }  // namespace candela::test

@@ -26,4 +26,7 @@ namespace candela::test {
 [[nodiscard]] std::vector<Ray> surface_rays(const Soup& soup, std::size_t count,
                                             std::uint32_t seed);
 
+// `count` rays of each.
+[[nodiscard]] std::vector<Ray> rays_of_all_sets(const Soup& soup, std::size_t count);
+
 }  // namespace candela::test
