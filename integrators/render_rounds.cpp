@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "integrators/closer_look.h"
 #include "integrators/guiding/choose_guide.h"
 #include "integrators/rounds.h"
 #include "renderer/base/parallel.h"
@@ -70,7 +71,8 @@ class Loop {
         cancel_(cancel),
         budget_(options.time_limit_seconds),
         tiles_(tiles_of(film.crop(), options.tile_size)),
-        pilot_samples_(pilot_samples(options, film)) {}
+        pilot_samples_(pilot_samples(options, film)),
+        look_(options, render_tile, cancel) {}
 
   RoundsDone run() {
     RoundsDone result;
@@ -88,7 +90,10 @@ class Loop {
                             result.error);
       if (!stop && done_ == most) stop = StopReason::Samples;
       if (stop || options_.target_relmse || progress_) result.error = estimate_error(film_);
-      if (reaches_goal(result.error) && stop != StopReason::Cancelled) stop = StopReason::Error;
+      if (stop != StopReason::Cancelled) {
+        if (stop || reaches_goal(result.error)) result.error = look_closer();
+        if (reaches_goal(result.error)) stop = StopReason::Error;
+      }
       error_samples_ = done_;
       if (progress_ && result.error) progress_->state_error(result.error->rmse);
       expect(result.error);
@@ -115,6 +120,17 @@ class Loop {
     film_ = pilot.cropped(film_.crop());
     if (!stop) density_.emplace(pilot);
     return stop;
+  }
+
+  // The error with what the picture alone does not know: before it is stated, or ends the render.
+  [[nodiscard]] std::optional<ErrorEstimate> look_closer() {
+    std::optional<PixelErrors> errors = estimate_pixel_errors(film_);
+    if (!errors) return {};
+    look_.correct(film_, pass_of({}), *errors);
+    ErrorEstimate estimate = estimate_error(film_, *errors);
+    estimate.looked_at = look_.pixels();
+    estimate.look_samples = look_.samples();
+    return estimate;
   }
 
   // Why it did not come to its end, if it did not.
@@ -205,6 +221,7 @@ class Loop {
   std::uint32_t pilot_samples_;
   std::optional<SampleDensity> density_;  // once the pilot is there
   TileCounts counts_;
+  CloserLook look_;
   GuideChoice guide_;
   std::uint32_t done_ = 0;
   std::uint32_t error_samples_ = 0;  // a pixel, when the error was estimated

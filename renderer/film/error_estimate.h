@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "renderer/film/film.h"
+#include "renderer/film/pixel_errors.h"
 
 namespace candela {
 
@@ -18,9 +19,16 @@ struct ErrorEstimate {
   double rmse = 0;         // sqrt(relmse): 0.01 is an error of 1 %
   Interval interval95;     // of relmse, by Student's t
   double heavy_tails = 0;  // share of the pixels where it cannot be trusted (heavy_tails.h)
+  // Pixels whose brightness was told by samples that are not in the picture, and how many those are
+  // (doubtful_pixels.h).
+  std::size_t looked_at = 0;
+  std::uint64_t look_samples = 0;
 };
 
 // None where some pixel has no two replicates.
 [[nodiscard]] std::optional<ErrorEstimate> estimate_error(const Film& film);
+
+// By `errors` of the same film, with two replicates in each pixel at least.
+[[nodiscard]] ErrorEstimate estimate_error(const Film& film, const PixelErrors& errors);
 
 }  // namespace candela

@@ -22,6 +22,8 @@ REFERENCE_SEEDS = (900001, 900002)
 # have up to ten times the mean where they are noisiest, and light rarer than the reference's
 # samples would count as an error of those that met it.
 REFERENCE_LENGTH = 64
+# How many times as long it may become where the pictures' error hangs on pixels that it is unsure of.
+LONGER = (1, 8, 64)
 
 
 def add_arguments(parser):
@@ -30,6 +32,8 @@ def add_arguments(parser):
     parser.add_argument("--scenes", metavar="NAMES", help="only these, by comma; pbrt/NAME where they are named")
     parser.add_argument("--spp", metavar="LIST", help="only these, by comma")
     parser.add_argument("--seeds", type=int, default=20, help="pictures a case (20)")
+    parser.add_argument("--most-seeds", type=int, default=200, metavar="N",
+                        help="as many where few of the pictures decide the ratio (200)")
     parser.add_argument("--stops", type=int, default=200, metavar="N",
                         help="pictures that end by --error, a case (200); 0: none")
     parser.add_argument("--no-cases", action="store_true", help="only those that end by --error")
@@ -102,24 +106,42 @@ def layers(render, spread="variance"):
             channels["heavy_tail.V"] > 0)
 
 
+def unsure(renders, truth):
+    """How unsure the reference is of the pixels that these pictures' error hangs on: its variance over
+    the square of the level, on average by the error."""
+    import numpy
+    errors = sum((r.image - truth.image) ** 2 * truth.weight for r in renders)
+    doubt = numpy.minimum(truth.variance * truth.weight, 1)
+    return float((errors * doubt).sum() / errors.sum()) if errors.any() else 0
+
+
 def with_weight(image, variance):
     epsilon = 1e-2 * image.mean() ** 2
     return Reference(image, variance, 1 / (image ** 2 + epsilon))
 
 
 def reference(candela, scene, size, spp):
+    """Seeds of up to 2^20 samples a pixel."""
     import numpy
     if scene.radiance is not None:
         image = numpy.full((size, size, 3), scene.radiance)
         return with_weight(image, numpy.zeros_like(image))
     parts = side_by_side(
-        lambda seed: layers(candela.cached(f"reference_{safe(scene.name)}_{size}_{seed}",
+        lambda seed: layers(candela.cached(f"reference_{safe(scene.name)}_{size}_{spp}_{seed}",
                                            scene.path, integrator="path", size=square(size),
                                            spp=spp, seed=seed, replicates=16, threads=1,
                                            adaptive="off", aov="variance,heavy_tail")),
         REFERENCE_SEEDS)
     count = len(parts)
     return with_weight(sum(p[0] for p in parts) / count, sum(p[1] for p in parts) / count ** 2)
+
+
+@dataclasses.dataclass
+class Rendered:
+    image: "numpy.ndarray"
+    interval: "numpy.ndarray"
+    mask: "numpy.ndarray"
+    stats: dict
 
 
 @dataclasses.dataclass
@@ -130,22 +152,28 @@ class Picture:
     covered: float  # share of pixel intervals that hold the truth, where it is noisy and not masked
     covered_everywhere: float  # masked or not
     masked: float
+    looked_at: float  # samples that only told how bright pixels are, over those of the picture
 
 
-def picture(candela, scene, truth, spp, seed):
+def rendered(candela, scene, spp, seed):
     render = candela.render(f"picture_{seed}", scene.path, png=False, integrator="path",
                             size=square(size_of(spp)), spp=spp, seed=seed, threads=1,
                             aov="interval,heavy_tail")
-    image, interval, mask = layers(render, "interval")
+    return Rendered(*layers(render, "interval"), render.stats)
+
+
+def picture(render, truth):
     # The reference's own noise is normal: 1.96 standard errors.
-    reach = (interval ** 2 + 1.96 ** 2 * truth.variance) ** .5
-    holds = abs(image - truth.image) <= reach
+    reach = (render.interval ** 2 + 1.96 ** 2 * truth.variance) ** .5
+    holds = abs(render.image - truth.image) <= reach
     noisy = truth.noisy()
     error = render.stats["error"]
-    true = truth.relmse(image)
+    true = truth.relmse(render.image)
     low, high = error["interval95"]
-    return Picture(error["relmse"], true, low <= true <= high, share(holds[noisy & ~mask[..., None]]),
-                   share(holds[noisy]), float(mask.mean()))
+    samples = render.stats["mean_samples"] * render.mask.size
+    return Picture(error["relmse"], true, low <= true <= high,
+                   share(holds[noisy & ~render.mask[..., None]]), share(holds[noisy]),
+                   float(render.mask.mean()), error["looked_at"]["samples"] / samples)
 
 
 def share(flags):
@@ -160,7 +188,44 @@ def ratio_with_range(pictures):
     without = [(stated - p.stated) / (true - p.true) for p in pictures]
     centre = sum(without) / n
     error = math.sqrt((n - 1) / n * sum((r - centre) ** 2 for r in without))
-    return ratio, 2.09 * error  # Student's t of 19 degrees
+    return ratio, 2.09 * error  # Student's t of 19 degrees; a little less of more
+
+
+# Of a ratio's own interval, over it: where it is wider, the pictures decide less than they should.
+PRECISE = .15
+# Of `unsure`.
+SURE = .05
+
+
+def is_precise(pictures):
+    ratio, reach = ratio_with_range(pictures)
+    return reach <= PRECISE * ratio
+
+
+def is_exact(pictures):
+    """Where nothing is random, or all is known."""
+    return all(p.true == 0 and p.stated == 0 for p in pictures)
+
+
+def measured(candela, scene, spp, most, options):
+    """The pictures of a case, half as many again until they tell the ratio, held against a reference
+    that is long enough for them; and how unsure it is."""
+    renders = []
+    wanted = options.seeds
+    for longer in LONGER:
+        truth = reference(candela, scene, size_of(spp),
+                          min(REFERENCE_LENGTH * most * longer, 1 << 20))
+        while True:
+            seeds = range(len(renders) + 1, wanted + 1)
+            renders += side_by_side(lambda seed: rendered(candela, scene, spp, seed), seeds)
+            pictures = [picture(r, truth) for r in renders]
+            if wanted >= options.most_seeds or is_exact(pictures) or is_precise(pictures):
+                break
+            wanted = min(wanted * 3 // 2, options.most_seeds)
+        doubt = unsure(renders, truth)
+        if doubt <= SURE:
+            break
+    return pictures, truth, doubt
 
 
 def mean(values):
@@ -177,20 +242,18 @@ def case_row(scene, spp, pictures, truth):
             "interval_holds": mean(float(p.interval_holds) for p in pictures),
             "pixels_covered": mean(p.covered for p in pictures),
             "pixels_covered_with_masked": mean(p.covered_everywhere for p in pictures),
-            "masked": mean(p.masked for p in pictures)}
+            "masked": mean(p.masked for p in pictures),
+            "looked_at": mean(p.looked_at for p in pictures)}
 
 
 def cases(candela, options, counts):
     for scene in all_scenes(options):
         for spp in counts:
-            size = size_of(spp)
-            truth = reference(candela, scene, size,
-                              REFERENCE_LENGTH * max(n for n in counts if size_of(n) == size))
-            pictures = side_by_side(lambda seed: picture(candela, scene, truth, spp, seed),
-                                    range(1, options.seeds + 1))
-            if all(p.true == 0 and p.stated == 0 for p in pictures):
-                continue  # nothing random in it
-            row = case_row(scene, spp, pictures, truth)
+            most = max(n for n in counts if size_of(n) == size_of(spp))
+            pictures, truth, doubt = measured(candela, scene, spp, most, options)
+            if is_exact(pictures):
+                continue
+            row = case_row(scene, spp, pictures, truth) | {"reference_unsure": doubt}
             print(" ".join(f"{k}={v:.4g}" if isinstance(v, float) else f"{k}={v}"
                            for k, v in row.items()), file=sys.stderr, flush=True)
             yield row

@@ -60,7 +60,8 @@ Json error_json(const std::optional<ErrorEstimate>& error) {
   return {{"relmse", error->relmse},
           {"rmse", error->rmse},
           {"interval95", {error->interval95.low, error->interval95.high}},
-          {"heavy_tails", error->heavy_tails}};
+          {"heavy_tails", error->heavy_tails},
+          {"looked_at", {{"pixels", error->looked_at}, {"samples", error->look_samples}}}};
 }
 
 void add_options(Json& json, const RenderReport& report) {

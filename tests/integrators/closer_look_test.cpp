@@ -1,0 +1,144 @@
+// Looking closer at pixels with rare light: the stated error is right, the picture is as without.
+#include "integrators/closer_look.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "integrators/render_rounds.h"
+#include "renderer/sampling/hash.h"
+#include "tests/scenes/description.h"
+#include "tests/scenes/render_scene.h"
+
+namespace candela {
+namespace {
+
+using namespace test;
+
+constexpr int size = 24;
+constexpr double dark = 0.02;
+constexpr double flash = 120;
+constexpr double probability = 1e-3;
+
+// A dark picture beside a bright half; in one of its rows a sample in a thousand meets a lamp.
+double steady(int x) {
+  return x < size / 2 ? dark : 1;
+}
+bool may_flash(int x, int y) {
+  return y == 11 && x < size / 2;
+}
+double truth(int x, int y) {
+  return steady(x) + (may_flash(x, y) ? flash * probability : 0);
+}
+
+double number(std::uint64_t pixel, std::uint32_t sample, std::uint32_t which) {
+  return static_cast<double>(mix_bits(mix_bits(pixel + sample) + which) >> 11) * 0x1p-53;
+}
+
+TileCounts flashing_tile(const TilePass& pass, Film& film) {
+  for (int y = pass.tile.y0; y < pass.tile.y1; ++y)
+    for (int x = pass.tile.x0; x < pass.tile.x1; ++x) {
+      const SampleRange range = pass.of_pixel(x, y);
+      const std::uint64_t pixel =
+          hash_pixel(pass.seed, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+      for (std::uint32_t s = range.first; s < range.end; ++s) {
+        double light = steady(x) * (0.5 + number(pixel, s, 1));
+        if (may_flash(x, y) && number(pixel, s, 2) < probability) light += flash;
+        FilmSample sample;
+        sample.radiance = Rgb(static_cast<float>(light));
+        film.add(x, y, sample);
+      }
+    }
+  return {};
+}
+
+double true_relmse(const Film& film) {
+  double mean = 0;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) mean += truth(x, y) / (size * size);
+  double sum = 0;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      const double r = truth(x, y);
+      sum += square(film.mean(film.index(x, y)).x - r) / (r * r + 1e-2 * mean * mean);
+    }
+  return sum / (size * size);
+}
+
+struct Result {
+  Film film{size, size, {0, 0, size, size}, 0, 4};
+  RoundsDone done;
+};
+
+Result render(const RenderSettings& settings) {
+  Result result;
+  result.done = render_rounds(settings.options, flashing_tile, result.film, nullptr, nullptr);
+  return result;
+}
+
+// Of the picture alone, the error of this one is stated several times too high: the neighbours of
+// pixels that met the lamp are dark, and nothing tells how bright those are in the mean.
+TEST(Statistical_CloserLook, StatesTheTrueErrorOfRareLight) {
+  double stated = 0;
+  double by_picture_alone = 0;
+  double error = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const Result result = render(settings_of(size, 32, seed));
+    stated += result.done.error->relmse;
+    by_picture_alone += estimate_error(result.film)->relmse;
+    error += true_relmse(result.film);
+  }
+  EXPECT_NEAR(stated / error, 1, 0.1);
+  EXPECT_GT(by_picture_alone / error, 1.5);
+}
+
+constexpr int many = 256;  // samples a pixel that are sure to meet the lamp in some
+
+TEST(Unit_CloserLook, LeavesThePictureAsItIs) {
+  const RenderSettings settings = settings_of(size, many, 5);
+  const Result result = render(settings);
+  ASSERT_GT(result.done.error->looked_at, 0u);
+  EXPECT_GT(result.done.error->look_samples, 0u);
+  Film alone(size, size, {0, 0, size, size}, 0, 4);
+  flashing_tile({{0, 0, size, size}, {0, many}, nullptr, 5}, alone);
+  for (std::size_t i = 0; i < alone.pixel_count(); ++i)
+    for (std::uint32_t r = 0; r < 4; ++r)
+      EXPECT_EQ(alone.replicate_sum(i, r), result.film.replicate_sum(i, r));
+}
+
+// A pixel of a crop is looked at where it stands in the whole picture.
+TEST(Unit_CloserLook, LooksAtThePixelsOfACrop) {
+  const RenderSettings settings = settings_of(size, many, 5);
+  const PixelRect crop{2, 9, 12, 20};
+  Film film(size, size, crop, 0, 4);
+  std::vector<PixelRect> seen;
+  const TileFunction remember = [&](const TilePass& pass, Film& of) {
+    if (pass.tile.width() == 1) seen.push_back(pass.tile);
+    return flashing_tile(pass, of);
+  };
+  flashing_tile({crop, {0, many}, nullptr, 5}, film);
+  PixelErrors errors = *estimate_pixel_errors(film);
+  CloserLook look(settings.options, remember, nullptr);
+  look.correct(film, {}, errors);
+  ASSERT_FALSE(seen.empty());
+  for (const PixelRect& pixel : seen) EXPECT_TRUE(may_flash(pixel.x0, pixel.y0));
+}
+
+// Looking again goes on where it ended; without more light in the picture there is nothing to do.
+TEST(Unit_CloserLook, GoesOnWhereItEnded) {
+  const RenderSettings settings = settings_of(size, many, 5);
+  Film film(size, size, {0, 0, size, size}, 0, 4);
+  flashing_tile({film.crop(), {0, many}, nullptr, 5}, film);
+  PixelErrors first = *estimate_pixel_errors(film);
+  PixelErrors second = first;
+  CloserLook look(settings.options, flashing_tile, nullptr);
+  look.correct(film, {}, first);
+  const std::uint64_t samples = look.samples();
+  ASSERT_GT(samples, 0u);
+  look.correct(film, {}, second);
+  EXPECT_EQ(look.samples(), samples);
+  EXPECT_EQ(first.errors, second.errors);
+}
+
+}  // namespace
+}  // namespace candela
