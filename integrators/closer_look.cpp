@@ -10,7 +10,8 @@
 namespace candela {
 namespace {
 
-constexpr std::uint32_t replicates = 16;  // their spread tells how sure the level is
+constexpr std::uint32_t part_samples = 256;
+constexpr std::uint32_t part_replicates = 4;  // their spread tells how sure the level is
 
 PixelRect pixel_at(const Film& film, std::size_t index) {
   const auto width = static_cast<std::size_t>(film.crop().width());
@@ -19,53 +20,83 @@ PixelRect pixel_at(const Film& film, std::size_t index) {
   return {x, y, x + 1, y + 1};
 }
 
-std::uint32_t whole_blocks(std::uint32_t samples) {
-  return (samples + whole_block - 1) / whole_block * whole_block;
+// Samples that all looks at a picture may take: a share of its own, or as many as take a moment.
+std::uint64_t budget_of(const Film& film) {
+  constexpr double share = 1.0 / 32;
+  constexpr double moment = 1 << 17;
+  const double all = film.mean_samples() * static_cast<double>(film.pixel_count());
+  return static_cast<std::uint64_t>(std::max(share * all, std::min(all, moment)));
 }
 
 }  // namespace
 
 CloserLook::CloserLook(const RenderOptions& options, TileFunction render_tile,
-                       const CancelFlag* cancel)
-    : options_(options), render_tile_(std::move(render_tile)), cancel_(cancel) {}
+                       std::function<bool()> is_over)
+    : options_(options), render_tile_(std::move(render_tile)), is_over_(std::move(is_over)) {}
 
-void CloserLook::correct(const Film& film, const TilePass& settings, PixelErrors& errors) {
-  look_at(doubtful_pixels(film, errors, budget(film)), film, settings);
-  for (const auto& [index, look] : films_)
-    errors.errors[index] =
-        error_at_level(film, index, {look.mean(0), variance_of_mean(look, 0)}, errors.epsilon);
+// Again where better known errors let others matter.
+TileCounts CloserLook::correct(const Film& film, const TilePass& settings, PixelErrors& errors) {
+  TileCounts counts;
+  replace(film, errors);
+  while (!is_over_()) {
+    std::vector<Part> parts = parts_to_render(film, errors);
+    if (parts.empty()) break;
+    parallel_for(parts.size(), [&](std::size_t i) {
+      if (!is_over_()) render_part(film, settings, parts[i]);
+    });
+    for (const Part& part : parts) {
+      if (part.film.pixel_count() == 0) continue;  // it was over
+      Seen& seen = seen_[part.index];
+      seen.means += part.film.mean(0);
+      seen.variances += variance_of_mean(part.film, 0);
+      ++seen.parts;
+      samples_ += part_samples;
+      counts.add(part.counts);
+    }
+    replace(film, errors);
+  }
+  return counts;
 }
 
-// What is left of a share of the picture's own samples, or of what takes a moment.
-std::uint64_t CloserLook::budget(const Film& film) const {
-  constexpr double share = 1.0 / 32;
-  constexpr double moment = 1 << 17;
-  const double all = film.mean_samples() * static_cast<double>(film.pixel_count());
-  const auto most = static_cast<std::uint64_t>(std::max(share * all, moment));
-  return most - std::min(samples_, most);
+void CloserLook::replace(const Film& film, PixelErrors& errors) const {
+  for (const auto& [index, seen] : seen_) {
+    const double parts = seen.parts;
+    const PixelLevel level{seen.means / parts, seen.variances / (parts * parts)};
+    errors.errors[index] = error_at_level(film, index, level, errors.epsilon);
+  }
 }
 
-// Samples of a pixel that was looked at before go on where those ended.
-void CloserLook::look_at(const std::vector<DoubtfulPixel>& pixels, const Film& film,
-                         const TilePass& settings) {
-  std::vector<Film*> films;
-  for (const DoubtfulPixel& pixel : pixels)
-    films.push_back(&films_
-                         .try_emplace(pixel.index, film.full_width(), film.full_height(),
-                                      pixel_at(film, pixel.index), 0, replicates,
-                                      film_balance(options_))
-                         .first->second);
-  parallel_for(pixels.size(), [&](std::size_t i) {
-    if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return;
-    TilePass pass = settings;
-    pass.tile = films[i]->crop();
-    pass.range = {films[i]->samples(0), whole_blocks(pixels[i].samples)};
-    pass.density = nullptr;
-    pass.seed = mix_bits(options_.seed + 6);  // none that the picture or guiding uses
-    if (pass.range.first < pass.range.end) render_tile_(pass, *films[i]);
-  });
-  samples_ = 0;
-  for (const auto& [index, look] : films_) samples_ += look.samples(0);
+// What doubtful pixels still want, the worst first, as long as the budget has it or a good part of
+// it: few samples would find the pixel dark without its rare light.
+std::vector<CloserLook::Part> CloserLook::parts_to_render(const Film& film,
+                                                          const PixelErrors& errors) const {
+  constexpr std::uint64_t good_part = 4;
+  const std::uint64_t budget = budget_of(film);
+  std::uint64_t left = (budget - std::min(samples_, budget)) / part_samples;
+  std::vector<Part> parts;
+  for (const DoubtfulPixel& pixel : doubtful_pixels(film, errors)) {
+    const auto seen = seen_.find(pixel.index);
+    const std::uint32_t first = seen == seen_.end() ? 0 : seen->second.parts;
+    const std::uint64_t wanted = (pixel.wanted + part_samples - 1) / part_samples;
+    const std::uint64_t end = std::min(wanted, first + left);
+    if (end <= first || end * good_part < wanted) continue;
+    for (auto number = first; number < end; ++number)
+      parts.push_back({pixel.index, static_cast<std::uint32_t>(number), {}, {}});
+    left -= end - first;
+  }
+  return parts;
+}
+
+void CloserLook::render_part(const Film& film, const TilePass& settings, Part& part) const {
+  TilePass pass = settings;
+  pass.tile = pixel_at(film, part.index);
+  pass.range = {0, part_samples};
+  pass.density = nullptr;
+  const std::uint64_t seed = mix_bits(options_.seed + 6);  // none that the picture or guiding uses
+  pass.seed = hash_counter(seed, part.number);
+  part.film = Film(film.full_width(), film.full_height(), pass.tile, 0, part_replicates,
+                   film_balance(options_));
+  part.counts = render_tile_(pass, part.film);
 }
 
 }  // namespace candela

@@ -2,6 +2,7 @@
 // error is held against where the picture does not know (renderer/film/doubtful_pixels.h).
 #pragma once
 
+#include <functional>
 #include <map>
 
 #include "integrators/kernel.h"
@@ -12,26 +13,41 @@ namespace candela {
 
 class CloserLook {
  public:
-  CloserLook(const RenderOptions& options, TileFunction render_tile,
-             const CancelFlag* cancel);
+  // `is_over`: asked between samples whether to leave it at what has been seen.
+  CloserLook(const RenderOptions& options, TileFunction render_tile, std::function<bool()> is_over);
 
-  // Looks at the pixels of `film` that need it, and replaces their errors by those that this tells.
-  // `settings`: of the picture's passes; tile, range and seed are the look's own.
-  void correct(const Film& film, const TilePass& settings, PixelErrors& errors);
+  // Looks at the pixels of `film` that need it, and replaces the errors of all that were looked at
+  // by those that this tells. `settings`: of the picture's passes; tile, range and seed are the
+  // look's own. What that took.
+  TileCounts correct(const Film& film, const TilePass& settings, PixelErrors& errors);
 
-  [[nodiscard]] std::size_t pixels() const { return films_.size(); }
+  [[nodiscard]] std::size_t pixels() const { return seen_.size(); }
   [[nodiscard]] std::uint64_t samples() const { return samples_; }
 
  private:
-  [[nodiscard]] std::uint64_t budget(const Film& film) const;
-  void look_at(const std::vector<DoubtfulPixel>& pixels, const Film& film,
-               const TilePass& settings);
+  // Of a pixel, in parts of equally many samples that are independent of each other.
+  struct Seen {
+    Vec3d means{0.0};      // summed over the parts
+    Vec3d variances{0.0};  // of those means, likewise
+    std::uint32_t parts = 0;
+  };
+  struct Part {
+    std::size_t index = 0;  // of the pixel in the film
+    std::uint32_t number = 0;
+    Film film;
+    TileCounts counts;
+  };
+
+  void replace(const Film& film, PixelErrors& errors) const;
+  [[nodiscard]] std::vector<Part> parts_to_render(const Film& film,
+                                                  const PixelErrors& errors) const;
+  void render_part(const Film& film, const TilePass& settings, Part& part) const;
 
   const RenderOptions& options_;
   TileFunction render_tile_;
-  const CancelFlag* cancel_;
-  std::map<std::size_t, Film> films_;  // of one pixel each, by its index in the picture
-  std::uint64_t samples_ = 0;          // in all of them
+  std::function<bool()> is_over_;
+  std::map<std::size_t, Seen> seen_;  // by the pixel's index in the film
+  std::uint64_t samples_ = 0;         // of all of them
 };
 
 }  // namespace candela

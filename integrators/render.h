@@ -45,8 +45,8 @@ struct RenderOptions {
   int width = 512;
   int height = 512;
   // When to stop: the first that is met. Whether it is tells what is done after whole rounds
-  // (rounds.h); the time limit may leave some pixels one sample short, or without any where it does
-  // not suffice for one.
+  // (rounds.h); the time limit may leave some pixels a pass of up to sixteen samples short, or
+  // without any where it does not suffice for one.
   int samples_per_pixel = 64;  // whitted and raster: a square number, else the grid has gaps
   std::optional<double> target_relmse;  // to be safely below (render_rounds.cpp); needs replicates
   std::optional<double> time_limit_seconds;

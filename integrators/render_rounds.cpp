@@ -72,7 +72,7 @@ class Loop {
         budget_(options.time_limit_seconds),
         tiles_(tiles_of(film.crop(), options.tile_size)),
         pilot_samples_(pilot_samples(options, film)),
-        look_(options, render_tile, cancel) {}
+        look_(options, render_tile, [this] { return is_set(cancel_) || budget_.is_spent(); }) {}
 
   RoundsDone run() {
     RoundsDone result;
@@ -89,13 +89,11 @@ class Loop {
         stop = render_round(round_end(done_, film_.replicates(), most, goal(result.error)),
                             result.error);
       if (!stop && done_ == most) stop = StopReason::Samples;
-      if (stop || options_.target_relmse || progress_) result.error = estimate_error(film_);
-      if (stop != StopReason::Cancelled) {
-        if (stop || reaches_goal(result.error)) result.error = look_closer();
-        if (reaches_goal(result.error)) stop = StopReason::Error;
-      }
+      if (stop || options_.target_relmse || progress_)
+        result.error = state_error(stop || options_.target_relmse);
+      if (reaches_goal(result.error) && stop != StopReason::Cancelled) stop = StopReason::Error;
       error_samples_ = done_;
-      if (progress_ && result.error) progress_->state_error(result.error->rmse);
+      if (progress_ && result.error) progress_->state_error(stated_error(*result.error));
       expect(result.error);
     }
     result.stop = *stop;
@@ -122,11 +120,11 @@ class Loop {
     return stop;
   }
 
-  // The error with what the picture alone does not know: before it is stated, or ends the render.
-  [[nodiscard]] std::optional<ErrorEstimate> look_closer() {
+  // `is_sure`: with what the picture alone does not know.
+  [[nodiscard]] std::optional<ErrorEstimate> state_error(bool is_sure) {
     std::optional<PixelErrors> errors = estimate_pixel_errors(film_);
     if (!errors) return {};
-    look_.correct(film_, pass_of({}), *errors);
+    if (is_sure) counts_.add(look_.correct(film_, pass_of({}), *errors));
     ErrorEstimate estimate = estimate_error(film_, *errors);
     estimate.looked_at = look_.pixels();
     estimate.look_samples = look_.samples();
@@ -207,8 +205,11 @@ class Loop {
     double samples = std::min<double>(options_.samples_per_pixel, budget_.samples_in_time(done_));
     if (error && options_.target_relmse)
       samples = std::min(samples, samples_for(*goal(error), error_samples_));
-    progress_->expect(
-        static_cast<std::uint64_t>(samples * static_cast<double>(film_.pixel_count())));
+    // A pilot renders the whole picture, whatever the crop.
+    const double beside = static_cast<double>(options_.width) * options_.height -
+                          static_cast<double>(film_.pixel_count());
+    progress_->expect(static_cast<std::uint64_t>(
+        samples * static_cast<double>(film_.pixel_count()) + pilot_samples_ * beside));
   }
 
   const RenderOptions& options_;

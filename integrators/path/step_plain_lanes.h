@@ -13,6 +13,8 @@ template <FeatureSet F, class A>
 class PlainSteps {
  public:
   static constexpr std::uint32_t fewest_of_block = 8;
+  static_assert(fewest_of_block >= fewest_drawn_together);  // their numbers are there
+  static_assert(!F.guided);                                 // what guides need is not
 
   explicit PlainSteps(PlainLanes& lanes) : lanes_(lanes) {}
 

@@ -43,10 +43,12 @@ template <FeatureSet F, class A>
   return own;
 }
 
+// Lanes for which numbers are drawn side by side.
+inline constexpr std::uint32_t fewest_drawn_together = 4;
+
 template <FeatureSet F, class A>
 inline void draw_numbers(BlockTrip<A>& trip) {
-  constexpr std::uint32_t fewest = 4;
-  trip.is_drawn_together = lane_count(trip.alive) >= fewest;
+  trip.is_drawn_together = lane_count(trip.alive) >= fewest_drawn_together;
   if (!trip.is_drawn_together) return;
   trip.numbers.template draw_hit<F>(trip.context.scene, trip.hit_samplers(), trip.bounce);
   trip.numbers.template draw_direction<F>(trip.context.scene, trip.path_samplers(), trip.bounce);

@@ -12,7 +12,7 @@
 namespace candela {
 
 // Sixteen convex polygons of up to four corners, each in its plane. Places are relative to one of
-// the corners, so that small faces lose nothing by being far from the origin.
+// the corners.
 struct FaceGroup {
   Vec3Lanes corner;
   Vec3Lanes normal;  // unit; 0 in lanes without a face, which no ray meets

@@ -125,10 +125,7 @@ FaceList::FaceList(const Scene& scene) {
   std::vector<bool> is_taken(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (is_taken[i]) continue;
-    if (size() == most_faces) {
-      *this = FaceList();
-      return;
-    }
+    if (size() == most_faces) return clear();
     const Vec3d normal = normalize(all[i].perpendicular());
     std::optional<Quad> quad;
     std::size_t partner = i + 1;
@@ -149,6 +146,12 @@ FaceList::FaceList(const Scene& scene) {
           {Vec3f(all[i].corners[0]), Vec3f(0), face_triangle(all[i], all[i].corners[0]), {}});
     }
   }
+  if (faces_.reach > most_reach) clear();
+}
+
+void FaceList::clear() {
+  faces_ = {};
+  triangles_.clear();
 }
 
 Hit FaceList::hit_of(const Vec3f& origin, const Vec3f& direction, std::uint32_t face,

@@ -31,9 +31,13 @@ struct FaceTriangles {
 class FaceList {
  public:
   static constexpr std::size_t most_faces = 32;  // that pay (docs/decisions.md)
+  // Of a corner from the scene's centre, in its unit (scene/normalise.h): beyond, rounding would
+  // leave open most of what is met in the middle.
+  static constexpr float most_reach = 64;
 
   FaceList() = default;
-  // Empty where there are more, or anything in the scene that is no opaque triangle of the world.
+  // Empty where there are more or one is farther, or anything in the scene is no opaque triangle of
+  // the world.
   explicit FaceList(const Scene& scene);
 
   [[nodiscard]] bool is_empty() const { return faces_.size == 0; }
@@ -55,6 +59,7 @@ class FaceList {
   [[nodiscard]] std::optional<bool> occluded(const Ray& ray) const;
 
  private:
+  void clear();
   [[nodiscard]] Hit hit_of(const Vec3f& origin, const Vec3f& direction, std::uint32_t face,
                            float t) const;
 

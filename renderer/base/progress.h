@@ -9,6 +9,13 @@ namespace candela {
 // Set from a signal handler or another thread; polled between units of work.
 using CancelFlag = std::atomic<bool>;
 
+// The picture's rMSE as it states it, and its interval of 95 % (renderer/film/error_estimate.h).
+struct StatedError {
+  double rmse = 0;
+  double low = 0;
+  double high = 0;
+};
+
 // Called from worker threads: implementations must be thread-safe and quick.
 class ProgressSink {
  public:
@@ -17,8 +24,7 @@ class ProgressSink {
   virtual void advance(std::uint64_t samples) = 0;
   // So many will be done in all, as far as can be told now.
   virtual void expect(std::uint64_t total_samples) = 0;
-  // The picture's stated error is now `rmse` (error_estimate.h).
-  virtual void state_error(double rmse) = 0;
+  virtual void state_error(const StatedError& error) = 0;
 };
 
 }  // namespace candela

@@ -15,14 +15,12 @@
 namespace candela {
 
 struct DoubtfulPixel {
-  std::size_t index = 0;      // in the film
-  std::uint32_t samples = 0;  // that would tell how bright it is
+  std::size_t index = 0;     // in the film
+  std::uint64_t wanted = 0;  // samples that would tell how bright it is
 };
 
-// The worst first, as long as all their samples are at most `budget`; the last one gets what is
-// left.
+// The worst first.
 [[nodiscard]] std::vector<DoubtfulPixel> doubtful_pixels(const Film& film,
-                                                         const PixelErrors& errors,
-                                                         std::uint64_t budget);
+                                                         const PixelErrors& errors);
 
 }  // namespace candela

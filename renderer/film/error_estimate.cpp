@@ -41,6 +41,10 @@ Interval interval_of(const ErrorSums& errors, double pixels, double replicates) 
 
 }  // namespace
 
+StatedError stated_error(const ErrorEstimate& estimate) {
+  return {estimate.rmse, std::sqrt(estimate.interval95.low), std::sqrt(estimate.interval95.high)};
+}
+
 ErrorEstimate estimate_error(const Film& film, const PixelErrors& errors) {
   const ErrorSums sums = sum_up(errors.errors);
   const auto pixels = static_cast<double>(film.pixel_count());

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "renderer/base/progress.h"
 #include "renderer/film/film.h"
 #include "renderer/film/pixel_errors.h"
 
@@ -24,6 +25,9 @@ struct ErrorEstimate {
   std::size_t looked_at = 0;
   std::uint64_t look_samples = 0;
 };
+
+// As it is told to people.
+[[nodiscard]] StatedError stated_error(const ErrorEstimate& estimate);
 
 // None where some pixel has no two replicates.
 [[nodiscard]] std::optional<ErrorEstimate> estimate_error(const Film& film);

@@ -8,8 +8,9 @@
 
 namespace candela {
 
-// Of relMSE (renderer/image/compare.h) times the number of pixels, in rows from the top: unbiased
-// but very noisy for each pixel. All 0 for a black picture.
+// Of relMSE (renderer/image/compare.h) times the number of pixels, in rows from the top: very noisy
+// for each pixel. The variance in it is unbiased, the level that it is held against is a guess. All
+// 0 for a black picture.
 struct PixelErrors {
   std::vector<double> errors;
   double epsilon = 0;  // relMSE's, of this picture

@@ -70,7 +70,7 @@ TEST(Unit_FaceList, FacesAreOfOneGeometry) {
   EXPECT_EQ(face_count(test::scene_of(std::vector<Geometry>{first, second})), 2u);
 }
 
-TEST(Unit_FaceList, OthersScenesHaveNone) {
+TEST(Unit_FaceList, OtherScenesHaveNone) {
   const std::size_t most = FaceList::most_faces;
   EXPECT_EQ(face_count(test::scene_of(test::random_soup(most, 0.2f, 1))), most);
   EXPECT_EQ(face_count(test::scene_of(test::random_soup(most + 1, 0.2f, 1))), 0u);
@@ -80,6 +80,17 @@ TEST(Unit_FaceList, OthersScenesHaveNone) {
   EXPECT_EQ(face_count(with_cutouts), 0u);
   const Scene scene = test::scene_of(std::vector<Geometry>{geometry_of(room())});
   EXPECT_EQ(EmbreeAccel(scene).face_count(), 0u) << "unless it is asked for";
+}
+
+// One ground plane out to the horizon, and rounding would leave all other meetings open.
+TEST(Unit_FaceList, FacesOutToTheHorizonAreLeftToTheTree) {
+  const auto with_ground = [](float reach) {
+    return face_count({Quad{Vec3f(0), Vec3f(1, 0, 0), Vec3f(1, 1, 0), Vec3f(0, 1, 0)},
+                       Quad{Vec3f(-reach, -1, -reach), Vec3f(reach, -1, -reach),
+                            Vec3f(reach, -1, reach), Vec3f(-reach, -1, reach)}});
+  };
+  EXPECT_EQ(with_ground(10), 2u);
+  EXPECT_EQ(with_ground(1e6f), 0u);
 }
 
 TEST(Unit_FaceList, TrianglesWithoutAreaAreNoFaces) {
@@ -132,6 +143,18 @@ TEST(Agreement_FaceList, SaysWhatBruteForceSays) {
     const EmbreeAccel faces(c.scene, {.faces = true});
     for (const Ray& ray : test::rays_of_all_sets(c.soup, 1000))
       ASSERT_EQ(test::brute_force_complaint(c.scene, ray, faces.intersect(ray)), "") << c.name;
+  }
+}
+
+// What the two tests before ask is the list's own answer, not Embree's, of nearly all rays that are
+// aimed at nothing: at least nine in ten, even between slivers and in coplanar heaps.
+TEST(Unit_FaceList, AnswersItselfInAllOfTheseScenes) {
+  for (const Case& c : cases()) {
+    const FaceList faces(c.scene);
+    const std::vector<Ray> rays = test::random_rays(c.soup, 2000, 1);
+    const auto known = std::count_if(
+        rays.begin(), rays.end(), [&](const Ray& ray) { return faces.intersect(ray).has_value(); });
+    EXPECT_GT(static_cast<double>(known) / static_cast<double>(rays.size()), 0.9) << c.name;
   }
 }
 

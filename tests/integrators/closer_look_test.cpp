@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <mutex>
 
 #include "integrators/render_rounds.h"
 #include "renderer/sampling/hash.h"
@@ -92,7 +93,11 @@ TEST(Statistical_CloserLook, StatesTheTrueErrorOfRareLight) {
   EXPECT_GT(by_picture_alone / error, 1.5);
 }
 
-constexpr int many = 256;  // samples a pixel that are sure to meet the lamp in some
+bool never() {
+  return false;
+}
+
+constexpr std::uint32_t many = 256;  // samples a pixel that are sure to meet the lamp in some
 
 TEST(Unit_CloserLook, LeavesThePictureAsItIs) {
   const RenderSettings settings = settings_of(size, many, 5);
@@ -111,33 +116,82 @@ TEST(Unit_CloserLook, LooksAtThePixelsOfACrop) {
   const RenderSettings settings = settings_of(size, many, 5);
   const PixelRect crop{2, 9, 12, 20};
   Film film(size, size, crop, 0, 4);
+  std::mutex mutex;
   std::vector<PixelRect> seen;
   const TileFunction remember = [&](const TilePass& pass, Film& of) {
-    if (pass.tile.width() == 1) seen.push_back(pass.tile);
+    const std::lock_guard lock(mutex);
+    seen.push_back(pass.tile);
     return flashing_tile(pass, of);
   };
   flashing_tile({crop, {0, many}, nullptr, 5}, film);
   PixelErrors errors = *estimate_pixel_errors(film);
-  CloserLook look(settings.options, remember, nullptr);
+  CloserLook look(settings.options, remember, never);
   look.correct(film, {}, errors);
   ASSERT_FALSE(seen.empty());
-  for (const PixelRect& pixel : seen) EXPECT_TRUE(may_flash(pixel.x0, pixel.y0));
+  for (const PixelRect& pixel : seen) {
+    EXPECT_EQ(pixel.width() * pixel.height(), 1);
+    EXPECT_TRUE(may_flash(pixel.x0, pixel.y0));
+  }
 }
 
-// Looking again goes on where it ended; without more light in the picture there is nothing to do.
+Film film_of(std::uint32_t samples, std::uint64_t seed) {
+  Film film(size, size, {0, 0, size, size}, 0, 4);
+  flashing_tile({film.crop(), {0, samples}, nullptr, seed}, film);
+  return film;
+}
+
+// What has been seen of an early picture counts for a later one, which wants more of other pixels.
 TEST(Unit_CloserLook, GoesOnWhereItEnded) {
   const RenderSettings settings = settings_of(size, many, 5);
-  Film film(size, size, {0, 0, size, size}, 0, 4);
-  flashing_tile({film.crop(), {0, many}, nullptr, 5}, film);
-  PixelErrors first = *estimate_pixel_errors(film);
-  PixelErrors second = first;
-  CloserLook look(settings.options, flashing_tile, nullptr);
-  look.correct(film, {}, first);
+  const Film early = film_of(many, 5);
+  const Film late = film_of(2 * many, 5);
+  PixelErrors of_early = *estimate_pixel_errors(early);
+  CloserLook look(settings.options, flashing_tile, never);
+  look.correct(early, {}, of_early);
   const std::uint64_t samples = look.samples();
   ASSERT_GT(samples, 0u);
-  look.correct(film, {}, second);
+  PixelErrors again = *estimate_pixel_errors(early);
+  look.correct(early, {}, again);
   EXPECT_EQ(look.samples(), samples);
-  EXPECT_EQ(first.errors, second.errors);
+  EXPECT_EQ(again.errors, of_early.errors);
+
+  PixelErrors of_late = *estimate_pixel_errors(late);
+  look.correct(late, {}, of_late);
+  EXPECT_GT(look.samples(), samples);
+  CloserLook fresh(settings.options, flashing_tile, never);
+  PixelErrors at_once = *estimate_pixel_errors(late);
+  fresh.correct(late, {}, at_once);
+  EXPECT_LE(fresh.samples(), look.samples());
+  EXPECT_LE(look.samples(), std::uint64_t{size * size} * 2 * many);
+}
+
+// Without a look nothing is known: neither where there is no time, nor of pixels whose light is so
+// rare that all samples that the picture may spend would find them dark.
+TEST(Unit_CloserLook, LeavesErrorsAloneWhereItCannotLook) {
+  const RenderSettings settings = settings_of(size, many, 5);
+  const Film film = film_of(many, 5);
+  const PixelErrors before = *estimate_pixel_errors(film);
+  PixelErrors errors = before;
+  CloserLook late(settings.options, flashing_tile, [] { return true; });
+  late.correct(film, {}, errors);
+  EXPECT_EQ(errors.errors, before.errors);
+  EXPECT_EQ(late.pixels(), 0u);
+
+  Film tiny(2, 2, {0, 0, 2, 2}, 0, 4);
+  for (int i = 0; i < 64; ++i) {
+    FilmSample sample;
+    sample.radiance = Rgb(i == 0 ? 1e6f : 1 + 0.01f * static_cast<float>(i % 7));
+    tiny.add(0, 0, sample);
+    sample.radiance = Rgb(1);
+    for (const auto& [x, y] : {std::pair(1, 0), std::pair(0, 1), std::pair(1, 1)})
+      tiny.add(x, y, sample);
+  }
+  const PixelErrors of_tiny = *estimate_pixel_errors(tiny);
+  ASSERT_EQ(doubtful_pixels(tiny, of_tiny).size(), 1u);
+  errors = of_tiny;
+  CloserLook poor(settings_of(2, 64, 5).options, flashing_tile, never);
+  poor.correct(tiny, {}, errors);
+  EXPECT_EQ(errors.errors, of_tiny.errors);
 }
 
 }  // namespace

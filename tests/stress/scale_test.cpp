@@ -43,6 +43,22 @@ TEST(Stress_Scale, PowersOfTwoGiveTheSameBits) {
     }
 }
 
+// What the command line adds to a render: pilots and rays that look for lamps go by lengths, too,
+// and so may the layers that tell the error.
+TEST(Stress_Scale, AdaptivePicturesAndTheirErrorsHaveTheSameBits) {
+  RenderSettings settings = settings_of(32, 64);
+  settings.options.adaptive = true;
+  settings.options.lamp_rays = 8;
+  settings.options.aovs = aov_bit(Aov::Samples) | aov_bit(Aov::Variance) | aov_bit(Aov::Interval) |
+                          aov_bit(Aov::HeavyTail);
+  const Renders undisturbed = renders_of("adaptive, undisturbed", busy_room(), settings, 1);
+  for (const int k : {-40, -10, 10, 40})
+    expect_same_bits(
+        renders_of(fmt::format("adaptive, 2^{}", k),
+                   scaled(busy_room(), std::ldexp(1.0, k), Where::Vertices), settings, 1),
+        undisturbed);
+}
+
 TEST(Stress_Scale, PowersOfTenAreWithinNoise) {
   const RenderSettings settings = settings_of(24, is_heavy() ? 256 : 16);
   const Renders undisturbed = renders_of("undisturbed", busy_room(), settings);

@@ -17,6 +17,15 @@ using namespace test;
 
 constexpr double reflectance = 0.5;
 
+// Auto: few faces without a tree, and Embree where they are many.
+constexpr AcceleratorKind all_accelerators[] = {AcceleratorKind::Auto, AcceleratorKind::Embree,
+                                                AcceleratorKind::Bvh};
+
+const char* name_of(AcceleratorKind accelerator) {
+  if (accelerator == AcceleratorKind::Auto) return "auto";
+  return accelerator == AcceleratorKind::Bvh ? "own BVH" : "Embree";
+}
+
 // No number of the scene is one that floats carry.
 SceneDescription turned(const SceneDescription& scene) {
   return rotated(scene, 0.7, {1, 2, 3});
@@ -68,15 +77,13 @@ TEST(Stress_Grazing, ThePlaneUnderALowSunIsEven) {
     SceneDescription scene =
         plane_under_a_sun(Vec3d(0.6, 0, 0.8) * std::sqrt(1 - sine * sine) + Vec3d(0, sine, 0));
     set_camera(scene, {0, 5, 0}, {0, 0, 0}, 20, {0, 0, 1});
-    for (const auto accelerator :
-         {AcceleratorKind::Auto, AcceleratorKind::Embree, AcceleratorKind::Bvh}) {
+    for (const auto accelerator : all_accelerators) {
       const Image image = rendered(turned(scene), sharp(32, 16, accelerator)).film.to_image(true);
       const Evenness even = evenness_of(image, reflectance / pi_double * sine);
       EXPECT_EQ(even.covered, 32 * 32);
       EXPECT_EQ(even.black, 0) << sine;
       EXPECT_LT(even.worst, 1e-5 + 2e-7 / sine) << sine;
-      add_row(fmt::format("sun at 10^-{}, {}", k,
-                          accelerator == AcceleratorKind::Bvh ? "own BVH" : "Embree"),
+      add_row(fmt::format("sun at 10^-{}, {}", k, name_of(accelerator)),
               {{"black pixels", even.black}, {"worst relative error", even.worst}});
     }
   }
@@ -89,15 +96,13 @@ TEST(Stress_Grazing, ThePlaneSeenFromLowIsEven) {
     SceneDescription scene = plane_under_a_sun({0, 1, 0});
     const double field_radians = 0.3 * sine;  // stays between the edges, seen at .75 and 1.5 sine
     set_camera(scene, {-3, 3 * sine, 0}, {0, 0, 0}, field_radians * 180 / pi_double);
-    for (const auto accelerator :
-         {AcceleratorKind::Auto, AcceleratorKind::Embree, AcceleratorKind::Bvh}) {
+    for (const auto accelerator : all_accelerators) {
       const Image image = rendered(turned(scene), sharp(32, 16, accelerator)).film.to_image(true);
       const Evenness even = evenness_of(image, reflectance / pi_double);
       EXPECT_EQ(even.black, 0) << sine;
       EXPECT_LT(even.worst, 1e-5) << sine;
       EXPECT_EQ(even.covered, 32 * 32) << sine;
-      add_row(fmt::format("seen at 10^-{}, {}", k,
-                          accelerator == AcceleratorKind::Bvh ? "own BVH" : "Embree"),
+      add_row(fmt::format("seen at 10^-{}, {}", k, name_of(accelerator)),
               {{"pixels not covered", 32 * 32 - even.covered},
                {"black pixels", even.black},
                {"worst relative error", even.worst}});
@@ -109,8 +114,7 @@ TEST(Stress_Grazing, ThePlaneSeenFromLowIsEven) {
 // side, and no light on the other.
 TEST(Stress_Grazing, SpheresUnderTheSunHaveNeitherAcneNorLeaks) {
   const Vec3d to_light = normalize(Vec3d(1, 0.2, 0.3));
-  for (const auto accelerator :
-       {AcceleratorKind::Auto, AcceleratorKind::Embree, AcceleratorKind::Bvh}) {
+  for (const auto accelerator : all_accelerators) {
     SceneDescription scene = empty_scene();
     add_mesh(scene, sphere({0, 0, 0}, 1, 5, false),
              add_material(scene, diffuse(Vec3d(reflectance))));
@@ -132,10 +136,9 @@ TEST(Stress_Grazing, SpheresUnderTheSunHaveNeitherAcneNorLeaks) {
       }
     EXPECT_EQ(acne, 0);
     EXPECT_EQ(leaks, 0);
-    add_row(accelerator == AcceleratorKind::Bvh ? "own BVH" : "Embree",
-            {{"pixels", static_cast<double>(image.pixel_count())},
-             {"too dark", acne},
-             {"too bright", leaks}});
+    add_row(name_of(accelerator), {{"pixels", static_cast<double>(image.pixel_count())},
+                                   {"too dark", acne},
+                                   {"too bright", leaks}});
   }
 }
 
@@ -156,15 +159,21 @@ SceneDescription with_duplicates(SceneDescription scene) {
   return scene;
 }
 
-RenderSettings heavy_or_light() {
-  return settings_of(24, is_heavy() ? 256 : 32);
+RenderSettings heavy_or_light(AcceleratorKind accelerator) {
+  RenderSettings settings = settings_of(24, is_heavy() ? 256 : 32);
+  settings.accelerator = accelerator;
+  return settings;
 }
 
 TEST(Stress_Touching, CoplanarDuplicatesAreOneSurface) {
-  const Renders undisturbed = renders_of("undisturbed", turned(small_room()), heavy_or_light());
-  expect_within_noise(
-      renders_of("walls twice", turned(with_duplicates(small_room())), heavy_or_light()),
-      undisturbed);
+  for (const AcceleratorKind accelerator : all_accelerators) {
+    const RenderSettings settings = heavy_or_light(accelerator);
+    const Renders undisturbed = renders_of(fmt::format("undisturbed, {}", name_of(accelerator)),
+                                           turned(small_room()), settings);
+    expect_within_noise(renders_of(fmt::format("walls twice, {}", name_of(accelerator)),
+                                   turned(with_duplicates(small_room())), settings),
+                        undisturbed);
+  }
 }
 
 // The box of the small room, its bottom at another height than the floor's.
@@ -176,10 +185,15 @@ SceneDescription with_box_at(double height) {
 }
 
 TEST(Stress_Touching, ABoxOnTheFloorCastsNoLightBelowItself) {
-  const Renders sunk = renders_of("sunk into the floor", with_box_at(-0.25), heavy_or_light());
-  expect_within_noise(renders_of("touching the floor", with_box_at(0), heavy_or_light()), sunk);
-  expect_within_noise(renders_of("10^-6 over the floor", with_box_at(2e-6), heavy_or_light()),
-                      sunk);
+  for (const AcceleratorKind accelerator : all_accelerators) {
+    const auto renders_at = [&](const char* where, double height) {
+      return renders_of(fmt::format("{}, {}", where, name_of(accelerator)), with_box_at(height),
+                        heavy_or_light(accelerator));
+    };
+    const Renders sunk = renders_at("sunk into the floor", -0.25);
+    expect_within_noise(renders_at("touching the floor", 0), sunk);
+    expect_within_noise(renders_at("10^-6 over the floor", 2e-6), sunk);
+  }
 }
 
 // Six slabs that share faces and edges but do not overlap, in a sky a million times as bright as
@@ -201,8 +215,7 @@ SceneDescription room_of_slabs() {
 
 TEST(Stress_Touching, RoomsOfTouchingSlabsAreDark) {
   for (const bool is_turned : {false, true})
-    for (const auto accelerator :
-         {AcceleratorKind::Auto, AcceleratorKind::Embree, AcceleratorKind::Bvh}) {
+    for (const auto accelerator : all_accelerators) {
       RenderSettings settings = sharp(64, is_heavy() ? 256 : 4, accelerator);
       const SceneDescription scene = is_turned ? turned(room_of_slabs()) : room_of_slabs();
       const RenderResult result = rendered(scene, settings);
@@ -210,8 +223,7 @@ TEST(Stress_Touching, RoomsOfTouchingSlabsAreDark) {
       const auto lit = std::count_if(image.values.begin(), image.values.end(),
                                      [](float value) { return value != 0; });
       EXPECT_EQ(lit, 0);
-      add_row(fmt::format("{}, {}", is_turned ? "turned" : "along the axes",
-                          accelerator == AcceleratorKind::Bvh ? "own BVH" : "Embree"),
+      add_row(fmt::format("{}, {}", is_turned ? "turned" : "along the axes", name_of(accelerator)),
               {{"rays", static_cast<double>(result.statistics.rays.indirect +
                                             result.statistics.rays.shadow)},
                {"lit values", static_cast<double>(lit)}});
@@ -230,21 +242,24 @@ SceneDescription thin_furnace(double thickness) {
   return turned(scene);
 }
 
-TEST(Stress_Touching, ThinFurnacesKeepTheirLight) {
-  for (int k = 1; k <= 6; ++k) {
-    RenderSettings settings = sharp(8, is_heavy() ? 1024 : 128, AcceleratorKind::Embree);
-    const Scene scene = compiled(thin_furnace(2 * std::pow(10.0, -k)), settings.options);
-    statistics::Moments means;
-    for (std::uint64_t seed = 1; seed <= 16; ++seed) {
-      settings.options.seed = seed;
-      means.add(mean_of(rendered(scene, settings).film.to_image(false)));
-    }
-    const double error = means.mean() / 0.5 - 1;
-    const double sigma = means.standard_error() / 0.5;
-    EXPECT_LT(std::abs(error), 4.5 * sigma + 1e-6) << "10^-" << k;
-    add_row(fmt::format("gap of 10^-{}", k),
-            {{"relative error", error}, {"its standard error", sigma}});
+void expect_light_kept(int k, AcceleratorKind accelerator) {
+  RenderSettings settings = sharp(8, is_heavy() ? 1024 : 128, accelerator);
+  const Scene scene = compiled(thin_furnace(2 * std::pow(10.0, -k)), settings.options);
+  statistics::Moments means;
+  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+    settings.options.seed = seed;
+    means.add(mean_of(rendered(scene, settings).film.to_image(false)));
   }
+  const double error = means.mean() / 0.5 - 1;
+  const double sigma = means.standard_error() / 0.5;
+  EXPECT_LT(std::abs(error), 4.5 * sigma + 1e-6) << "10^-" << k;
+  add_row(fmt::format("gap of 10^-{}, {}", k, name_of(accelerator)),
+          {{"relative error", error}, {"its standard error", sigma}});
+}
+
+TEST(Stress_Touching, ThinFurnacesKeepTheirLight) {
+  for (const AcceleratorKind accelerator : all_accelerators)
+    for (int k = 1; k <= 6; ++k) expect_light_kept(k, accelerator);
 }
 
 }  // namespace

@@ -66,12 +66,18 @@ TEST(Unit_StopOptions, AnErrorIsReachedAndToldEverywhere) {
 }
 
 TEST(Unit_StopOptions, TheScenesOwnSamplesCountOnlyWithoutARule) {
-  EXPECT_EQ(run_of({"--relmse", "1e9"}).stats["max_samples"], 16);
+  const StopRun easy = run_of({"--relmse", "1e9"});
+  EXPECT_EQ(easy.stats["max_samples"], 16);
+  EXPECT_NE(easy.messages.find("stopped by --relmse at 16 spp, error "), std::string::npos)
+      << easy.messages;
   const StopRun both = run_of({"--relmse", "1e-9", "--spp", "17"});
   EXPECT_EQ(both.stats["max_samples"], 17);
   EXPECT_EQ(both.stats["stop"]["by"], "spp");
   EXPECT_EQ(both.stats["spp"], 17);
-  EXPECT_EQ(run_of({"--time", "3s"}).stats["stop"]["by"], "time");
+  EXPECT_NE(both.messages.find("; all of 17 spp, error "), std::string::npos) << both.messages;
+  const StopRun timed = run_of({"--time", "3s"});
+  EXPECT_EQ(timed.stats["stop"]["by"], "time");
+  EXPECT_NE(timed.messages.find("stopped by --time at "), std::string::npos) << timed.messages;
 }
 
 TEST(Unit_StopOptions, ReplicatesAndClampAreTold) {

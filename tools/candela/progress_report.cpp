@@ -41,10 +41,15 @@ std::string error_text(double rmse) {
   return fmt::format("{:.2g} %", rmse * 100);
 }
 
+std::string error_text(const StatedError& error) {
+  return fmt::format("{} ({:.2g} to {:.2g})", error_text(error.rmse), error.low * 100,
+                     error.high * 100);
+}
+
 std::string progress_line(const ProgressState& state) {
   const double rate =
       state.elapsed_seconds > 0 ? static_cast<double>(state.done) / state.elapsed_seconds : 0;
-  const std::string error = state.rmse ? ", error " + error_text(*state.rmse) : "";
+  const std::string error = state.error ? ", error " + error_text(*state.error) : "";
   return fmt::format("{}, {} elapsed, {} left, {:.2f} Msamples/s{}", percent_text(state),
                      duration_text(state.elapsed_seconds), seconds_left_text(state), rate * 1e-6,
                      error);
@@ -79,11 +84,16 @@ void ProgressReport::stop() {
   console_.set_live_line("");
 }
 
+void ProgressReport::state_error(const StatedError& error) {
+  const std::lock_guard lock(error_mutex_);
+  error_ = error;
+}
+
 ProgressState ProgressReport::state() const {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-  const double rmse = rmse_.load(std::memory_order_relaxed);
+  const std::lock_guard lock(error_mutex_);
   return {done_.load(std::memory_order_relaxed), total_.load(std::memory_order_relaxed),
-          elapsed.count(), rmse == unknown ? std::nullopt : std::optional(rmse)};
+          elapsed.count(), error_};
 }
 
 void ProgressReport::run(std::stop_token stop) {

@@ -19,7 +19,7 @@ struct ProgressState {
   std::uint64_t done = 0;  // camera samples
   std::uint64_t total = 0;
   double elapsed_seconds = 0;
-  std::optional<double> rmse;  // stated so far
+  std::optional<StatedError> error;  // so far
 };
 
 // "42.3 %", never "100 %": that is said when the files are on disk.
@@ -28,7 +28,9 @@ struct ProgressState {
 [[nodiscard]] std::string duration_text(double seconds);
 // "2.1 %".
 [[nodiscard]] std::string error_text(double rmse);
-// "42.3 %, 0:12 elapsed, 0:17 left, 3.21 Msamples/s, error 2.1 %".
+// "2.1 % (1.9 to 2.3)".
+[[nodiscard]] std::string error_text(const StatedError& error);
+// "42.3 %, 0:12 elapsed, 0:17 left, 3.21 Msamples/s, error 2.1 % (1.9 to 2.3)".
 [[nodiscard]] std::string progress_line(const ProgressState& state);
 // The same behind a bar that fills the rest of `columns` characters; cut where they do not suffice.
 [[nodiscard]] std::string progress_bar(const ProgressState& state, std::size_t columns);
@@ -51,14 +53,12 @@ class ProgressReport : public ProgressSink {
   void expect(std::uint64_t total_samples) override {
     total_.store(total_samples, std::memory_order_relaxed);
   }
-  void state_error(double rmse) override { rmse_.store(rmse, std::memory_order_relaxed); }
+  void state_error(const StatedError& error) override;
   // Stops reporting and removes the bar. Called by the destructor too.
   void stop();
   [[nodiscard]] ProgressState state() const;
 
  private:
-  static constexpr double unknown = -1;
-
   void run(std::stop_token stop);
   void report();
 
@@ -67,7 +67,8 @@ class ProgressReport : public ProgressSink {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::atomic<std::uint64_t> done_{0};
   std::atomic<std::uint64_t> total_{0};
-  std::atomic<double> rmse_{unknown};
+  mutable std::mutex error_mutex_;
+  std::optional<StatedError> error_;
   std::mutex mutex_;
   std::condition_variable_any wake_;
   std::jthread thread_;  // last: it uses the others

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -37,13 +38,23 @@ std::string rules_text(const RenderReport& report) {
   return fmt::format("{}", fmt::join(rules, " or "));
 }
 
-// What it did stop at, and the error.
-std::string stop_text(const RenderReport& report) {
+// The option that asked for an error; of both the harder one.
+std::string_view goal_option(const RenderArguments& arguments) {
+  const bool is_rmse = arguments.error_goal &&
+                       square(*arguments.error_goal) <=
+                           arguments.relmse_goal.value_or(std::numeric_limits<double>::infinity());
+  return is_rmse ? "error" : "relmse";
+}
+
+// What it did stop at, and the error. `goal`: the option that asked for one.
+std::string stop_text(const RenderReport& report, std::string_view goal) {
   const std::string samples = samples_text(report);
-  const std::string error = report.error ? ", error " + error_text(report.error->rmse) : "";
+  const std::string error =
+      report.error ? ", error " + error_text(stated_error(*report.error)) : "";
   const StopReason stop = report.statistics.stop;
-  if (stop == StopReason::Samples) return samples + error;
-  return fmt::format("stopped by --{} at {}{}", stop_name(stop), samples, error);
+  if (stop == StopReason::Samples) return "all of " + samples + error;
+  const std::string_view option = stop == StopReason::Error ? goal : stop_name(stop);
+  return fmt::format("stopped by --{} at {}{}", option, samples, error);
 }
 
 bool is_exr(const std::string& path) {
@@ -293,10 +304,10 @@ ExitCode RenderRun::finish(const Scene& scene, const std::optional<AnyAccelerato
   progress_->stop();
   report_samples();
   if (exit_code_ == ExitCode::Done)
-    console_.note(fmt::format("100 %, {} elapsed, {:.2f} Msamples/s; {}; wrote {}",
-                              duration_text(state.elapsed_seconds),
-                              static_cast<double>(state.done) * 1e-6 / report_.seconds.render,
-                              stop_text(report_), fmt::join(report_.outputs, ", ")));
+    console_.note(fmt::format(
+        "100 %, {} elapsed, {:.2f} Msamples/s; {}; wrote {}", duration_text(state.elapsed_seconds),
+        static_cast<double>(state.done) * 1e-6 / report_.seconds.render,
+        stop_text(report_, goal_option(arguments_)), fmt::join(report_.outputs, ", ")));
   else if (!report_.outputs.empty())
     console_.note(fmt::format("wrote {}", fmt::join(report_.outputs, ", ")));
   if (accelerator && arguments_.measures_ray_limit && !report_.is_interrupted())
