@@ -125,7 +125,10 @@ FaceList::FaceList(const Scene& scene) {
   std::vector<bool> is_taken(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (is_taken[i]) continue;
-    if (size() == most_faces) return clear();
+    if (size() == most_faces) {
+      clear();
+      return;
+    }
     const Vec3d normal = normalize(all[i].perpendicular());
     std::optional<Quad> quad;
     std::size_t partner = i + 1;

@@ -80,6 +80,17 @@ TEST(Unit_StopOptions, TheScenesOwnSamplesCountOnlyWithoutARule) {
   EXPECT_NE(timed.messages.find("stopped by --time at "), std::string::npos) << timed.messages;
 }
 
+// Lamps that are met by chance alone: most of the light is in few samples.
+TEST(Unit_StopOptions, ErrorsThatCannotBeTrustedAreWarnedOf) {
+  const char* const warning = "rare strong samples hold most of the light";
+  const StopRun rare = run_of({"--spp", "16", "--sampling", "bsdf"});
+  EXPECT_GT(rare.stats["error"]["heavy_tails"], 0.5);
+  EXPECT_NE(rare.messages.find(warning), std::string::npos) << rare.messages;
+  const StopRun even = run_of({"--spp", "64"});
+  EXPECT_EQ(even.stats["error"]["heavy_tails"], 0);
+  EXPECT_EQ(even.messages.find(warning), std::string::npos) << even.messages;
+}
+
 TEST(Unit_StopOptions, ReplicatesAndClampAreTold) {
   const StopRun plain = run_of({"--spp", "8"});
   EXPECT_EQ(plain.stats["replicates"], 4);
