@@ -20,12 +20,14 @@ PixelRect pixel_at(const Film& film, std::size_t index) {
   return {x, y, x + 1, y + 1};
 }
 
-// Samples that all looks at a picture may take: a share of its own, or as many as take a moment.
+// Samples that all looks at a picture may take: a share of its own; of small pictures, of which
+// single pixels are more, some times as many as those, but no more than take a moment.
 std::uint64_t budget_of(const Film& film) {
   constexpr double share = 1.0 / 32;
+  constexpr double most_times = 4;
   constexpr double moment = 1 << 17;
   const double all = film.mean_samples() * static_cast<double>(film.pixel_count());
-  return static_cast<std::uint64_t>(std::max(share * all, std::min(all, moment)));
+  return static_cast<std::uint64_t>(std::max(share * all, std::min(most_times * all, moment)));
 }
 
 }  // namespace
