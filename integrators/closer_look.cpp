@@ -68,11 +68,11 @@ void CloserLook::replace(const Film& film, PixelErrors& errors) const {
   }
 }
 
-// What doubtful pixels still want, the worst first, as long as the budget has it or a good part of
-// it: few samples would find the pixel dark without its rare light.
+// What doubtful pixels still want, the worst first, as long as the budget has it, or enough to tell
+// more of the pixel than its own samples and the neighbours do.
 std::vector<CloserLook::Part> CloserLook::parts_to_render(const Film& film,
                                                           const PixelErrors& errors) const {
-  constexpr std::uint64_t good_part = 4;
+  constexpr std::uint64_t enough = 4;  // times the pixel's own samples
   const std::uint64_t budget = budget_of(film);
   std::uint64_t left = (budget - std::min(samples_, budget)) / part_samples;
   std::vector<Part> parts;
@@ -81,7 +81,8 @@ std::vector<CloserLook::Part> CloserLook::parts_to_render(const Film& film,
     const std::uint32_t first = seen == seen_.end() ? 0 : seen->second.parts;
     const std::uint64_t wanted = (pixel.wanted + part_samples - 1) / part_samples;
     const std::uint64_t end = std::min(wanted, first + left);
-    if (end <= first || end * good_part < wanted) continue;
+    const bool tells = end == wanted || end * part_samples >= enough * film.samples(pixel.index);
+    if (end <= first || !tells) continue;
     for (auto number = first; number < end; ++number)
       parts.push_back({pixel.index, static_cast<std::uint32_t>(number), {}, {}});
     left -= end - first;

@@ -165,9 +165,7 @@ TEST(Unit_CloserLook, GoesOnWhereItEnded) {
   EXPECT_LE(look.samples(), std::uint64_t{1} << 17);
 }
 
-// Without a look nothing is known: neither where there is no time, nor of pixels whose light is so
-// rare that all samples that the picture may spend would find them dark.
-TEST(Unit_CloserLook, LeavesErrorsAloneWhereItCannotLook) {
+TEST(Unit_CloserLook, LeavesErrorsAloneWhereThereIsNoTime) {
   const RenderSettings settings = settings_of(size, many, 5);
   const Film film = film_of(many, 5);
   const PixelErrors before = *estimate_pixel_errors(film);
@@ -176,22 +174,26 @@ TEST(Unit_CloserLook, LeavesErrorsAloneWhereItCannotLook) {
   late.correct(film, {}, errors);
   EXPECT_EQ(errors.errors, before.errors);
   EXPECT_EQ(late.pixels(), 0u);
+}
 
-  Film tiny(2, 2, {0, 0, 2, 2}, 0, 4);
-  for (int i = 0; i < 64; ++i) {
-    FilmSample sample;
-    sample.radiance = Rgb(i == 0 ? 1e6f : 1 + 0.01f * static_cast<float>(i % 7));
-    tiny.add(0, 0, sample);
-    sample.radiance = Rgb(1);
-    for (const auto& [x, y] : {std::pair(1, 0), std::pair(0, 1), std::pair(1, 1)})
-      tiny.add(x, y, sample);
-  }
-  const PixelErrors of_tiny = *estimate_pixel_errors(tiny);
-  ASSERT_EQ(doubtful_pixels(tiny, of_tiny).size(), 1u);
-  errors = of_tiny;
-  CloserLook poor(settings_of(2, 64, 5).options, flashing_tile, never);
-  poor.correct(tiny, {}, errors);
-  EXPECT_EQ(errors.errors, of_tiny.errors);
+// Two pixels of one row, each of which wants more than there is: the worse one gets it.
+TEST(Unit_CloserLook, SpendsItsBudgetOnTheWorst) {
+  Film tiny(4, 1, {0, 0, 4, 1}, 0, 4);
+  for (int i = 0; i < 64; ++i)
+    for (int x = 0; x < 4; ++x) {
+      FilmSample sample;
+      sample.radiance = Rgb(1 + 0.01f * static_cast<float>(i % 7));
+      if (i == 0 && x < 2) sample.radiance = Rgb(x == 0 ? 1e6f : 3e6f);
+      tiny.add(x, 0, sample);
+    }
+  const PixelErrors before = *estimate_pixel_errors(tiny);
+  ASSERT_EQ(doubtful_pixels(tiny, before).size(), 2u);
+  PixelErrors errors = before;
+  CloserLook look(settings_of(4, 64, 5).options, flashing_tile, never);
+  look.correct(tiny, {}, errors);
+  EXPECT_EQ(look.samples(), 4u * 4 * 64);  // four times those of the picture
+  EXPECT_EQ(errors.errors[0], before.errors[0]);
+  EXPECT_NE(errors.errors[1], before.errors[1]);
 }
 
 }  // namespace
