@@ -57,6 +57,8 @@ TileCounts CloserLook::correct(const Film& film, const TilePass& settings, Pixel
     }
     replace(film, errors);
   }
+  counts.rays = {};
+  counts.skipped = {};
   return counts;
 }
 

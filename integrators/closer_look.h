@@ -13,12 +13,12 @@ namespace candela {
 
 class CloserLook {
  public:
-  // `is_over`: asked between samples whether to leave it at what has been seen.
+  // `is_over`: asked between parts whether to leave it at what has been seen.
   CloserLook(const RenderOptions& options, TileFunction render_tile, std::function<bool()> is_over);
 
   // Looks at the pixels of `film` that need it, and replaces the errors of all that were looked at
   // by those that this tells. `settings`: of the picture's passes; tile, range and seed are the
-  // look's own. What that took.
+  // look's own. Tells what was invalid; its rays are none of the picture's.
   TileCounts correct(const Film& film, const TilePass& settings, PixelErrors& errors);
 
   [[nodiscard]] std::size_t pixels() const { return seen_.size(); }

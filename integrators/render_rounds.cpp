@@ -124,13 +124,7 @@ class Loop {
   [[nodiscard]] std::optional<ErrorEstimate> state_error(bool is_sure) {
     std::optional<PixelErrors> errors = estimate_pixel_errors(film_);
     if (!errors) return {};
-    if (is_sure) {
-      const TileCounts look = look_.correct(film_, pass_of({}), *errors);
-      TileCounts invalid;  // its rays are none of the picture's
-      invalid.invalid_samples = look.invalid_samples;
-      invalid.first_invalid = look.first_invalid;
-      counts_.add(invalid);
-    }
+    if (is_sure) counts_.add(look_.correct(film_, pass_of({}), *errors));
     ErrorEstimate estimate = estimate_error(film_, *errors);
     estimate.looked_at = look_.pixels();
     estimate.look_samples = look_.samples();

@@ -31,13 +31,13 @@ struct FaceTriangles {
 class FaceList {
  public:
   static constexpr std::size_t most_faces = 32;  // that pay (docs/decisions.md)
-  // Of a corner from the scene's centre, in its unit (scene/normalise.h): beyond, rounding would
-  // leave open most of what is met in the middle.
+  // Of a corner from the scene's centre, in its unit (scene/normalise.h): what rounding leaves open
+  // grows with it, until nothing is known of what is met in the middle.
   static constexpr float most_reach = 64;
 
   FaceList() = default;
-  // Empty where there are more or one is farther, or anything in the scene is no opaque triangle of
-  // the world.
+  // Empty where there are more, where one reaches farther, and where anything in the scene is no
+  // opaque triangle of the world.
   explicit FaceList(const Scene& scene);
 
   [[nodiscard]] bool is_empty() const { return faces_.size == 0; }

@@ -22,21 +22,6 @@ double truth_at(int x, int y) {
 
 constexpr int size = 64;
 
-// relMSE as compare.h has it.
-double true_relmse(const Film& film) {
-  double mean = 0;
-  for (int y = 0; y < size; ++y)
-    for (int x = 0; x < size; ++x) mean += truth_at(x, y) / (size * size);
-  double sum = 0;
-  for (int y = 0; y < size; ++y)
-    for (int x = 0; x < size; ++x) {
-      const double r = truth_at(x, y);
-      const double error = film.mean(film.index(x, y)).x - r;
-      sum += error * error / (r * r + 1e-2 * mean * mean);
-    }
-  return sum / (size * size);
-}
-
 struct Noise {
   const char* name;
   double (*draw)(std::mt19937_64&);  // of mean 1
@@ -61,7 +46,7 @@ double stated_over_true(const Noise& noise, int samples) {
         size, samples, 4, seed,
         [&](std::mt19937_64& random, int x, int y) { return truth_at(x, y) * noise.draw(random); });
     stated += estimate_error(film)->relmse;
-    truth += true_relmse(film);
+    truth += test::relmse_to(truth_at, film);
   }
   return stated / truth;
 }
@@ -113,7 +98,7 @@ TEST(Statistical_ErrorEstimate, ItsIntervalHoldsTheTrueError) {
           return truth_at(x, y) * noises[0].draw(random);
         });
     const ErrorEstimate estimate = *estimate_error(film);
-    const double truth = true_relmse(film);
+    const double truth = test::relmse_to(truth_at, film);
     if (estimate.interval95.low <= truth && truth <= estimate.interval95.high) ++held;
   }
   EXPECT_GE(held, 178);  // 95 % of 200 less four standard deviations

@@ -23,4 +23,21 @@ template <class Draw>
   return film;
 }
 
+// relMSE as renderer/image/compare.h has it, of a square grey film to `truth(x, y)`.
+template <class Truth>
+[[nodiscard]] double relmse_to(Truth truth, const Film& film) {
+  const int size = film.full_width();
+  double mean = 0;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) mean += truth(x, y) / (size * size);
+  double sum = 0;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      const double r = truth(x, y);
+      const double error = film.mean(film.index(x, y)).x - r;
+      sum += error * error / (r * r + 1e-2 * mean * mean);
+    }
+  return sum / (size * size);
+}
+
 }  // namespace candela::test

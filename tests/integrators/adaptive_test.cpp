@@ -5,7 +5,7 @@
 #include <random>
 
 #include "integrators/render_rounds.h"
-#include "renderer/sampling/hash.h"
+#include "tests/integrators/synthetic_tile.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
 
@@ -19,20 +19,8 @@ using namespace test;
 // own samples have a say would pass: they are smoothed over too many. Unit_SampleDensity holds that
 // they have none.)
 TileCounts exponential_tile(const TilePass& pass, Film& film) {
-  for (int y = pass.tile.y0; y < pass.tile.y1; ++y)
-    for (int x = pass.tile.x0; x < pass.tile.x1; ++x) {
-      const SampleRange range = pass.of_pixel(x, y);
-      const std::uint64_t pixel =
-          hash_pixel(pass.seed, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
-      for (std::uint32_t s = range.first; s < range.end; ++s) {
-        FilmSample sample;
-        const double u = static_cast<double>(mix_bits(pixel + s) >> 11) * 0x1p-53;
-        sample.radiance = Rgb(static_cast<float>(-std::log(1 - u)));
-        film.add(x, y, sample);
-        film.add_cost(x, y, 1);
-      }
-    }
-  return {};
+  return synthetic_tile(
+      pass, film, [](std::uint64_t bits, int, int) { return -std::log(1 - unit_double(bits)); });
 }
 
 struct MeanAndErrors {

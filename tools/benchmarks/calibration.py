@@ -25,10 +25,12 @@ REFERENCE_SEEDS = (900001, 900002)
 REFERENCE_LENGTH = 64
 # How many times as long it may become where the pictures' error hangs on pixels that it is unsure of.
 LONGER = (1, 8, 64)
+LONGEST = 1 << 20
+# How unsure it may be, as `unsure` tells.
+SURE = .05
 
-
-# Pictures of these differ in their relMSE by factors of hundreds: highlights of small lamps and of
-# the sun, narrower than a pixel. Twenty would say nothing of the mean.
+# Few pictures hold most of the error of these: highlights of small lamps and of the sun, narrower
+# than a pixel. Twenty would say nothing of the mean.
 RARE = ("lab3/sports_car", "pbrt/veach-mis")
 
 
@@ -138,7 +140,6 @@ def with_weight(image, variance):
 
 
 def reference(candela, scene, size, spp):
-    """Seeds of up to 2^20 samples a pixel."""
     import numpy
     if scene.radiance is not None:
         image = numpy.full((size, size, 3), scene.radiance)
@@ -213,10 +214,6 @@ def student_t_95(degrees):
     return 1.96 + 2.37 / degrees + 2.8 / degrees ** 2
 
 
-# Of `unsure`.
-SURE = .05
-
-
 def is_exact(pictures):
     """Where nothing is random, or all is known."""
     return all(p.true == 0 and p.stated == 0 for p in pictures)
@@ -229,7 +226,7 @@ def measured(candela, scene, spp, most, options):
     renders = side_by_side(lambda seed: rendered(candela, scene, spp, seed), range(1, seeds + 1))
     for longer in LONGER:
         truth = reference(candela, scene, size_of(spp),
-                          min(REFERENCE_LENGTH * most * longer, 1 << 20))
+                          min(REFERENCE_LENGTH * most * longer, LONGEST))
         doubt = unsure(renders, truth)
         if doubt <= SURE:
             break
