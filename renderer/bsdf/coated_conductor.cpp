@@ -11,11 +11,16 @@
 namespace candela {
 namespace {
 
+// What a refraction adds to eta^2 cos^2 on the way out of the coat; 0 where it bends nothing, so
+// that what comes in edge-on goes on edge-on.
+float bend_of(float eta) {
+  return (eta - 1) * (eta + 1);
+}
+
 // Within the coat, still upwards.
 Vec3f refracted(const Bsdf& bsdf, const Vec3f& w) {
   const float eta = bsdf.coat->eta();
-  const Vec2f aside = Vec2f(w.x, w.y) / eta;
-  return {aside.x, aside.y, std::sqrt(std::max(0.0f, 1 - dot(aside, aside)))};
+  return Vec3f(w.x, w.y, std::sqrt(bend_of(eta) + square(w.z))) / eta;
 }
 
 // Of all bounces between two smooth layers, without the coat's own reflection.
@@ -78,10 +83,10 @@ BsdfEvaluation evaluate_coated_metal(const Bsdf& bsdf, const Vec3f& wo, const Ve
 Vec3f sample_coated_metal(const Bsdf& bsdf, const Vec3f& wo, Vec2f direction) {
   const Vec3f i = sample_ggx_reflection(refracted(bsdf, wo), bsdf.metal_widths, direction);
   if (!(i.z > 0)) return Vec3f(0);
-  const Vec2f aside = Vec2f(i.x, i.y) * bsdf.coat->eta();
-  const float sin2 = dot(aside, aside);
-  if (!(sin2 < 1)) return Vec3f(0);
-  return {aside.x, aside.y, std::sqrt(1 - sin2)};
+  const float eta = bsdf.coat->eta();
+  const float cos2 = square(eta * i.z) - bend_of(eta);
+  if (!(cos2 > 0)) return Vec3f(0);
+  return {eta * i.x, eta * i.y, std::sqrt(cos2)};
 }
 
 Rgb coated_conductor_albedo(const Bsdf& bsdf, float cos_o) {

@@ -18,7 +18,7 @@ namespace {
 
 using test::Soup;
 
-constexpr double level = 1e-4;  // of each test; the seeds are fixed
+const double level = statistics::sidak_level(0.01, 9);  // of each of this file
 
 // Layers that cover the view of a camera at the origin, at z = -1, -2, ...
 Soup layer(int index) {

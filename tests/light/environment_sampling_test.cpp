@@ -8,6 +8,7 @@
 #include "renderer/sampling/sampler.h"
 #include "tests/light/directions.h"
 #include "tests/light/map_images.h"
+#include "tests/statistics/distributions.h"
 #include "tests/statistics/moments.h"
 
 namespace candela {
@@ -106,13 +107,15 @@ TEST(Statistical_Environment, DensityIntegratesToOne) {
 }
 
 TEST(Statistical_Environment, SamplesFitTheDensity) {
-  for (const NamedMap& m : all_maps()) {
+  const std::vector<NamedMap> maps = all_maps();
+  const double level = statistics::sidak_level(0.01, static_cast<double>(maps.size()));
+  for (const NamedMap& m : maps) {
     const auto sample = [&](Vec2f u) -> std::optional<Vec3f> {
       return sample_environment(m.map.environment, u).direction;
     };
     EXPECT_GT(light_test::chi_square_p_value(Cap{}, 64, 1'000'000, sample,
                                              [&](const Vec3f& d) { return m.map.pdf(d); }),
-              1e-4)
+              level)
         << m.name;
   }
 }
@@ -196,7 +199,7 @@ TEST(Statistical_Environment, SamplesFitTheDensityNextToThePoles) {
     const Cap cap{{{1, 0, 0}, {0, 0, up}, {0, up, 0}}, cos_min};
     EXPECT_GT(light_test::chi_square_p_value(cap, 48, 1'000'000, sample,
                                              [&](const Vec3f& d) { return map.pdf(d); }),
-              1e-4)
+              statistics::sidak_level(0.01, 2))
         << up;
   }
 }

@@ -1,12 +1,14 @@
 // Materials at the ends of their parameters, as scenes name them, for the tests of this folder.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "renderer/material/bsdf_at.h"
+#include "tests/bsdf/bsdf_cases.h"
 
 namespace candela::test {
 
@@ -71,9 +73,55 @@ inline std::vector<MaterialCase> layered_cases(float roughness) {
   return cases;
 }
 
+// Brushed along either axis: as rough as that along it and, across, three times as rough and fully.
+inline std::vector<MaterialCase> anisotropic_cases(float roughness) {
+  std::vector<MaterialCase> cases;
+  const auto add = [&](const std::string& name, Material material) {
+    material.is_anisotropic = true;
+    for (const float across : {std::min(1.0f, 3 * roughness), 1.0f})
+      for (const bool is_turned : {false, true}) {
+        material.roughness.constant = is_turned ? across : roughness;
+        material.roughness_across.constant = is_turned ? roughness : across;
+        for (const bool is_outside : {true, false}) {
+          if (!is_outside && material.model == MaterialModel::Conductor) continue;
+          cases.push_back(
+              {fmt::format("{} from {} roughness {} by {}", name, is_outside ? "outside" : "inside",
+                           material.roughness.constant, material.roughness_across.constant),
+               bsdf_at(material, {}, {}, is_outside)});
+        }
+      }
+  };
+  Material metal;
+  metal.model = MaterialModel::Conductor;
+  metal.eta = Rgb{0.2f};
+  metal.k = Rgb{3.9f};
+  add("brushed metal", metal);
+  for (const float ior : {1.0001f, 1.5f, 1000.0f}) {
+    Material glass;
+    glass.model = MaterialModel::Dielectric;
+    glass.eta = Rgb{ior};
+    add(fmt::format("brushed glass {}", ior), glass);
+  }
+  return cases;
+}
+
+// Coats of this width over white and over metal; beside what is smooth of them there is a delta
+// lobe.
+inline std::vector<MaterialCase> coated_cases(float roughness) {
+  const float coat = roughness >= smallest_ggx_width ? roughness : 0;
+  const float across = std::min(1.0f, 3 * coat);
+  return {
+      {fmt::format("coated diffuse roughness {}", coat),
+       tests::coated_diffuse(coat, coat, Rgb{0.9f})},
+      {fmt::format("brushed coat over diffuse roughness {}", coat),
+       tests::coated_diffuse(coat, across, Rgb{0.9f})},
+      {fmt::format("coated metal roughness {}", coat), tests::coated_conductor(coat, coat)},
+      {fmt::format("coated rough metal roughness {}", coat), tests::coated_conductor(coat, 0.3f)}};
+}
+
 inline std::vector<MaterialCase> all_material_cases(float roughness) {
   std::vector<MaterialCase> cases = conductor_cases(roughness);
-  for (auto* more : {&dielectric_cases, &layered_cases})
+  for (auto* more : {&dielectric_cases, &layered_cases, &anisotropic_cases, &coated_cases})
     for (MaterialCase& c : more(roughness)) cases.push_back(std::move(c));
   return cases;
 }

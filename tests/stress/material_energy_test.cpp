@@ -72,6 +72,9 @@ TEST(Stress_MaterialEnergy, Dielectrics) {
 TEST(Stress_MaterialEnergy, DiffuseUnderSpecular) {
   expect_energy("diffuse under specular", of_all_decades(test::layered_cases));
 }
+TEST(Stress_MaterialEnergy, Brushed) {
+  expect_energy("brushed", of_all_decades(test::anisotropic_cases));
+}
 TEST(Stress_MaterialEnergy, PanesAndMirrors) {
   std::vector<MaterialCase> cases;
   for (const float ior : test::refractive_indices)

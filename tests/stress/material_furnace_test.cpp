@@ -41,6 +41,19 @@ Model glass(double ior, bool is_thin) {
   return material;
 }
 
+Model coat_without_loss() {
+  description::CoatedDiffuseMaterial coated;
+  coated.reflectance.factor = Vec3d(1.0);
+  coated.coat.thickness = 0;
+  return coated;
+}
+Model sheet_without_loss() {
+  description::DiffuseTransmissionMaterial sheet;
+  sheet.reflectance.factor = Vec3d(0.4);
+  sheet.transmittance.factor = Vec3d(0.6);
+  return sheet;
+}
+
 std::vector<Lossless> lossless_materials() {
   description::LabMaterial lab;
   lab.diffuse.factor = Vec3d(1.0);
@@ -48,7 +61,9 @@ std::vector<Lossless> lossless_materials() {
                                {"lab", lab},
                                {"mirror", description::MirrorMaterial{}},
                                {"metal", metal_without_loss()},
-                               {"polish", polish_without_loss()}};
+                               {"polish", polish_without_loss()},
+                               {"coat", coat_without_loss()},
+                               {"sheet", sheet_without_loss()}};
   for (const float ior : refractive_indices) {
     all.push_back({fmt::format("glass {}", ior), glass(double{ior}, false)});
     all.push_back({fmt::format("pane {}", ior), glass(double{ior}, true)});

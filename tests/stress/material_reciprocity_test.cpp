@@ -35,7 +35,8 @@ double refraction_tolerance(const Bsdf& bsdf, const Vec3f& wo, const Vec3f& wi) 
   const Vec3d h = normalize(Vec3d(wo) + eta * Vec3d(wi));
   const double cosine =
       std::min({std::abs(h.z), std::abs(dot(h, Vec3d(wo))), std::abs(dot(h, Vec3d(wi)))});
-  return 3e-6 + turn / double{bsdf.alpha} + turn / cosine;
+  const double width = std::min(bsdf.alpha, bsdf.alpha_across);  // the latter 1 where it is none
+  return 3e-6 + turn / width + turn / cosine;
 }
 
 // Along a direction that the material sends light into.

@@ -56,7 +56,8 @@ std::vector<MaterialCase> narrow_and_odd_cases() {
       if (c.bsdf.eta.x > 100 && roughness < 0.1f) c.bsdf.transmittance = Rgb{0};
       cases.push_back(std::move(c));
     }
-    for (MaterialCase& c : test::layered_cases(roughness)) cases.push_back(std::move(c));
+    for (auto* more : {&test::layered_cases, &test::coated_cases})
+      for (MaterialCase& c : more(roughness)) cases.push_back(std::move(c));
     cases.push_back(
         {fmt::format("conductor roughness {}", roughness), tests::conductor(roughness)});
     cases.push_back({fmt::format("compensated roughness {}", roughness),

@@ -54,7 +54,7 @@ class RandomScene {
   double share() { return one_of({0.0, 0.5, 1.0}); }
 
   decltype(description::Material::model) any_model() {
-    switch (one_of({0, 1, 2, 3, 4, 5})) {
+    switch (one_of({0, 1, 2, 3, 4, 5, 6, 7, 8})) {
       case 0:
         return diffuse(Vec3d(share(), 0.3, 1.0));
       case 1: {
@@ -79,24 +79,61 @@ class RandomScene {
         m.eta = Vec3d(one_of({0.0, 0.2, 1.0, 1.5, 1000.0}));
         m.k = Vec3d(one_of({0.0, 3.9, 100.0}));
         m.roughness.factor = roughness();
-        m.energy_compensation = chance(0.3);
+        if (chance(0.3)) m.roughness_across = description::ScalarInput{roughness(), {}, 0};
+        m.energy_compensation = !m.roughness_across && chance(0.3);
         return m;
       }
       case 4:
         return description::MirrorMaterial{{Vec3d(share()), {}}};
+      case 5: {
+        description::CoatedDiffuseMaterial m;
+        m.reflectance.factor = Vec3d(share());
+        m.coat = any_coat();
+        return m;
+      }
+      case 6: {
+        description::CoatedConductorMaterial m;
+        m.eta = Vec3d(one_of({0.2, 1.5}));
+        m.k = Vec3d(one_of({0.0, 3.9, 100.0}));
+        m.roughness.factor = roughness();
+        if (chance(0.3)) m.roughness_across = description::ScalarInput{roughness(), {}, 0};
+        m.coat = any_coat();
+        return m;
+      }
+      case 7: {
+        description::DiffuseTransmissionMaterial m;
+        m.reflectance.factor = Vec3d(share() / 2);
+        m.transmittance.factor = Vec3d(share() / 2);
+        return m;
+      }
       default: {
         description::DielectricMaterial m;
         m.ior = index();
         m.roughness.factor = roughness();
         m.transmittance = Vec3d(share(), 1.0, 0.2);
         m.is_thin = chance(0.3);
+        if (!m.is_thin && chance(0.3))
+          m.roughness_across = description::ScalarInput{roughness(), {}, 0};
         return m;
       }
     }
   }
+  description::Coat any_coat() {
+    description::Coat coat;
+    coat.ior = one_of({1.0, 1.0001, 1.5, 2.4});
+    coat.roughness.factor = roughness();
+    if (chance(0.3)) coat.roughness_across = description::ScalarInput{roughness(), {}, 0};
+    coat.thickness = one_of({0.0, 0.01, 10.0});
+    coat.max_depth = one_of({0, 2, 10});
+    return coat;
+  }
   description::MaterialHandle any_material() {
-    const auto handle =
-        add_material(scene_, any_model(), chance(0.3) ? Vec3d(strength()) : Vec3d(0.0));
+    auto model = any_model();
+    if (chance(0.1)) {
+      const auto first = add_material(scene_, any_model());
+      model = description::MixMaterial{first, add_material(scene_, model), {share(), {}, 0}};
+    }
+    const auto handle = add_material(scene_, model, chance(0.3) ? Vec3d(strength()) : Vec3d(0.0));
     scene_.materials.back().emits_both_sides = chance(0.5);
     if (chance(0.1)) scene_.materials.back().opacity.factor = 0.5;
     return handle;
@@ -142,7 +179,7 @@ class RandomScene {
 };
 
 TEST(Stress_RandomScenes, NothingIsInvalid) {
-  const std::uint64_t count = is_heavy() ? 3000 : 60;
+  const std::uint64_t count = is_heavy() ? 3000 : 40;
   std::uint64_t samples = 0;
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     const SceneDescription scene = RandomScene(seed).make();
