@@ -86,5 +86,26 @@ TEST(Unit_CoatedConductor, SmoothLayersAreOneMirror) {
   }
 }
 
+// Where nothing bends it, light that comes in edge-on meets the metal edge-on.
+TEST(Unit_CoatedConductor, IsFiniteEdgeOnUnderACoatThatHardlyRefracts) {
+  for (const float eta : {1.0f, 1.0000001f, 1.0001f}) {
+    const CoatTable table(eta, 0, 0);
+    Bsdf bsdf = tests::conductor(0.3f);
+    bsdf.model = BsdfModel::CoatedConductor;
+    bsdf.alpha = bsdf.alpha_across = 0;
+    bsdf.coat = &table;
+    bsdf.metal_widths = Vec2f(0.3f);
+    for (const float cos_o : {1e-2f, 1e-4f, 1e-6f, 1e-12f})
+      for (const float cos_i : {1.0f, 1e-4f, 1e-12f}) {
+        const Vec3f wo = direction_of(cos_o, 0);
+        const Vec3f wi = direction_of(cos_i, 3);
+        const BsdfEvaluation there = evaluate_bsdf(bsdf, wo, wi);
+        const BsdfEvaluation back = evaluate_bsdf(bsdf, wi, wo);
+        ASSERT_TRUE(is_finite(there.value) && std::isfinite(there.pdf)) << eta << ' ' << cos_o;
+        EXPECT_NEAR(there.value.y * cos_o, back.value.y * cos_i, 1e-6f * there.value.y * cos_o);
+      }
+  }
+}
+
 }  // namespace
 }  // namespace candela

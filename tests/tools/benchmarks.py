@@ -15,6 +15,7 @@ sys.path += [str(ROOT / "tools" / "benchmarks"), str(ROOT / "tools" / "dev" / "s
 import ablation  # noqa: E402
 import before  # noqa: E402
 import budget  # noqa: E402
+import calibration  # noqa: E402
 import callgrind  # noqa: E402
 import fits  # noqa: E402
 import limit  # noqa: E402
@@ -136,6 +137,17 @@ def errors(shape, reference_noise, picture_noise):
 def perf(report):
     return [(share, limit.kind_of(where, what), limit.short(what))
             for share, where, what in limit.perf_shares(report)]
+
+
+def calibration_misses(rows, stop_rows):
+    """`rows`: [[is analytic, samples, stated / true, pixels covered or null], ...]; `stop_rows`:
+    [[share of at most 1.1, of at least .8], ...]"""
+    rows = [{"scene": "s", "is_analytic": analytic, "spp": spp, "stated_over_true": ratio,
+             "plus_minus": .1, "pixels_covered": float("nan") if covered is None else covered}
+            for analytic, spp, ratio, covered in json.loads(rows)]
+    stop_rows = [{"scene": "s", "goal": .1, "at_most_1.1": most, "at_least_0.8": least}
+                 for most, least in json.loads(stop_rows)]
+    return list(calibration.misses(rows, stop_rows))
 
 
 def page(folder, rows):

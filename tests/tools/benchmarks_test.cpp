@@ -103,6 +103,23 @@ TEST_F(Unit_Benchmarks, SpreadsAreMedianAndRange) {
   EXPECT_NEAR(ask({"geometric_mean", "[2, 8]"}), 4, 1e-12);
 }
 
+// Ratios count from 16 samples on, pixels' intervals from 64 on, closer ones where the truth is known.
+TEST_F(Unit_Benchmarks, CalibrationTellsWhichGoalsItMisses) {
+  const auto misses = [](const std::string& rows, const std::string& stops) {
+    return ask({"calibration_misses", rows, stops}).size();
+  };
+  EXPECT_EQ(misses("[[true, 64, 1, 0.95], [false, 64, 1, 0.91], [false, 64, 0.81, null]]",
+                   "[[0.95, 1]]"),
+            0u);
+  EXPECT_EQ(misses("[[false, 4, 3, 0.5], [false, 16, 1, 0.5], [false, 64, 1, 0.95]]", "[]"), 0u);
+  EXPECT_EQ(misses("[[false, 16, 1.26, 0.95], [false, 64, 1, 0.95], [false, 64, 1, 0.9]]", "[]"),
+            1u);
+  EXPECT_EQ(misses("[[true, 64, 1, 0.92]]", "[]"), 1u);
+  EXPECT_EQ(misses("[[false, 64, 1, 0.89]]", "[]"), 1u);
+  EXPECT_EQ(misses("[[false, 64, 1.06, 0.95]]", "[]"), 1u) << "the median";
+  EXPECT_EQ(misses("[]", "[[0.94, 0.94]]"), 2u);
+}
+
 // Straight in logarithms between points; nothing beyond them.
 TEST_F(Unit_Benchmarks, TimesToAnErrorAreInterpolatedOnly) {
   EXPECT_NEAR(ask({"x_where", "0.01", "[1, 4, 16]", "[0.1, 0.04, 0.0025]"}), 8, 1e-9);
