@@ -95,7 +95,10 @@ template <FeatureSet F, class A>
                                 counts);
   }
   if (!flight.hit.is_hit()) {
-    add_environment<F>(scene, context.options, bounce, ray.direction, path);
+    if (sees_environment(scene, context.options, bounce))
+      add_environment<F>(scene, context.options, ray.direction,
+                         environment_radiance(*scene.environment, scene.textures, ray.direction),
+                         path);
     if (bounce == 0) alpha = 0;
     return false;
   }

@@ -50,15 +50,18 @@ inline void add_met_light(const RenderOptions& options, const Rgb& radiance, flo
   path.radiance += path.throughput * radiance * weight;
 }
 
+// Whether rays that leave the scene meet light.
+[[nodiscard]] inline bool sees_environment(const Scene& scene, const RenderOptions& options,
+                                           std::uint32_t bounce) {
+  if (!scene.environment) return false;
+  return bounce > 0 || (!options.transparent && scene.environment->is_seen_by_camera);
+}
+
 // Light from a ray that left the scene.
 template <FeatureSet F>
-inline void add_environment(const Scene& scene, const RenderOptions& options, std::uint32_t bounce,
-                            const Vec3f& wi, PathState& path) {
-  if (!scene.environment) return;
+inline void add_environment(const Scene& scene, const RenderOptions& options, const Vec3f& wi,
+                            const Rgb& radiance, PathState& path) {
   const Environment& environment = *scene.environment;
-  if (bounce == 0 && (options.transparent || !environment.is_seen_by_camera)) return;
-  Rgb radiance =
-      environment_radiance(environment, scene.textures, environment_point(environment, wi));
   const bool is_unsampled = path.is_delta || scene.environment_light == Light::none;
   const float pdf = is_unsampled ? 0.0f
                                  : environment_pdf(environment, wi) *

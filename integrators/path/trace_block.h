@@ -9,6 +9,10 @@
 
 namespace candela {
 
+[[nodiscard]] inline Coherence coherence_of(std::uint32_t bounce) {
+  return bounce == 0 ? Coherence::Coherent : Coherence::Incoherent;
+}
+
 // Where the rays of the paths end. Only whole blocks are traced as packets: of surfaces in the very
 // same place a packet may meet another one than a single ray, and so may a packet with other lanes.
 template <class A>
@@ -17,8 +21,7 @@ template <class A>
   constexpr std::uint32_t fewest_of_packet = 4;
   if (!is_whole || lane_count(lanes) < fewest_of_packet)
     return intersect_one_by_one(accelerator, rays, lanes);
-  return accelerator.intersect(rays, lanes,
-                               bounce == 0 ? Coherence::Coherent : Coherence::Incoherent);
+  return accelerator.intersect(rays, lanes, coherence_of(bounce));
 }
 
 template <FeatureSet F, class A>
@@ -109,32 +112,58 @@ template <FeatureSet F, class A>
   return arriving;
 }
 
-// Adds what the shadow rays bring. Skies are looked up one right after the other, as below.
+// Calls use(i, radiance) with what the sky sends from the given lanes' directions. Where those are
+// not side by side, all of its texels are asked for before the first is looked at, so that their
+// waits overlap.
+template <class Use>
+inline void for_each_sky_radiance(const Scene& scene, LaneMask lanes, const Vec3Lanes& directions,
+                                  Coherence coherence, const Use& use) {
+  const Environment& sky = *scene.environment;
+  if (coherence == Coherence::Coherent || sky.is_constant()) {
+    for_each_lane(lanes, [&](std::uint32_t i) {
+      use(i, environment_radiance(sky, scene.textures, directions[i]));
+    });
+    return;
+  }
+  std::array<EnvironmentPoint, block_size> points;
+  for_each_lane(lanes, [&](std::uint32_t i) {
+    points[i] = environment_point(sky, directions[i]);
+    prefetch_radiance(sky, scene.textures, points[i]);
+  });
+  for_each_lane(lanes, [&](std::uint32_t i) {
+    use(i, environment_radiance(sky, scene.textures, points[i]));
+  });
+}
+
+// Adds what the shadow rays bring.
 template <FeatureSet F, class A>
 inline void add_direct_light(const PathContext<A>& context, const LanesAfterStep& after,
                              PathBlock& block, TileCounts& counts) {
   const LaneMask arriving = trace_shadow_rays<F>(context, after.shadow_rays, block, counts);
-  for_each_lane(arriving & after.sky_rays, [&](std::uint32_t i) {
-    const Rgb radiance = environment_radiance(*context.scene.environment, context.scene.textures,
-                                              block.shadow_rays.direction[i]);
-    block.unshadowed.set(i, block.unshadowed[i] * radiance);
-  });
+  if (const LaneMask sky = arriving & after.sky_rays; sky != 0)
+    for_each_sky_radiance(context.scene, sky, block.shadow_rays.direction, Coherence::Incoherent,
+                          [&](std::uint32_t i, const Rgb& radiance) {
+                            block.unshadowed.set(i, block.unshadowed[i] * radiance);
+                          });
   if (arriving != 0) add_unshadowed(arriving, block);
 }
 
-// Ends the paths whose rays left the scene, one right after the other, so that their waits for the
-// sky's texels overlap; returns the others. (Within a medium a ray may collide before it leaves.)
+// Ends the paths whose rays left the scene; returns the others. (Within a medium a ray may collide
+// before it leaves.)
 template <FeatureSet F, class A>
 [[nodiscard]] inline LaneMask end_in_environment(const PathContext<A>& context, LaneMask alive,
                                                  std::uint32_t bounce, const HitBlock& hits,
                                                  PathBlock& block) {
   const LaneMask ended = lanes_without_medium<F>(block, alive) & ~hits.met;
-  for_each_lane(ended, [&](std::uint32_t i) {
-    PathState path = block.paths[i];
-    add_environment<F>(context.scene, context.options, bounce, block.rays.direction[i], path);
-    block.paths.radiance.set(i, path.radiance);
-    if (bounce == 0) block.alpha[i] = 0;
-  });
+  if (bounce == 0) for_each_lane(ended, [&](std::uint32_t i) { block.alpha[i] = 0; });
+  if (ended != 0 && sees_environment(context.scene, context.options, bounce))
+    for_each_sky_radiance(context.scene, ended, block.rays.direction, coherence_of(bounce),
+                          [&](std::uint32_t i, const Rgb& radiance) {
+                            PathState path = block.paths[i];
+                            add_environment<F>(context.scene, context.options,
+                                               block.rays.direction[i], radiance, path);
+                            block.paths.radiance.set(i, path.radiance);
+                          });
   return alive & ~ended;
 }
 

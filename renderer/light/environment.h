@@ -70,10 +70,6 @@ namespace environment_detail {
 [[nodiscard]] inline Vec2f uv_of(Vec2f st) {
   return {st.x, 1 - st.y};
 }
-[[nodiscard]] inline Rgb look_up(const Environment& e, const TextureStore& textures, int face,
-                                 Vec2f st) {
-  return e.scale * image_radiance(textures, e.faces[static_cast<std::size_t>(face)], uv_of(st));
-}
 
 }  // namespace environment_detail
 
@@ -98,30 +94,43 @@ struct EnvironmentPoint {
   return {};
 }
 
+namespace environment_detail {
+
+struct FilePlace {
+  std::size_t face = 0;
+  Vec2f uv{0};
+};
+// Of a point on a map.
+[[nodiscard]] inline FilePlace file_place(const Environment& environment,
+                                          const EnvironmentPoint& point) {
+  const auto& [cube, st] = point;
+  if (environment.mapping == EnvironmentMapping::Cube) {
+    const auto face = static_cast<std::size_t>(cube.face);
+    Vec2f inset = environment.half_texel[face];
+    return {face, uv_of(glm::clamp(cube.st, inset, Vec2f(1) - inset))};
+  }
+  Vec2f inset = environment.half_texel[0];
+  if (environment.mapping == EnvironmentMapping::LatLong)  // columns wrap, rows do not
+    return {0, uv_of({st.x, glm::clamp(st.y, inset.y, 1 - inset.y)})};
+  return {0, uv_of(glm::clamp(st, inset, Vec2f(1) - inset))};
+}
+
+}  // namespace environment_detail
+
 // Radiance arriving from a direction.
 [[nodiscard]] inline Rgb environment_radiance(const Environment& environment,
                                               const TextureStore& textures,
                                               const EnvironmentPoint& point) {
-  using namespace environment_detail;
-  const auto& [cube, st] = point;
-  switch (environment.mapping) {
-    case EnvironmentMapping::Constant:
-      return environment.scale;
-    case EnvironmentMapping::Cube: {
-      Vec2f inset = environment.half_texel[static_cast<std::size_t>(cube.face)];
-      return look_up(environment, textures, cube.face,
-                     glm::clamp(cube.st, inset, Vec2f(1) - inset));
-    }
-    case EnvironmentMapping::LatLong: {
-      const float inset = environment.half_texel[0].y;  // columns wrap, rows do not
-      return look_up(environment, textures, 0, {st.x, glm::clamp(st.y, inset, 1 - inset)});
-    }
-    case EnvironmentMapping::EqualArea: {
-      Vec2f inset = environment.half_texel[0];
-      return look_up(environment, textures, 0, glm::clamp(st, inset, Vec2f(1) - inset));
-    }
-  }
-  return Rgb(0);
+  if (environment.is_constant()) return environment.scale;
+  const auto [face, uv] = environment_detail::file_place(environment, point);
+  return environment.scale * image_radiance(textures, environment.faces[face], uv);
+}
+// Asks the memory for it, and waits for nothing.
+inline void prefetch_radiance(const Environment& environment, const TextureStore& textures,
+                              const EnvironmentPoint& point) {
+  if (environment.is_constant()) return;
+  const auto [face, uv] = environment_detail::file_place(environment, point);
+  textures.prefetch(environment.faces[face], uv);
 }
 [[nodiscard]] inline Rgb environment_radiance(const Environment& environment,
                                               const TextureStore& textures,

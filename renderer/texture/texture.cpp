@@ -68,6 +68,15 @@ class Texture {
     return filters_.all(view_, footprint_of(uv, view_.width, view_.height, wrap_));
   }
 
+  void prefetch(Vec2f uv) const {
+    if (!is_ready_.load(std::memory_order_acquire) || is_special_) return;
+    const auto [column, row] = footprint_of(uv, view_.width, view_.height, wrap_);
+    for (const std::int32_t y : {row.first, row.second}) {
+      const std::ptrdiff_t texel = std::ptrdiff_t{y} * view_.width + column.first;
+      if (texel >= 0) __builtin_prefetch(view_.samples + texel * texel_bytes_);
+    }
+  }
+
   [[nodiscard]] float lookup_alpha(const TextureStore& store, Vec2f uv, const TexturePoint* at) {
     if (!is_ready_.load(std::memory_order_acquire)) prepare();
     if (is_special_) return special(store, uv, at).w;
@@ -93,6 +102,8 @@ class Texture {
     std::call_once(prepare_once_, [this] {
       const TexelArray& texels = file_->texels();
       view_ = {texels.samples.get(), texels.width, texels.height};
+      texel_bytes_ =
+          static_cast<std::ptrdiff_t>(texels.channels * static_cast<int>(size_of(texels.type)));
       filters_ = texel_filters(texels.type, texels.channels, encoding_, wrap_ == Wrap::Black);
       is_special_ = is_single_texel(texels);
       if (is_special_) constant_ = filters_.all(view_, Footprint{});
@@ -106,6 +117,7 @@ class Texture {
   Encoding encoding_ = Encoding::Linear;
   Wrap wrap_ = Wrap::Repeat;
   TexelView view_;
+  std::ptrdiff_t texel_bytes_ = 0;
   TexelFilters filters_;
   Vec4f constant_{0};
   std::unique_ptr<const Procedural> procedural_;
@@ -180,6 +192,10 @@ bool TextureStore::is_image(TextureHandle texture) const {
 
 Vec4f TextureStore::lookup(TextureHandle texture, Vec2f uv) const {
   return textures_[texture.index]->lookup(*this, uv, nullptr);
+}
+
+void TextureStore::prefetch(TextureHandle texture, Vec2f uv) const {
+  textures_[texture.index]->prefetch(uv);
 }
 
 float TextureStore::lookup_alpha(TextureHandle texture, Vec2f uv) const {

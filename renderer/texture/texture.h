@@ -64,6 +64,8 @@ class TextureStore {
   // but as the file stores it. Wrap::Black has alpha 0 outside where the file has alpha.
   // Stored values that are not finite count as 0; decoding_diagnostics() says how many there were.
   [[nodiscard]] Vec4f lookup(TextureHandle texture, Vec2f uv) const;
+  // Asks the memory for what lookup() of the same place will read, and waits for nothing.
+  void prefetch(TextureHandle texture, Vec2f uv) const;
   // lookup().w, without the work for colour.
   [[nodiscard]] float lookup_alpha(TextureHandle texture, Vec2f uv) const;
   // The same of textures that may look at more than uv.

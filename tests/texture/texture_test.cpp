@@ -126,6 +126,7 @@ TEST(Unit_Texture, AnyFloatIsACoordinate) {
                           8388607.5f, -8388607.5f, -1e-10f, -1e-40f, 1.0f, 0.99999994f, -0.0f})
       for (const float v : {0.3f, u}) {
         const Vec4f found = store.lookup(texture, {u, v});
+        store.prefetch(texture, {u, v});
         for (int c = 0; c < 4; ++c) {
           EXPECT_GE(found[c], 0) << u;
           EXPECT_LE(found[c], 1) << u;
@@ -257,7 +258,8 @@ TEST(Unit_TextureStore, EqualRequestsAreOneAndEqualPathsShareTheirPixels) {
   EXPECT_NE(other, first);
   EXPECT_NE(added(store, path, Encoding::Linear, Wrap::Clamp), first);
   EXPECT_EQ(store.size(), 3u);
-  EXPECT_FALSE(store.is_decoded(first));
+  store.prefetch(first, {0, 0});
+  EXPECT_FALSE(store.is_decoded(first)) << "nor does asking the memory";
   EXPECT_EQ(store.decoded_bytes(), 0u);
   (void)store.lookup(other, {0, 0});
   EXPECT_TRUE(store.is_decoded(first));
