@@ -26,6 +26,10 @@ REFERENCE_LENGTH = 64
 # How many times as long it may become where the pictures' error hangs on pixels that it is unsure of.
 LONGER = (1, 8, 64)
 LONGEST = 1 << 20
+# A pixel that holds so much of the pictures' error gets reference samples of its own: the level that
+# its error is held against decides then, and light that one of 10^5 samples meets can be half of it.
+HEAVY_SHARE = .01
+HEAVY_PIXEL_SPP = 1 << 22
 # How unsure it may be, as `unsure` tells.
 SURE = .05
 
@@ -154,6 +158,33 @@ def reference(candela, scene, size, spp):
     return with_weight(sum(p[0] for p in parts) / count, sum(p[1] for p in parts) / count ** 2)
 
 
+def errors_of_pixels(renders, truth):
+    """What each brings to the error of all pictures."""
+    return sum(((r.image - truth.image) ** 2 - truth.variance) * truth.weight
+               for r in renders).mean(axis=2)
+
+
+def with_heavy_pixels(candela, scene, size, renders, truth):
+    import numpy
+    if scene.radiance is not None:
+        return truth
+    errors = errors_of_pixels(renders, truth)
+    heavy = [tuple(map(int, at)) for at in numpy.argwhere(errors > HEAVY_SHARE * errors.sum())]
+
+    def closely(at):
+        y, x = at
+        return layers(candela.cached(
+            f"reference_{safe(scene.name)}_{size}_pixel_{x}_{y}", scene.path, integrator="path",
+            size=square(size), crop=f"{x},{y},{x + 1},{y + 1}", spp=HEAVY_PIXEL_SPP,
+            seed=REFERENCE_SEEDS[0], replicates=16, threads=1, adaptive="off",
+            aov="variance,heavy_tail"))
+
+    image, variance = truth.image.copy(), truth.variance.copy()
+    for at, (mean_of_pixel, variance_of_pixel, _) in zip(heavy, side_by_side(closely, heavy)):
+        image[at], variance[at] = mean_of_pixel[0, 0], variance_of_pixel[0, 0]
+    return with_weight(image, variance)
+
+
 @dataclasses.dataclass
 class Rendered:
     image: "numpy.ndarray"
@@ -227,6 +258,7 @@ def measured(candela, scene, spp, most, options):
     for longer in LONGER:
         truth = reference(candela, scene, size_of(spp),
                           min(REFERENCE_LENGTH * most * longer, LONGEST))
+        truth = with_heavy_pixels(candela, scene, size_of(spp), renders, truth)
         doubt = unsure(renders, truth)
         if doubt <= SURE:
             break
