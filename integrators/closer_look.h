@@ -13,7 +13,7 @@ namespace candela {
 
 class CloserLook {
  public:
-  // `is_over`: asked between parts whether to leave it at what has been seen.
+  // `options` outlive it. `is_over`: asked between parts whether to leave it at what has been seen.
   CloserLook(const RenderOptions& options, TileFunction render_tile, std::function<bool()> is_over);
 
   // Looks at the pixels of `film` that need it, and replaces the errors of all that were looked at

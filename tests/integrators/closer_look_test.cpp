@@ -171,7 +171,8 @@ TEST(Unit_CloserLook, SpendsItsBudgetOnTheWorst) {
   const PixelErrors before = *estimate_pixel_errors(tiny);
   ASSERT_EQ(doubtful_pixels(tiny, before).size(), 2u);
   PixelErrors errors = before;
-  CloserLook look(settings_of(4, 64, 5).options, flashing_tile, never);
+  const RenderSettings settings = settings_of(4, 64, 5);
+  CloserLook look(settings.options, flashing_tile, never);
   look.correct(tiny, {}, errors);
   EXPECT_EQ(look.samples(), 4u * 4 * 64);  // four times those of the picture
   EXPECT_EQ(errors.errors[0], before.errors[0]);
