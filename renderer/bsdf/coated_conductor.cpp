@@ -11,7 +11,7 @@
 namespace candela {
 namespace {
 
-// What a refraction adds to eta^2 cos^2 on the way out of the coat; 0 where it bends nothing, so
+// Snell: eta^2 cos^2 within the coat is so much more than cos^2 outside. 0 where nothing bends, so
 // that what comes in edge-on goes on edge-on.
 float bend_of(float eta) {
   return (eta - 1) * (eta + 1);

@@ -73,7 +73,8 @@ class Texture {
     const auto [column, row] = footprint_of(uv, view_.width, view_.height, wrap_);
     for (const std::int32_t y : {row.first, row.second}) {
       const std::ptrdiff_t texel = std::ptrdiff_t{y} * view_.width + column.first;
-      if (texel >= 0) __builtin_prefetch(view_.samples + texel * texel_bytes_);
+      if (texel < 0) continue;
+      __builtin_prefetch(view_.samples + static_cast<std::size_t>(texel) * texel_bytes_);
     }
   }
 
@@ -102,8 +103,7 @@ class Texture {
     std::call_once(prepare_once_, [this] {
       const TexelArray& texels = file_->texels();
       view_ = {texels.samples.get(), texels.width, texels.height};
-      texel_bytes_ =
-          static_cast<std::ptrdiff_t>(texels.channels * static_cast<int>(size_of(texels.type)));
+      texel_bytes_ = static_cast<std::size_t>(texels.channels) * size_of(texels.type);
       filters_ = texel_filters(texels.type, texels.channels, encoding_, wrap_ == Wrap::Black);
       is_special_ = is_single_texel(texels);
       if (is_special_) constant_ = filters_.all(view_, Footprint{});
@@ -117,7 +117,7 @@ class Texture {
   Encoding encoding_ = Encoding::Linear;
   Wrap wrap_ = Wrap::Repeat;
   TexelView view_;
-  std::ptrdiff_t texel_bytes_ = 0;
+  std::size_t texel_bytes_ = 0;
   TexelFilters filters_;
   Vec4f constant_{0};
   std::unique_ptr<const Procedural> procedural_;

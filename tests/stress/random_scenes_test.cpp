@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <random>
 
 #include "renderer/math/constants.h"
@@ -79,7 +80,7 @@ class RandomScene {
         m.eta = Vec3d(one_of({0.0, 0.2, 1.0, 1.5, 1000.0}));
         m.k = Vec3d(one_of({0.0, 3.9, 100.0}));
         m.roughness.factor = roughness();
-        if (chance(0.3)) m.roughness_across = description::ScalarInput{roughness(), {}, 0};
+        m.roughness_across = any_across();
         m.energy_compensation = !m.roughness_across && chance(0.3);
         return m;
       }
@@ -96,7 +97,7 @@ class RandomScene {
         m.eta = Vec3d(one_of({0.2, 1.5}));
         m.k = Vec3d(one_of({0.0, 3.9, 100.0}));
         m.roughness.factor = roughness();
-        if (chance(0.3)) m.roughness_across = description::ScalarInput{roughness(), {}, 0};
+        m.roughness_across = any_across();
         m.coat = any_coat();
         return m;
       }
@@ -112,17 +113,21 @@ class RandomScene {
         m.roughness.factor = roughness();
         m.transmittance = Vec3d(share(), 1.0, 0.2);
         m.is_thin = chance(0.3);
-        if (!m.is_thin && chance(0.3))
-          m.roughness_across = description::ScalarInput{roughness(), {}, 0};
+        if (!m.is_thin) m.roughness_across = any_across();
         return m;
       }
     }
+  }
+  // A second width, or none.
+  std::optional<description::ScalarInput> any_across() {
+    if (!chance(0.3)) return std::nullopt;
+    return description::ScalarInput{roughness(), {}, 0};
   }
   description::Coat any_coat() {
     description::Coat coat;
     coat.ior = one_of({1.0, 1.0001, 1.5, 2.4});
     coat.roughness.factor = roughness();
-    if (chance(0.3)) coat.roughness_across = description::ScalarInput{roughness(), {}, 0};
+    coat.roughness_across = any_across();
     coat.thickness = one_of({0.0, 0.01, 10.0});
     coat.max_depth = one_of({0, 2, 10});
     return coat;

@@ -22,6 +22,7 @@ import limit  # noqa: E402
 import main  # noqa: E402
 import numpy  # noqa: E402
 import peers  # noqa: E402
+import references  # noqa: E402
 import results  # noqa: E402
 import truth  # noqa: E402
 
@@ -123,8 +124,8 @@ def errors(shape, reference_noise, picture_noise):
     random = numpy.random.RandomState(1)
     shape = (*json.loads(shape), 3)
     noise, own = float(reference_noise), float(picture_noise)
-    right = truth.with_weight(2 + noise * random.standard_normal(shape),
-                              numpy.full(shape, noise ** 2))
+    right = references.with_weight(2 + noise * random.standard_normal(shape),
+                                   numpy.full(shape, noise ** 2))
     image = 2 + own * random.standard_normal(shape)
     expected = own ** 2 / (4 * 1.01)
     firefly = image.copy()

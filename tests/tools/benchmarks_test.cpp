@@ -103,7 +103,7 @@ TEST_F(Unit_Benchmarks, SpreadsAreMedianAndRange) {
   EXPECT_NEAR(ask({"geometric_mean", "[2, 8]"}), 4, 1e-12);
 }
 
-// Ratios count from 16 samples on, pixels' intervals from 64 on, closer ones where the truth is known.
+// Ratios count from 16 samples on, pixels' intervals from 64 on, closer ones where truth is known.
 TEST_F(Unit_Benchmarks, CalibrationTellsWhichGoalsItMisses) {
   const auto misses = [](const std::string& rows, const std::string& stops) {
     return ask({"calibration_misses", rows, stops}).size();

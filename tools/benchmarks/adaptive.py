@@ -5,14 +5,15 @@ import math
 import pathlib
 import statistics
 
-from calibration import layers, safe, side_by_side, square, with_weight, write_csv
+from chosen_scenes import safe
 from fits import error_rate, times_to_same_error
+from references import layers, reference, square
 from renders import Candela
+from results import write_csv
 
 ABOUT = "what adaptive sampling gains: error and CPU time with it over those without"
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-REFERENCE_SEEDS = (900001, 900002)
 REFERENCE_FACTOR = 32  # samples over those of the largest count
 AOVS = "variance,heavy_tail"
 
@@ -22,16 +23,6 @@ def add_arguments(parser):
     parser.add_argument("--seeds", type=int, default=6, help="pictures a case (6)")
     parser.add_argument("--size", type=int, default=96, help="pixels a side (96)")
     parser.add_argument("--spp", default="128,512", help="counts, by comma (128,512)")
-
-
-def reference(candela, name, path, size, spp):
-    parts = side_by_side(
-        lambda seed: layers(candela.cached(f"reference_{safe(name)}_{size}_{spp}_{seed}", path,
-                                           integrator="path", size=square(size), spp=spp,
-                                           seed=seed, threads=1, filter="box", adaptive="off",
-                                           aov=AOVS)),
-        REFERENCE_SEEDS)
-    return with_weight(sum(p[0] for p in parts) / 2, sum(p[1] for p in parts) / 4)
 
 
 def measure(candela, path, truth, size, spp, seeds):
@@ -82,7 +73,9 @@ def run(options):
     for name, path in scenes_by_name(ROOT).items():
         if options.scenes and name not in options.scenes:
             continue
-        truth = reference(candela, name, path, options.size, REFERENCE_FACTOR * max(counts))
+        spp = REFERENCE_FACTOR * max(counts)
+        truth = reference(candela, f"reference_{safe(name)}_{options.size}_{spp}", path,
+                          integrator="path", size=square(options.size), spp=spp, filter="box")
         for spp in counts:
             row = row_of(name, spp, measure(candela, path, truth, options.size, spp, options.seeds))
             rows.append(row)

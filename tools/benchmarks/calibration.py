@@ -4,30 +4,30 @@ The true relMSE is measured against a long reference of other seeds, whose own v
 off; the stated one is what the program says of itself. docs/accuracy.md tells what came out."""
 
 import argparse
-import concurrent.futures
-import csv
 import dataclasses
 import math
-import os
 import pathlib
 import sys
 
 import analytic_scenes
+from chosen_scenes import safe
+from references import (SEEDS, layers, reference, rendered_once, side_by_side, square,
+                        with_weight)
 from renders import Candela
+from results import write_csv
 
 ABOUT = "the stated error against the true one"
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-REFERENCE_SEEDS = (900001, 900002)
 # Samples a pixel of each seed over those of the longest picture measured with it. Adaptive pictures
 # have up to ten times the mean where they are noisiest, and light rarer than the reference's
 # samples would count as an error of those that met it.
 REFERENCE_LENGTH = 64
-# How many times as long it may become where the pictures' error hangs on pixels that it is unsure of.
+# How many times as long it may become where pictures' error hangs on pixels that it is unsure of.
 LONGER = (1, 8, 64)
 LONGEST = 1 << 20
 # A pixel that holds so much of the pictures' error gets reference samples of its own: the level that
-# its error is held against decides then, and light that one of 10^5 samples meets can be half of it.
+# its error is held against decides then, and rare light can be half of it.
 HEAVY_SHARE = .01
 HEAVY_PIXEL_SPP = 1 << 22
 # How unsure it may be, as `unsure` tells.
@@ -69,27 +69,6 @@ class Scene:
     radiance: float = None  # of every pixel, where it is known
 
 
-@dataclasses.dataclass
-class Reference:
-    image: "numpy.ndarray"
-    variance: "numpy.ndarray"  # of the image
-    weight: "numpy.ndarray"  # 1 / (r^2 + epsilon)
-
-    def relmse(self, image):
-        """As candela compare, without the reference's own noise."""
-        return float((((image - self.image) ** 2 - self.variance) * self.weight).mean())
-
-    def noisy(self):
-        """Where rounding is not all that a picture can be wrong by, as on a constant background."""
-        import numpy
-        if not self.variance.any():
-            return numpy.ones_like(self.image, bool)
-        return self.variance > 1e-12 * self.image ** 2
-
-    def own_relmse(self):
-        return float((self.variance * self.weight).mean())
-
-
 def all_scenes(options):
     from scenes import pbrt_scenes, scenes_by_name
     found = scenes_by_name(ROOT) | pbrt_scenes(ROOT)
@@ -107,28 +86,6 @@ def size_of(spp):
     return 48 if spp <= 64 else 24
 
 
-def square(size):
-    return f"{size}x{size}"
-
-
-def side_by_side(work, items):
-    """One thread each: small pictures gain nothing from more."""
-    with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
-        return list(pool.map(work, items))
-
-
-def safe(name):
-    return name.replace("/", "_")
-
-
-def layers(render, spread="variance"):
-    """The picture, its variance (or interval), and the mask of heavy tails."""
-    from exr import read_channels, stacked
-    channels = read_channels(render.exr)
-    return (stacked(channels, "RGB"), stacked(channels, [f"{spread}.{c}" for c in "RGB"]),
-            channels["heavy_tail.V"] > 0)
-
-
 def unsure(renders, truth):
     """How unsure the reference is of the pixels that these pictures' error hangs on: its variance over
     the square of the level, on average by the error."""
@@ -138,46 +95,29 @@ def unsure(renders, truth):
     return float((errors * doubt).sum() / errors.sum()) if errors.any() else 0
 
 
-def with_weight(image, variance):
-    epsilon = 1e-2 * image.mean() ** 2
-    return Reference(image, variance, 1 / (image ** 2 + epsilon))
-
-
-def reference(candela, scene, size, spp):
+def truth_of(candela, scene, size, spp):
     import numpy
     if scene.radiance is not None:
         image = numpy.full((size, size, 3), scene.radiance)
         return with_weight(image, numpy.zeros_like(image))
-    parts = side_by_side(
-        lambda seed: layers(candela.cached(f"reference_{safe(scene.name)}_{size}_{spp}_{seed}",
-                                           scene.path, integrator="path", size=square(size),
-                                           spp=spp, seed=seed, replicates=16, threads=1,
-                                           adaptive="off", aov="variance,heavy_tail")),
-        REFERENCE_SEEDS)
-    count = len(parts)
-    return with_weight(sum(p[0] for p in parts) / count, sum(p[1] for p in parts) / count ** 2)
-
-
-def errors_of_pixels(renders, truth):
-    """What each brings to the error of all pictures."""
-    return sum(((r.image - truth.image) ** 2 - truth.variance) * truth.weight
-               for r in renders).mean(axis=2)
+    return reference(candela, f"reference_{safe(scene.name)}_{size}_{spp}", scene.path,
+                     integrator="path", size=square(size), spp=spp, replicates=16)
 
 
 def with_heavy_pixels(candela, scene, size, renders, truth):
+    """References of their own for the pixels that hold much of the pictures' error."""
     import numpy
     if scene.radiance is not None:
         return truth
-    errors = errors_of_pixels(renders, truth)
+    errors = sum(truth.errors(r.image) for r in renders).mean(axis=2)
     heavy = [tuple(map(int, at)) for at in numpy.argwhere(errors > HEAVY_SHARE * errors.sum())]
 
     def closely(at):
         y, x = at
-        return layers(candela.cached(
-            f"reference_{safe(scene.name)}_{size}_pixel_{x}_{y}", scene.path, integrator="path",
-            size=square(size), crop=f"{x},{y},{x + 1},{y + 1}", spp=HEAVY_PIXEL_SPP,
-            seed=REFERENCE_SEEDS[0], replicates=16, threads=1, adaptive="off",
-            aov="variance,heavy_tail"))
+        return rendered_once(candela, f"reference_{safe(scene.name)}_{size}_pixel_{x}_{y}",
+                             scene.path, integrator="path", size=square(size),
+                             crop=f"{x},{y},{x + 1},{y + 1}", spp=HEAVY_PIXEL_SPP, seed=SEEDS[0],
+                             replicates=16)
 
     image, variance = truth.image.copy(), truth.variance.copy()
     for at, (mean_of_pixel, variance_of_pixel, _) in zip(heavy, side_by_side(closely, heavy)):
@@ -256,8 +196,8 @@ def measured(candela, scene, spp, most, options):
     seeds = options.rare_seeds if scene.name in RARE else options.seeds
     renders = side_by_side(lambda seed: rendered(candela, scene, spp, seed), range(1, seeds + 1))
     for longer in LONGER:
-        truth = reference(candela, scene, size_of(spp),
-                          min(REFERENCE_LENGTH * most * longer, LONGEST))
+        truth = truth_of(candela, scene, size_of(spp),
+                         min(REFERENCE_LENGTH * most * longer, LONGEST))
         truth = with_heavy_pixels(candela, scene, size_of(spp), renders, truth)
         doubt = unsure(renders, truth)
         if doubt <= SURE:
@@ -307,7 +247,7 @@ def stops(candela, options):
     for scene in all_scenes(options):
         if scene.name not in STOP_SCENES:
             continue
-        truth = reference(candela, scene, size, 1 << 13)
+        truth = truth_of(candela, scene, size, 1 << 13)
         for spp in STOP_SPP:
             row = stop_row(candela, scene, size, spp, truth, options)
             print(row, file=sys.stderr, flush=True)
@@ -347,16 +287,6 @@ def stop_row(candela, scene, size, spp, truth, options):
             "least": ratios[0], "median": ratios[len(ratios) // 2], "most": ratios[-1],
             "stated_over_true": ratio, "plus_minus": reach,
             "interval_holds": mean(float(run.interval_holds) for run in runs)}
-
-
-def write_csv(path, rows):
-    if not rows:
-        return
-    with path.open("w", newline="") as file:
-        writer = csv.DictWriter(file, rows[0].keys())
-        writer.writeheader()
-        for row in rows:
-            writer.writerow({k: f"{v:.6g}" if isinstance(v, float) else v for k, v in row.items()})
 
 
 def table(rows):

@@ -218,7 +218,7 @@ class Bench:
         """From eight seeds, whose spread tells its noise; kept as long as Blender's version, its scripts
         and the scene are the same."""
         import numpy
-        from calibration import with_weight
+        from references import with_weight
         key = hashlib.sha256(json.dumps([self.cycles.made_by(), scene, self.size,
                                          spp]).encode()).hexdigest()[:16]
         file = self.cycles.folder / f"reference_{chosen_scenes.safe(name)}_{key}.npz"

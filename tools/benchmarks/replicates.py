@@ -3,8 +3,9 @@
 import math
 import pathlib
 
-from calibration import layers, side_by_side, square, with_weight, write_csv
+from references import layers, reference, side_by_side, square
 from renders import Candela
+from results import write_csv
 
 ABOUT = "what stating an error costs: noise with more replicates over that with one"
 
@@ -17,15 +18,6 @@ CASES = ("cornell_box_diffuse", "cornell_box", "glass_and_metal", "cutouts")
 
 def add_arguments(parser):
     parser.add_argument("--seeds", type=int, default=16, help="pictures a case (16)")
-
-
-def reference(candela, path):
-    parts = side_by_side(
-        lambda seed: layers(candela.cached(f"reference_{path.stem}_{seed}", path, size=square(SIZE),
-                                           spp=16 * max(COUNTS), seed=seed, threads=1,
-                                           adaptive="off", aov="variance,heavy_tail")),
-        (900001, 900002))
-    return with_weight((parts[0][0] + parts[1][0]) / 2, (parts[0][1] + parts[1][1]) / 4)
 
 
 def relmse(candela, path, truth, spp, replicates, seeds):
@@ -51,7 +43,8 @@ def run(options):
     print("|---|---:|" + "---:|" * (len(REPLICATES) - 1))
     for name in CASES:
         path = ROOT / "assets" / name / f"{name}.yaml"
-        truth = reference(candela, path)
+        truth = reference(candela, f"reference_{path.stem}", path, size=square(SIZE),
+                          spp=16 * max(COUNTS))
         for spp in COUNTS:
             found = [relmse(candela, path, truth, spp, r, options.seeds) for r in REPLICATES]
             one, one_error = found[0]

@@ -61,6 +61,9 @@ def shown(value):
 
 
 def write_csv(path, rows):
+    """No file where there are none."""
+    if not rows:
+        return
     with path.open("w", newline="") as file:
         writer = csv.writer(file)
         writer.writerow(rows[0])

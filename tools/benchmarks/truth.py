@@ -7,23 +7,18 @@ own noise, which its seeds tell; it should be below 1/20 of what is claimed with
 import dataclasses
 import statistics
 
-from calibration import layers, side_by_side, square, with_weight
+import references
 from chosen_scenes import safe
 from fits import error_rate, spread
 
-REFERENCE_SEEDS = (900001, 900002)
 TRIMMED = 1e-3  # of the pixels, the worst
 NOISE_ALLOWED = 1 / 20
 
 
 def reference(candela, name, scene, size, spp, **options):
-    parts = side_by_side(lambda seed: layers(candela.cached(
-        f"reference_{safe(name)}_{size}_{seed}", scene, integrator="path", size=square(size),
-        spp=spp, seed=seed, replicates=16, threads=1, filter="box", adaptive="off",
-        aov="variance,heavy_tail", **options)),
-        REFERENCE_SEEDS)
-    count = len(parts)
-    return with_weight(sum(p[0] for p in parts) / count, sum(p[1] for p in parts) / count ** 2)
+    return references.reference(candela, f"reference_{safe(name)}_{size}", scene, integrator="path",
+                                size=references.square(size), spp=spp, replicates=16, filter="box",
+                                **options)
 
 
 def trimmed(truth, image):
