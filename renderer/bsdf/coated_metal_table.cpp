@@ -35,7 +35,7 @@ std::vector<Brought> lobe_from(const Bsdf& bsdf, float cos_o) {
 CoatedMetalTable::CoatedMetalTable(const Bsdf& bsdf, const CoatedMetalLayers& layers) {
   std::vector<double> cosines;
   for (std::size_t i = 0; i <= intervals; ++i)
-    cosines.push_back(std::max(1e-3, square(static_cast<double>(i) / intervals)));
+    cosines.push_back(std::max(1e-6, square(static_cast<double>(i) / intervals)));
   const std::vector<Vec3d> wanted = albedos_from_below(bsdf, layers, cosines);
   std::array<std::vector<Brought>, intervals + 1> lobes;
   parallel_for(intervals + 1, [&](std::size_t i) {

@@ -23,7 +23,7 @@ class CoatedMetalTable {
   [[nodiscard]] Rgb albedo(float cos_theta) const { return interpolate(albedos_, cos_theta); }
 
  private:
-  static constexpr std::size_t intervals = 16;  // of the root of the cosine
+  static constexpr std::size_t intervals = 32;  // of the root of the cosine
   using Row = std::array<Rgb, intervals + 1>;
   [[nodiscard]] static Rgb interpolate(const Row& row, float cos_theta) {
     const float x = std::sqrt(clamp_unit(cos_theta)) * static_cast<float>(intervals);

@@ -41,13 +41,17 @@ double allowed(const statistics::Moments& found) {
   return test::is_heavy() ? tolerance : std::max(tolerance, 4.5 * found.standard_error());
 }
 
-void expect_energy(const std::string& name, const std::vector<MaterialCase>& cases) {
+double reference_albedo(const Bsdf& bsdf, const Vec3f& wo) {
+  return tests::reference_albedo(bsdf, normalize(Vec3d(wo)), test::is_heavy() ? 256 : 128);
+}
+
+void expect_energy(const std::string& name, const std::vector<MaterialCase>& cases,
+                   double (*expected_of)(const Bsdf&, const Vec3f& wo) = reference_albedo) {
   double worst = 0;
   for (const MaterialCase& c : cases)
     for (const float cos_o : cosines()) {
       const Vec3f wo = tests::direction_of(cos_o, 0.3f);
-      const double expected =
-          tests::reference_albedo(c.bsdf, normalize(Vec3d(wo)), test::is_heavy() ? 256 : 128);
+      const double expected = expected_of(c.bsdf, wo);
       const statistics::Moments found = sampled_energy(c.bsdf, wo);
       EXPECT_NEAR(found.mean(), expected, allowed(found)) << c.name << " at cosine " << cos_o;
       worst = std::max(worst, std::abs(found.mean() - expected));
@@ -74,6 +78,35 @@ TEST(Stress_MaterialEnergy, DiffuseUnderSpecular) {
 }
 TEST(Stress_MaterialEnergy, Brushed) {
   expect_energy("brushed", of_all_decades(test::anisotropic_cases));
+}
+std::vector<MaterialCase> coated_cases(BsdfModel model) {
+  std::vector<MaterialCase> cases = of_all_decades(test::coated_cases);
+  std::erase_if(cases,
+                [&](const auto& c) { return c.bsdf.model != model || is_only_delta(c.bsdf); });
+  return cases;
+}
+// Of the coat alone.
+double coat_albedo(const Bsdf& bsdf, const Vec3f& wo) {
+  return reference_albedo({.model = BsdfModel::AnisotropicDielectric,
+                           .is_smooth = bsdf.alpha == 0,
+                           .alpha = bsdf.alpha,
+                           .eta = Rgb{bsdf.coat->eta()},
+                           .transmittance = Rgb{0},
+                           .alpha_across = bsdf.alpha_across},
+                          wo);
+}
+// What comes from below is what random walks bring (tests/bsdf/coated_*_test.cpp), kept in tables.
+TEST(Stress_MaterialEnergy, CoatedDiffuse) {
+  expect_energy("coated diffuse", coated_cases(BsdfModel::CoatedDiffuse),
+                [](const Bsdf& bsdf, const Vec3f& wo) {
+                  return coat_albedo(bsdf, wo) + double{coated_diffuse_albedo(bsdf, wo.z).y};
+                });
+}
+TEST(Stress_MaterialEnergy, CoatedMetal) {
+  expect_energy("coated metal", coated_cases(BsdfModel::CoatedConductor),
+                [](const Bsdf& bsdf, const Vec3f& wo) {
+                  return coat_albedo(bsdf, wo) + double{bsdf.metal->albedo(wo.z).y};
+                });
 }
 TEST(Stress_MaterialEnergy, PanesAndMirrors) {
   std::vector<MaterialCase> cases;
