@@ -7,6 +7,7 @@
 
 #include "scene_io/load.h"
 #include "tests/image/temporary_folder.h"
+#include "tests/scene_io/pbrt/write/round_trip.h"
 #include "tests/stress/busy_room.h"
 #include "tests/stress/disturb.h"
 #include "tests/stress/row.h"
@@ -108,6 +109,26 @@ TEST(Stress_Translation, OfNumbersInFiles) {
         renders_of(fmt::format("{:g} diameters, OBJ", distance),
                    moved_cornell_box(far_direction * (559.2 * distance)), heavy_or_light()),
         undisturbed);
+}
+
+// Vertices in the text and in PLY files, transforms, lights and the camera's.
+TEST(Stress_Translation, OfNumbersInPbrtFiles) {
+  for (const Where where : {Where::Vertices, Where::Instances}) {
+    const auto read_back = [&](double distance) {
+      const SceneDescription room = busy_room();
+      const Vec3d offset = far_direction * (diameter_of(room) * distance);
+      RoundTrip trip = round_trip(distance == 0 ? room : moved(room, offset, where));
+      EXPECT_FALSE(trip.written.meshes.empty());
+      return std::move(trip.scene);
+    };
+    const Renders undisturbed = renders_of("undisturbed", read_back(0), heavy_or_light());
+    for (const double distance : {1e3, 1e6})
+      expect_within_noise(
+          renders_of(fmt::format("{:g} diameters, pbrt, {}", distance,
+                                 where == Where::Vertices ? "vertices" : "transforms"),
+                     read_back(distance), heavy_or_light()),
+          undisturbed);
+  }
 }
 
 // A triangle out of sight far below and behind the scene, half as large as it is far.
