@@ -61,9 +61,9 @@ std::uint32_t merged_cells(const CellWeights& cells, std::uint32_t faces) {
 }
 
 GridDistribution distribution_of(const CellWeights& cells) {
-  const auto& [columns, rows] = cells.size;
-  GridDistributionBuilder grid(columns, rows);
-  parallel_for(rows, [&](std::size_t row) {
+  const std::size_t columns = cells.size.columns;
+  GridDistributionBuilder grid(cells.size.columns, cells.size.rows);
+  parallel_for(cells.size.rows, [&](std::size_t row) {
     grid.set_row(static_cast<std::uint32_t>(row),
                  std::span(cells.values).subspan(row * columns, columns));
   });

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "integrators/render.h"
@@ -37,7 +38,7 @@ inline std::vector<Case> pbrt_assets() {
 }
 
 inline std::string reference_path(const Case& c) {
-  return std::string(CANDELA_SOURCE_DIR) + "/tests/regression/" + c.name + ".exr";
+  return fmt::format(CANDELA_SOURCE_DIR "/tests/regression/{}.exr", c.name);
 }
 
 inline description::SceneDescription described(const Case& c) {

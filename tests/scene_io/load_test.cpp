@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/scene_io/lab3/lab3_text.h"
@@ -61,7 +62,7 @@ TEST(Unit_Load, TakesYamlByEitherExtension) {
 }
 
 TEST(Errors_Load, LongPathsKeepTheirEnd) {
-  const std::string path = std::string(60, 'a') + "/" + std::string(60, 'b') + ".blend";
+  const std::string path = fmt::format("{}/{}.blend", std::string(60, 'a'), std::string(60, 'b'));
   EXPECT_NE(only_error(path).find("'" + path + "': found the extension '.blend'"),
             std::string::npos);
 }

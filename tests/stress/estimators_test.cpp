@@ -160,7 +160,7 @@ double sky_radiance(const Vec3d& d) {
 }
 
 double exact_radiance_of_sky(const Bsdf& bsdf) {
-  constexpr int steps = 800;
+  constexpr int steps = 400;
   double sum = 0;
   for (int i = 0; i < steps; ++i)
     for (int j = 0; j < 2 * steps; ++j) {

@@ -19,7 +19,7 @@ struct ProgressState {
   std::uint64_t done = 0;  // camera samples
   std::uint64_t total = 0;
   double elapsed_seconds = 0;
-  std::optional<StatedError> error;  // so far
+  std::optional<StatedError> error = std::nullopt;  // so far
 };
 
 // "42.3 %", never "100 %": that is said when the files are on disk.
