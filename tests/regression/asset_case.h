@@ -38,7 +38,7 @@ inline std::vector<Case> pbrt_assets() {
 }
 
 inline std::string reference_path(const Case& c) {
-  return fmt::format(CANDELA_SOURCE_DIR "/tests/regression/{}.exr", c.name);
+  return fmt::format("{}/tests/regression/{}.exr", CANDELA_SOURCE_DIR, c.name);
 }
 
 inline description::SceneDescription described(const Case& c) {

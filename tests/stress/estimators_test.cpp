@@ -184,7 +184,7 @@ SceneDescription under_sky(const Surface& surface, bool is_lat_long) {
   SceneDescription scene = empty_scene();
   add_mesh(scene, quad({-1, 0, 1}, {2, 0, 0}, {0, 0, -2}), add_material(scene, surface.model));
   set_camera(scene, to_camera * 6.0, {0, 0, 0}, 0.01);
-  // Turned by a quarter about x for lat-long, so that a pole is on the horizon.
+  // A quarter turn about x: the lat-long map's poles are on the horizon.
   const Mat3d world_from_map(1, 0, 0, 0, 0, 1, 0, -1, 0);
   const int height = 256, width = is_lat_long ? 2 * height : height;
   scene.images.push_back(
@@ -202,7 +202,7 @@ SceneDescription under_sky(const Surface& surface, bool is_lat_long) {
   return scene;
 }
 
-// Texels 1/80 apart: what lies between them is off by 1e-3 of a spot at most, and of both signs.
+// Texels 1/80 apart: what lies between them is off by some 1e-3 of a spot, and of both signs.
 TEST(Stress_Estimators, EachFindsTheIntegralOverASky) {
   for (const Surface& surface : surfaces()) {
     if (surface.is_lit_through) continue;  // a sky is on both sides

@@ -74,7 +74,7 @@ double p_of_gain(const Renders& renders) {
     const double gain = pixel.mean() - 1 - 1e-6;  // of rounding
     if (gain <= 0) continue;
     const double t = gain / pixel.standard_error();
-    least = std::min(least, statistics::t_two_sided(t, double(pixel.count() - 1)) / 2);
+    least = std::min(least, statistics::t_two_sided(t, static_cast<double>(pixel.count() - 1)) / 2);
   }
   return statistics::sidak_p_value(least, static_cast<double>(shape.pixel_count()));
 }
