@@ -38,18 +38,19 @@ inline constexpr double smallest_growth = 1.1;
 inline constexpr std::uint32_t whole_block = block_size;
 
 // Where the round after `done` samples ends: multiples of the replicates, so that all hold equally
-// many, and of whole blocks, too, as soon as the growth allows. Four samples a replicate first.
-// Towards a goal the picture then grows by 1.3 at most, and not beyond what the goal seems to need;
-// else it doubles.
+// many, and of whole blocks, too: at once where there is no goal, else as soon as the growth allows.
+// Four samples a replicate first. Towards a goal the picture then grows by 1.3 at most, and not
+// beyond what the goal seems to need; else it doubles.
 [[nodiscard]] inline std::uint32_t round_end(std::uint32_t done, std::uint32_t replicates,
                                              std::uint32_t most,
                                              const std::optional<ErrorGoal>& goal) {
-  constexpr std::uint32_t first_samples = 4;  // a replicate
-  if (done < first_samples * replicates) return std::min(first_samples * replicates, most);
+  const std::uint32_t whole = std::lcm(replicates, whole_block);
+  const std::uint32_t fewest = 4 * replicates;
+  const std::uint32_t first = goal ? fewest : (fewest + whole - 1) / whole * whole;
+  if (done < first) return std::min(first, most);
   const double now = done;
   const double most_grown = (goal ? largest_growth : 2) * now;
   const auto multiple_below = [](double n, double step) { return std::floor(n / step) * step; };
-  const std::uint32_t whole = std::lcm(replicates, whole_block);
   const double step =
       multiple_below(most_grown, whole) > smallest_growth * now ? whole : replicates;
   const double needed =

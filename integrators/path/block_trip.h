@@ -12,8 +12,6 @@ struct BlockPlace {
   int y;
   std::uint32_t first;  // sample of the pixel
   LaneMask lanes;       // of the sixteen from there on
-
-  [[nodiscard]] bool is_whole() const { return lanes == all_lanes; }
 };
 
 template <class A>

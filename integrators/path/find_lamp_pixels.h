@@ -24,7 +24,7 @@ template <FeatureSet F, class A>
   for (std::uint32_t block = 0; block < blocks; ++block) {
     const SamplerBlock samplers(pixel, block * block_size);
     const LaneMask traced = aim_at_lamps(context, samplers, part, x, y, all_lanes, rays);
-    const HitBlock hits = intersect_lanes(context.accelerator, rays, traced, 0, true);
+    const HitBlock hits = intersect_lanes(context.accelerator, rays, traced, 0);
     for_each_lane(traced, [&](std::uint32_t i) {
       const bool is_lit =
           !is_black(lamp_radiance<F>(context.scene, context.options, rays[i], hits[i]));

@@ -54,8 +54,7 @@ template <FeatureSet F, class A>
     const SamplerBlock samplers(trip.pixel, trip.place.first, count, k);
     const LaneMask traced = aim_at_lamps(context, samplers, context.lamp_part, trip.place.x,
                                          trip.place.y, trip.place.lanes, rays);
-    const HitBlock hits =
-        intersect_lanes(context.accelerator, rays, traced, 0, trip.place.is_whole());
+    const HitBlock hits = intersect_lanes(context.accelerator, rays, traced, 0);
     for_each_lane(traced, [&](std::uint32_t i) {
       trip.block.paths.add_radiance(
           i, share * lamp_radiance<F>(context.scene, context.options, rays[i], hits[i]));

@@ -13,14 +13,14 @@ namespace candela {
   return bounce == 0 ? Coherence::Coherent : Coherence::Incoherent;
 }
 
-// Where the rays of the paths end. Only whole blocks are traced as packets: of surfaces in the very
-// same place a packet may meet another one than a single ray, and so may a packet with other lanes.
+// Where the rays of the paths end. Of surfaces in the very same place a packet may meet another one
+// than a single ray or a packet with other lanes does: which lanes there are follows from the range
+// of samples alone, from no tile, crop or thread.
 template <class A>
 [[nodiscard]] inline HitBlock intersect_lanes(const A& accelerator, const RayBlock& rays,
-                                              LaneMask lanes, std::uint32_t bounce, bool is_whole) {
+                                              LaneMask lanes, std::uint32_t bounce) {
   constexpr std::uint32_t fewest_of_packet = 4;
-  if (!is_whole || lane_count(lanes) < fewest_of_packet)
-    return intersect_one_by_one(accelerator, rays, lanes);
+  if (lane_count(lanes) < fewest_of_packet) return intersect_one_by_one(accelerator, rays, lanes);
   return accelerator.intersect(rays, lanes, coherence_of(bounce));
 }
 
@@ -171,8 +171,7 @@ template <FeatureSet F, class A>
 template <FeatureSet F, class A>
 inline void meet(BlockTrip<A>& trip) {
   PathBlock& block = trip.block;
-  block.hits = intersect_lanes(trip.context.accelerator, block.rays, trip.alive, trip.bounce,
-                               trip.place.is_whole());
+  block.hits = intersect_lanes(trip.context.accelerator, block.rays, trip.alive, trip.bounce);
   if (trip.branches.is_split() && trip.bounce == 0) block.split.hits = block.hits;
   if constexpr (F.guided) {
     if (trip.context.training != nullptr)

@@ -39,6 +39,16 @@ TEST(Unit_Rounds, DoubleWithoutAGoalUpToTheLimit) {
   EXPECT_EQ(round_end(0, 1, 1, {}), 1u);
 }
 
+TEST(Unit_Rounds, WithoutAGoalAreWholeBlocksFromTheFirstOn) {
+  for (const std::uint32_t replicates : {1u, 2u, 3u, 4u, 5u, 16u, 32u})
+    for (std::uint32_t done = 0, rounds = 0; rounds < 5; ++rounds) {
+      done = round_end(done, replicates, 1u << 30, {});
+      EXPECT_EQ(done % 16, 0u) << replicates;
+      EXPECT_EQ(done % replicates, 0u);
+      EXPECT_GE(done, 4 * replicates);
+    }
+}
+
 TEST(Unit_Rounds, GoOnWhereTheErrorIsNotKnown) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   EXPECT_EQ(round_end(16, 4, 1u << 30, ErrorGoal{infinite, 1e-3}), 20u);
