@@ -13,6 +13,12 @@ namespace {
 
 using Json = nlohmann::json;
 
+std::vector<std::string> keys_of(const Json& object) {
+  std::vector<std::string> keys;
+  for (const auto& item : object.items()) keys.push_back(item.key());
+  return keys;
+}
+
 constexpr const char* python = "/usr/bin/python3";  // Debian's, as in tools/bench
 
 class Unit_Benchmarks : public testing::Test {
@@ -179,6 +185,7 @@ TEST_F(Unit_Benchmarks, PeersRatiosAreTheirsOverOurs) {
   EXPECT_NEAR(rows[1]["wall_ratio"], 2, 1e-12);
   EXPECT_NEAR(rows[2]["cpu_ratio"], 2, 1e-12);
   EXPECT_NEAR(rows[2]["relmse_ratio"], 0.5, 1e-12);
+  for (const Json& row : rows) EXPECT_EQ(keys_of(row), keys_of(rows[0]));  // one table's
   const Json between =
       ask({"ratios_of", "[[[[0.02, 1, 1], [0.005, 4, 4]], [[0.04, 1, 2], [0.01, 16, 32]]]]",
            "[4, 16]"});

@@ -1,9 +1,10 @@
 """Instructions per camera sample of the path kernel, held against those on record.
 
 Counted within the tile function, so that starting, reading and building do not count, on one
-thread: the same program gives the same number. Which vectors candela's random numbers and Embree
-use depends on the processor that valgrind shows, and all of it on the compiler: only what was
-measured with the same is compared.
+thread, with one replicate, since samples that look closer at doubtful pixels, in order to state an
+error, would count as well: the same program gives the same number. Which vectors candela's random
+numbers and Embree use depends on the processor that valgrind shows, and all of it on the compiler:
+only what was measured with the same is compared.
 """
 
 import dataclasses
@@ -52,7 +53,8 @@ class Count:
 def counted(options, name, scene, *more):
     # --strict decodes the textures before the first tile; else the first that asks pays for it.
     words = [options.program, "render", scene, "-o", options.out / f"{name}.exr", "--size", SIZE,
-             "--spp", SPP, "--threads", 1, "--strict", "--quiet", "--roulette", 1, *more]
+             "--spp", SPP, "--threads", 1, "--strict", "--quiet", "--roulette", 1,
+             "--replicates", 1, *more]
     profile = callgrind.count(options.out / f"{name}.callgrind", words)
     embree, library = callgrind.embree_of(profile)
     return Count(round(profile.total / SAMPLES, 1), round(embree / SAMPLES, 1),

@@ -33,6 +33,8 @@ BLENDER_SCENES = ("point_lit", "sun_lit", "environment_lit")
 # Blender's unit is the metre, the Cornell box's the millimetre.
 SCALES = {"cornell_box_diffuse": .001}
 GOALS = (1e-2, 1e-3)
+MEASURES = (("cpu", "relmse", "cpu_seconds"), ("wall", "relmse", "seconds"),
+            ("trimmed_cpu", "trimmed", "cpu_seconds"))  # column, error, time
 PILOTS = 64  # samples a pixel from which on candela's sampling adapts
 THRESHOLD = .4  # of Cycles' noise, over the root of the samples that it should about take
 MOST_ADAPTIVE = 4096
@@ -251,24 +253,29 @@ def ratios_of(pairs, counts):
     for i, count in enumerate(counts):
         error = (spread(theirs[i].relmse for _, theirs in pairs).median
                  / spread(ours[i].relmse for ours, _ in pairs).median)
-        rows.append({"by": f"{count} spp", "relmse_ratio": error}
-                    | columns("cpu", times_to_their_error(pairs, i, "relmse", "cpu_seconds"))
-                    | columns("wall", times_to_their_error(pairs, i, "relmse", "seconds"))
-                    | columns("trimmed_cpu",
-                              times_to_their_error(pairs, i, "trimmed", "cpu_seconds")))
+        row = {"by": f"{count} spp", "relmse_ratio": error}
+        for key, of_error, seconds in MEASURES:
+            row |= columns(key, times_to_their_error(pairs, i, of_error, seconds))
+        rows.append(row)
     for goal in GOALS:
-        found = {key: [] for key in ("cpu", "wall")}
-        for ours, theirs in pairs:
-            for key, seconds in (("cpu", "cpu_seconds"), ("wall", "seconds")):
-                a, b = (x_where(goal, [getattr(r, seconds) for r in runs],
-                                [r.relmse for r in runs]) for runs in (ours, theirs))
-                if a and b:
-                    found[key].append(b / a)
+        found = {key: times_to(goal, pairs, error, seconds) for key, error, seconds in MEASURES}
         if found["cpu"] and found["wall"]:
             rows.append({"by": f"time to {goal:g}", "relmse_ratio": None}
-                        | columns("cpu", found["cpu"]) | columns("wall", found["wall"]))
+                        | {column: value for key, values in found.items()
+                           for column, value in columns(key, values).items()})
     # The last count's row stands last: it is the one that is told.
     return rows[len(counts):] + rows[:len(counts)]
+
+
+def times_to(goal, pairs, error, seconds):
+    """How many times as long Cycles takes to an error, of those pairs in which both get there."""
+    ratios = []
+    for pair in pairs:
+        ours, theirs = (x_where(goal, [getattr(run, seconds) for run in runs],
+                                [getattr(run, error) for run in runs]) for runs in pair)
+        if ours and theirs:
+            ratios.append(theirs / ours)
+    return ratios
 
 
 def times_to_their_error(pairs, i, error, seconds):
@@ -289,5 +296,7 @@ def times_to_their_error(pairs, i, error, seconds):
 
 
 def columns(key, values):
-    of = spread(values)
-    return {f"{key}_ratio": of.median, f"{key}_low": of.low, f"{key}_high": of.high}
+    """Empty where there are no values."""
+    of = spread(values) if values else None
+    return {f"{key}_{name}": getattr(of, part, None)
+            for name, part in (("ratio", "median"), ("low", "low"), ("high", "high"))}
