@@ -38,9 +38,9 @@ inline constexpr double smallest_growth = 1.1;
 inline constexpr std::uint32_t whole_block = block_size;
 
 // Where the round after `done` samples ends: multiples of the replicates, so that all hold equally
-// many, and of whole blocks, too: at once where there is no goal, else as soon as the growth allows.
-// Four samples a replicate first. Towards a goal the picture then grows by 1.3 at most, and not
-// beyond what the goal seems to need; else it doubles.
+// many, and of whole blocks, too: at once where there is no goal, else as soon as the growth
+// allows. Four samples a replicate first. Towards a goal the picture then grows by 1.3 at most, and
+// not beyond what the goal seems to need; else it doubles.
 [[nodiscard]] inline std::uint32_t round_end(std::uint32_t done, std::uint32_t replicates,
                                              std::uint32_t most,
                                              const std::optional<ErrorGoal>& goal) {

@@ -52,8 +52,8 @@ Result render(const RenderSettings& settings) {
   return result;
 }
 
-// Of the picture alone, the error of this one is stated six times too high: the neighbours of pixels
-// that met the lamp are dark, and nothing tells how bright those are in the mean.
+// Of the picture alone, the error of this one is stated six times too high: the neighbours of
+// pixels that met the lamp are dark, and nothing tells how bright those are in the mean.
 TEST(Statistical_CloserLook, StatesTheTrueErrorOfRareLight) {
   constexpr int seeds = 1000;
   double error = 0;

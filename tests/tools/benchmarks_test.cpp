@@ -114,9 +114,9 @@ TEST_F(Unit_Benchmarks, CalibrationTellsWhichGoalsItMisses) {
   const auto misses = [](const std::string& rows, const std::string& stops) {
     return ask({"calibration_misses", rows, stops}).size();
   };
-  EXPECT_EQ(misses("[[true, 64, 1, 0.95], [false, 64, 1, 0.91], [false, 64, 0.81, null]]",
-                   "[[0.95, 1]]"),
-            0u);
+  EXPECT_EQ(
+      misses("[[true, 64, 1, 0.95], [false, 64, 1, 0.91], [false, 64, 0.81, null]]", "[[0.95, 1]]"),
+      0u);
   EXPECT_EQ(misses("[[false, 4, 3, 0.5], [false, 16, 1, 0.5], [false, 64, 1, 0.95]]", "[]"), 0u);
   EXPECT_EQ(misses("[[false, 16, 1.26, 0.95], [false, 64, 1, 0.95], [false, 64, 1, 0.9]]", "[]"),
             1u);

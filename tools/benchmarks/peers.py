@@ -260,9 +260,10 @@ def ratios_of(pairs, counts):
     for goal in GOALS:
         found = {key: times_to(goal, pairs, error, seconds) for key, error, seconds in MEASURES}
         if found["cpu"] and found["wall"]:
-            rows.append({"by": f"time to {goal:g}", "relmse_ratio": None}
-                        | {column: value for key, values in found.items()
-                           for column, value in columns(key, values).items()})
+            row = {"by": f"time to {goal:g}", "relmse_ratio": None}
+            for key, values in found.items():
+                row |= columns(key, values)
+            rows.append(row)
     # The last count's row stands last: it is the one that is told.
     return rows[len(counts):] + rows[:len(counts)]
 
