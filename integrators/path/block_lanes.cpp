@@ -5,12 +5,6 @@
 namespace candela {
 namespace {
 
-[[nodiscard]] inline LaneFlags flags_of(LaneMask lanes) {
-  LaneFlags flags;
-  for (std::uint32_t i = 0; i < block_size; ++i) flags[i] = lanes >> i & 1;
-  return flags;
-}
-
 template <class T>
 inline void copy_lanes(const Lanes<T>& from, const LaneFlags& flags, Lanes<T>& to) {
   for (std::size_t i = 0; i < block_size; ++i) to[i] = flags[i] != 0 ? from[i] : to[i];

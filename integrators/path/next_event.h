@@ -52,10 +52,9 @@ template <FeatureSet F, class Evaluate>
   return f.value * radiance * (weight / pdf);
 }
 
-// A direction to the sky, as if its radiance were 1.
-[[nodiscard]] inline LightSample sample_sky(const Environment& sky, const SurfacePoint& from,
-                                            Vec2f u) {
-  EnvironmentSample sample = sample_environment(sky, u);
+// A direction to the sky as a light sample, as if its radiance were 1.
+[[nodiscard]] inline LightSample sky_sample(const EnvironmentSample& sample,
+                                            const SurfacePoint& from) {
   if (!(sample.pdf > 0)) return {};
   return {.wi = sample.direction,
           .radiance = Rgb(1),
@@ -72,7 +71,7 @@ template <FeatureSet F>
                                                     const SurfacePoint& point, Vec2f u) {
   constexpr LightKindSet sky = light_kind_bit(LightKind::Environment);
   if (scene.lights[index].kind == LightKind::Environment)
-    return {sample_sky(*scene.environment, point, u), true};
+    return {sky_sample(sample_environment(*scene.environment, u), point), true};
   return {
       sample_light<(F.light_kinds() & ~sky)>(light_tables(scene), scene.lights[index], point, u),
       false};

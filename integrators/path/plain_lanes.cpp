@@ -73,6 +73,22 @@ CANDELA_LANES void sample_directional_light_in_lanes(Light light, PlainLanes& la
     lanes.light_samples.set(i, sample_directional_light(light, point_of(lanes.met, i)));
 }
 
+CANDELA_LANES LaneMask sample_triangles_and_quads(PlainLanes& lanes) {
+  const LampLanes& lamps = lanes.lamps;
+  LaneFlags left;
+  for (std::size_t i = 0; i < block_size; ++i) {
+    SurfacePoint point = point_of(lanes.met, i);
+    Light light = lamp_of(lamps, i);
+    const Vec2f u{lamps.u_x[i], lamps.u_y[i]};
+    Vec2f weights = square_to_triangle(u);
+    if (lamps.is_triangle[i] == 0) weights = u;
+    left[i] = lamps.is_other[i] |
+              (flag(lamps.is_triangle[i] == 0) & flag(is_near(light, point.position)));
+    lanes.light_samples.set(i, light_from_place(light, point, weights));
+  }
+  return filled_mask(left, lanes);
+}
+
 }  // namespace
 
 void find_points(PlainLanes& lanes) {
@@ -91,21 +107,10 @@ void find_frames(PlainLanes& lanes) {
     find_bent_frames(met);
 }
 
-CANDELA_LANES LaneMask sample_lamps(PlainLanes& lanes) {
-  const LampLanes& lamps = lanes.lamps;
-  LaneFlags left;
-  for (std::size_t i = 0; i < block_size; ++i) {
-    SurfacePoint point = point_of(lanes.met, i);
-    Light light = lamp_of(lamps, i);
-    const Vec2f u{lamps.u_x[i], lamps.u_y[i]};
-    Vec2f weights = square_to_triangle(u);
-    if (lamps.is_triangle[i] == 0) weights = u;
-    left[i] = lamps.is_other[i] |
-              (flag(lamps.is_triangle[i] == 0) & flag(is_near(light, point.position)));
-    lanes.light_samples.set(i, light_from_place(light, point, weights));
-    lanes.light_samples.choice[i] = lamps.probability[i];
-  }
-  return filled_mask(left, lanes);
+LaneMask sample_lamps(PlainLanes& lanes) {
+  lanes.light_samples.choice = lanes.lamps.probability;
+  const LaneMask others = filled_mask(lanes.lamps.is_other, lanes);
+  return others == lanes.filled ? others : sample_triangles_and_quads(lanes);
 }
 
 bool sample_delta_light(const Light& light, PlainLanes& lanes) {

@@ -64,6 +64,9 @@ struct LightSampleLanes {
     shadow_direction.set(i, sample.shadow_ray.direction);
     shadow_end[i] = sample.shadow_ray.t_max;
   }
+  [[nodiscard]] LightSample operator[](std::size_t i) const {
+    return {wi[i], radiance[i], pdf[i], is_delta[i] != 0, shadow_ray(i)};
+  }
   [[nodiscard]] Ray shadow_ray(std::size_t i) const {
     return {shadow_origin[i], shadow_direction[i], shadow_end[i]};
   }

@@ -145,8 +145,9 @@ class PlainSteps {
   void add_picked_light(PlainModel model) {
     const LampLanes& lamps = lanes_.lamps;
     const LightSampleLanes& samples = lanes_.light_samples;
-    LaneMask skies = 0;
-    for_each_lane(sample_lamps(lanes_), [&](std::uint32_t slot) {
+    const LaneMask others = sample_lamps(lanes_);
+    LaneMask skies = sample_sky(others);
+    for_each_lane(others & ~skies, [&](std::uint32_t slot) {
       if (sample_alone(slot, lamps.light[slot], {lamps.u_x[slot], lamps.u_y[slot]}))
         skies |= 1u << slot;
     });
@@ -166,6 +167,17 @@ class PlainSteps {
       at.trip->after.shadow_rays |= 1u << at.lane;
       at.trip->after.sky_rays |= (skies >> slot & 1u) << at.lane;
     });
+  }
+
+  // Where many samples are of the sky's map. Returns their lanes.
+  [[nodiscard]] LaneMask sample_sky(LaneMask others) {
+    if (lane_count(others) < fewest_in_sky || !has_sky_map(scene())) return 0;
+    LaneMask skies = 0;
+    for_each_lane(others, [&](std::uint32_t slot) {
+      skies |= flag(lanes_.lamps.light[slot] == scene().environment_light) << slot;
+    });
+    if (skies != 0) sample_sky_in_lanes(*scene().environment, skies, lanes_);
+    return skies;
   }
 
   // Of a light that lanes know nothing of; true where it is the sky, whose radiance is still to

@@ -6,6 +6,7 @@
 #include "integrators/path/block_lanes.h"
 #include "integrators/path/block_trip.h"
 #include "integrators/path/media_step.h"
+#include "integrators/path/sky_lanes.h"
 
 namespace candela {
 
@@ -112,24 +113,25 @@ template <FeatureSet F, class A>
   return arriving;
 }
 
+// Lanes whose directions are looked up side by side.
+inline constexpr std::uint32_t fewest_in_sky = 4;
+
 // Calls use(i, radiance) with what the sky sends from the given lanes' directions. Where those are
 // not side by side, all of its texels are asked for before the first is looked at, so that their
 // waits overlap.
-template <class Use>
+template <FeatureSet F, class Use>
 inline void for_each_sky_radiance(const Scene& scene, LaneMask lanes, const Vec3Lanes& directions,
                                   Coherence coherence, const Use& use) {
   const Environment& sky = *scene.environment;
-  if (coherence == Coherence::Coherent || sky.is_constant()) {
-    for_each_lane(lanes, [&](std::uint32_t i) {
-      use(i, environment_radiance(sky, scene.textures, directions[i]));
-    });
-    return;
-  }
-  std::array<EnvironmentPoint, block_size> points;
-  for_each_lane(lanes, [&](std::uint32_t i) {
-    points[i] = environment_point(sky, directions[i]);
-    prefetch_radiance(sky, scene.textures, points[i]);
-  });
+  SkyPointLanes points;
+  if (F.lanes && lane_count(lanes) >= fewest_in_sky)
+    find_sky_points(sky, directions, points);
+  else
+    for_each_lane(lanes,
+                  [&](std::uint32_t i) { points.set(i, environment_point(sky, directions[i])); });
+  if (coherence == Coherence::Incoherent)
+    for_each_lane(lanes,
+                  [&](std::uint32_t i) { prefetch_radiance(sky, scene.textures, points[i]); });
   for_each_lane(lanes, [&](std::uint32_t i) {
     use(i, environment_radiance(sky, scene.textures, points[i]));
   });
@@ -141,11 +143,33 @@ inline void add_direct_light(const PathContext<A>& context, const LanesAfterStep
                              PathBlock& block, TileCounts& counts) {
   const LaneMask arriving = trace_shadow_rays<F>(context, after.shadow_rays, block, counts);
   if (const LaneMask sky = arriving & after.sky_rays; sky != 0)
-    for_each_sky_radiance(context.scene, sky, block.shadow_rays.direction, Coherence::Incoherent,
-                          [&](std::uint32_t i, const Rgb& radiance) {
-                            block.unshadowed.set(i, block.unshadowed[i] * radiance);
-                          });
+    for_each_sky_radiance<F>(context.scene, sky, block.shadow_rays.direction, Coherence::Incoherent,
+                             [&](std::uint32_t i, const Rgb& radiance) {
+                               block.unshadowed.set(i, block.unshadowed[i] * radiance);
+                             });
   if (arriving != 0) add_unshadowed(arriving, block);
+}
+
+// Light from the sky that the paths in the given lanes end in.
+template <FeatureSet F, class A>
+inline void add_sky(const PathContext<A>& context, LaneMask lanes, Coherence coherence,
+                    PathBlock& block) {
+  const Scene& scene = context.scene;
+  const Vec3Lanes& directions = block.rays.direction;
+  if (F.lanes && lane_count(lanes) >= fewest_in_sky) {
+    static_assert(!(F.lanes && F.strategies));
+    Vec3Lanes radiance;
+    for_each_sky_radiance<F>(
+        scene, lanes, directions, coherence,
+        [&](std::uint32_t i, const Rgb& from_sky) { radiance.set(i, from_sky); });
+    return add_met_sky(scene, lanes, directions, radiance, block.paths);
+  }
+  for_each_sky_radiance<F>(
+      scene, lanes, directions, coherence, [&](std::uint32_t i, const Rgb& radiance) {
+        PathState path = block.paths[i];
+        add_environment<F>(scene, context.options, directions[i], radiance, path);
+        block.paths.radiance.set(i, path.radiance);
+      });
 }
 
 // Ends the paths whose rays left the scene; returns the others. (Within a medium a ray may collide
@@ -157,13 +181,7 @@ template <FeatureSet F, class A>
   const LaneMask ended = lanes_without_medium<F>(block, alive) & ~hits.met;
   if (bounce == 0) for_each_lane(ended, [&](std::uint32_t i) { block.alpha[i] = 0; });
   if (ended != 0 && sees_environment(context.scene, context.options, bounce))
-    for_each_sky_radiance(context.scene, ended, block.rays.direction, coherence_of(bounce),
-                          [&](std::uint32_t i, const Rgb& radiance) {
-                            PathState path = block.paths[i];
-                            add_environment<F>(context.scene, context.options,
-                                               block.rays.direction[i], radiance, path);
-                            block.paths.radiance.set(i, path.radiance);
-                          });
+    add_sky<F>(context, ended, coherence_of(bounce), block);
   return alive & ~ended;
 }
 

@@ -133,8 +133,7 @@ double value_at(EnvironmentMapping mapping, const CellWeights& cells, const Vec3
   if (mapping == EnvironmentMapping::Cube) {
     const CubePoint point = cube_point(direction);
     const std::uint32_t row = index_of(point.st.y, rows / 6);
-    return cells.at(index_of(point.st.x, columns),
-                    static_cast<std::uint32_t>(point.face) * (rows / 6) + row);
+    return cells.at(index_of(point.st.x, columns), point.face * (rows / 6) + row);
   }
   Vec2f st = mapping == EnvironmentMapping::EqualArea ? equal_area_sphere_to_square(direction)
                                                       : lat_long_point(direction);

@@ -4,26 +4,33 @@
 // the file's first row.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
 #include "renderer/math/vec.h"
 
 namespace candela {
 
 struct CubePoint {
-  int face = 0;
+  std::uint32_t face = 0;
   Vec2f st{0.5f};
 };
 
-// Any direction but zero.
+// Any direction but zero. Without branches, which directions would decide at random.
 [[nodiscard]] inline CubePoint cube_point(const Vec3f& d) {
   Vec3f a = glm::abs(d);
-  const auto point = [](int face, float s, float t, float major) {
-    const float half = 0.5f / major;
-    return CubePoint{face, {s * half + 0.5f, t * half + 0.5f}};
-  };
-  if (a.x >= a.y && a.x >= a.z)
-    return d.x > 0 ? point(0, -d.z, -d.y, a.x) : point(1, d.z, -d.y, a.x);
-  if (a.y >= a.z) return d.y > 0 ? point(2, d.x, d.z, a.y) : point(3, d.x, -d.z, a.y);
-  return d.z > 0 ? point(4, d.x, -d.y, a.z) : point(5, -d.x, -d.y, a.z);
+  const bool is_x = a.x >= std::max(a.y, a.z);
+  const bool is_y = a.y >= a.z;  // unless it is x
+  const float along = is_x ? d.x : is_y ? d.y : d.z;
+  const bool is_positive = along > 0;
+  const float across = is_positive ? d.x : -d.x;
+  const float turned = is_positive ? d.z : -d.z;
+  const float s = is_x ? -turned : is_y ? d.x : across;
+  const float t = is_x ? -d.y : is_y ? turned : -d.y;
+  const std::uint32_t first_of_axis = is_x ? 0 : is_y ? 2 : 4;
+  const float half = 0.5f / std::abs(along);
+  return {first_of_axis + (is_positive ? 0u : 1u), {s * half + 0.5f, t * half + 0.5f}};
 }
 
 }  // namespace candela

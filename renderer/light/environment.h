@@ -73,11 +73,41 @@ namespace environment_detail {
 
 }  // namespace environment_detail
 
-// The place of a direction on the map.
+// Where a map's files have a direction.
 struct EnvironmentPoint {
-  CubePoint on_cube{};  // Cube
-  Vec2f on_map{0.5f};   // LatLong, EqualArea
+  std::uint32_t face = 0;
+  Vec2f uv{0};  // of a place that the file's lookups mix with no texel beyond its ends
 };
+
+namespace environment_detail {
+
+// Of a point on a map, from the top.
+[[nodiscard]] inline EnvironmentPoint point_in_file(std::uint32_t face, Vec2f st, Vec2f least,
+                                                    Vec2f most) {
+  return {face, uv_of(glm::clamp(st, least, most))};
+}
+[[nodiscard]] inline EnvironmentPoint point_on_cube(const Environment& environment,
+                                                    const Vec3f& direction) {
+  const CubePoint point = cube_point(to_map(environment, direction));
+  Vec2f inset = environment.half_texel[point.face];
+  return point_in_file(point.face, point.st, inset, Vec2f(1) - inset);
+}
+// Columns wrap, rows do not.
+[[nodiscard]] inline EnvironmentPoint point_on_lat_long(const Environment& environment,
+                                                        const Vec3f& direction) {
+  const float inset = environment.half_texel[0].y;
+  return point_in_file(0, lat_long_point(to_map(environment, direction)), {0, inset},
+                       {1, 1 - inset});
+}
+[[nodiscard]] inline EnvironmentPoint point_on_equal_area(const Environment& environment,
+                                                          const Vec3f& direction) {
+  Vec2f inset = environment.half_texel[0];
+  return point_in_file(0, equal_area_sphere_to_square(to_map(environment, direction)), inset,
+                       Vec2f(1) - inset);
+}
+
+}  // namespace environment_detail
+
 [[nodiscard]] inline EnvironmentPoint environment_point(const Environment& environment,
                                                         const Vec3f& direction) {
   using namespace environment_detail;
@@ -85,52 +115,27 @@ struct EnvironmentPoint {
     case EnvironmentMapping::Constant:
       return {};
     case EnvironmentMapping::Cube:
-      return {.on_cube = cube_point(to_map(environment, direction))};
+      return point_on_cube(environment, direction);
     case EnvironmentMapping::LatLong:
-      return {.on_map = lat_long_point(to_map(environment, direction))};
+      return point_on_lat_long(environment, direction);
     case EnvironmentMapping::EqualArea:
-      return {.on_map = equal_area_sphere_to_square(to_map(environment, direction))};
+      return point_on_equal_area(environment, direction);
   }
   return {};
 }
-
-namespace environment_detail {
-
-struct FilePlace {
-  std::size_t face = 0;
-  Vec2f uv{0};
-};
-// Of a point on a map.
-[[nodiscard]] inline FilePlace file_place(const Environment& environment,
-                                          const EnvironmentPoint& point) {
-  const auto& [cube, st] = point;
-  if (environment.mapping == EnvironmentMapping::Cube) {
-    const auto face = static_cast<std::size_t>(cube.face);
-    Vec2f inset = environment.half_texel[face];
-    return {face, uv_of(glm::clamp(cube.st, inset, Vec2f(1) - inset))};
-  }
-  Vec2f inset = environment.half_texel[0];
-  if (environment.mapping == EnvironmentMapping::LatLong)  // columns wrap, rows do not
-    return {0, uv_of({st.x, glm::clamp(st.y, inset.y, 1 - inset.y)})};
-  return {0, uv_of(glm::clamp(st, inset, Vec2f(1) - inset))};
-}
-
-}  // namespace environment_detail
 
 // Radiance arriving from a direction.
 [[nodiscard]] inline Rgb environment_radiance(const Environment& environment,
                                               const TextureStore& textures,
                                               const EnvironmentPoint& point) {
   if (environment.is_constant()) return environment.scale;
-  const auto [face, uv] = environment_detail::file_place(environment, point);
-  return environment.scale * image_radiance(textures, environment.faces[face], uv);
+  return environment.scale * image_radiance(textures, environment.faces[point.face], point.uv);
 }
 // Asks the memory for it, and waits for nothing.
 inline void prefetch_radiance(const Environment& environment, const TextureStore& textures,
                               const EnvironmentPoint& point) {
   if (environment.is_constant()) return;
-  const auto [face, uv] = environment_detail::file_place(environment, point);
-  textures.prefetch(environment.faces[face], uv);
+  textures.prefetch(environment.faces[point.face], point.uv);
 }
 [[nodiscard]] inline Rgb environment_radiance(const Environment& environment,
                                               const TextureStore& textures,
@@ -138,21 +143,31 @@ inline void prefetch_radiance(const Environment& environment, const TextureStore
   return environment_radiance(environment, textures, environment_point(environment, direction));
 }
 
-// The density of sample_environment() at a direction.
-[[nodiscard]] inline float environment_pdf(const Environment& environment, const Vec3f& direction) {
+// The cell of a map's table that has a direction.
+[[nodiscard]] inline SkyPlace environment_place(const Environment& environment,
+                                                const Vec3f& direction) {
   using namespace environment_detail;
-  if (environment.is_black()) return 0;
-  if (environment.is_constant()) return inverse_pi * 0.25f;
-  return environment.distribution.pdf(
+  return environment.distribution.place_of(
       to_polar(environment.mapping, to_map(environment, direction)));
 }
+// The density of sample_environment() at a direction.
+[[nodiscard]] inline float environment_pdf(const Environment& environment, const Vec3f& direction) {
+  if (environment.is_black()) return 0;
+  if (environment.is_constant()) return inverse_pi * 0.25f;
+  return environment.distribution.pdf(environment_place(environment, direction));
+}
 
-[[nodiscard]] inline EnvironmentSample sample_environment(const Environment& environment, Vec2f u) {
+// A direction within a cell of a map's table.
+[[nodiscard]] inline EnvironmentSample sample_in_cell(const Environment& environment,
+                                                      const GridDistribution::Cell& cell) {
   using namespace environment_detail;
+  const SkySample s = environment.distribution.at(cell);
+  return {to_world(environment, from_polar(environment.mapping, s.direction)), s.pdf};
+}
+[[nodiscard]] inline EnvironmentSample sample_environment(const Environment& environment, Vec2f u) {
   if (environment.is_black()) return {};
   if (environment.is_constant()) return {square_to_uniform_sphere(u), inverse_pi * 0.25f};
-  const SkySample s = environment.distribution.sample(u);
-  return {to_world(environment, from_polar(environment.mapping, s.direction)), s.pdf};
+  return sample_in_cell(environment, environment.distribution.cells().sample(u));
 }
 
 }  // namespace candela

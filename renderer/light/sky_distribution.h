@@ -21,7 +21,7 @@ namespace candela {
 
 // (1 - t, t) for a quarter's t in [0, 1], turned by the quarters before it: (x, z). In [0, 4].
 [[nodiscard]] inline Vec2f sky_chord(float quarters) {
-  const float whole = std::min(std::floor(quarters), 3.0f);
+  const float whole = std::min(static_cast<float>(static_cast<std::int32_t>(quarters)), 3.0f);
   const float t = quarters - whole;
   const bool is_odd = whole == 1 || whole == 3;
   Vec2f chord = is_odd ? Vec2f{-t, 1 - t} : Vec2f{1 - t, t};
@@ -36,6 +36,13 @@ namespace candela {
   return z >= 0 ? 2 - t : 2 + t;
 }
 
+// A cell, and one over its solid angle as it is at one of its directions.
+struct SkyPlace {
+  std::uint32_t column = 0;
+  std::uint32_t row = 0;
+  float density = 0;
+};
+
 struct SkySample {
   Vec3f direction{0};
   float pdf = 0;  // solid angle
@@ -49,51 +56,60 @@ class SkyDistribution {
 
   [[nodiscard]] const GridDistribution& cells() const { return cells_; }
 
-  // u in [0, 1)^2; not where there is no light. Within a cell cosines are uniform, and so is the
-  // place along a chord.
-  [[nodiscard]] SkySample sample(Vec2f u) const {
-    const GridDistribution::Cell cell = cells_.sample(u);
+  // u in [0, 1)^2; not where there is no light.
+  [[nodiscard]] SkySample sample(Vec2f u) const { return at(cells_.sample(u)); }
+
+  // Within a cell cosines are uniform, and so is the place along a chord.
+  [[nodiscard]] SkySample at(const GridDistribution::Cell& cell) const {
     const bool is_south = 2 * cell.row >= cells_.rows();
-    const float row = static_cast<float>(is_south ? cells_.rows() - 1 - cell.row : cell.row);
+    const float row = as_float(is_south ? cells_.rows() - 1 - cell.row : cell.row);
     const float below = is_south ? 1 - cell.offset.y : cell.offset.y;
-    const float half_rows = 0.5f * static_cast<float>(cells_.rows());
+    const float half_rows = 0.5f * as_float(cells_.rows());
     // (1 - cos) / 2 = sin^2(theta / 2), 1 / 2 at the horizon.
     const float versine = 0.5f * (row * row + (2 * row + 1) * below) / (half_rows * half_rows);
     const float cos_theta = 1 - 2 * versine;
     const float sin_theta = 2 * std::sqrt(versine * (1 - versine));
-    Vec2f chord = sky_chord((static_cast<float>(cell.column) + cell.offset.x) * 4 /
-                            static_cast<float>(cells_.columns()));
+    Vec2f chord =
+        sky_chord((as_float(cell.column) + cell.offset.x) * 4 / as_float(cells_.columns()));
     const float reach2 = dot(chord, chord);
     const float across = sin_theta / std::sqrt(reach2);
     return {{chord.x * across, is_south ? -cos_theta : cos_theta, chord.y * across},
             cell.probability * density(row, reach2)};
   }
 
-  // The density of sample() at a unit direction.
-  [[nodiscard]] float pdf(const Vec3f& d) const {
+  // Of a unit direction.
+  [[nodiscard]] SkyPlace place_of(const Vec3f& d) const {
     const float sin2_theta = d.x * d.x + d.z * d.z;
     const std::uint32_t half_rows = cells_.rows() / 2;
     // sin(theta / 2) / sin(pi / 4), without 1 - cos, which would cancel.
     const float height = std::sqrt(sin2_theta / (1 + std::abs(d.y)));
-    const std::uint32_t row =
-        std::min(static_cast<std::uint32_t>(height * static_cast<float>(half_rows)), half_rows - 1);
-    const float columns_a_quarter = 0.25f * static_cast<float>(cells_.columns());
+    const std::uint32_t row = std::min(as_number(height * as_float(half_rows)), half_rows - 1);
+    const float columns_a_quarter = 0.25f * as_float(cells_.columns());
     const std::uint32_t column =
-        std::min(static_cast<std::uint32_t>(sky_quarters(d.x, d.z) * columns_a_quarter),
-                 cells_.columns() - 1);
+        std::min(as_number(sky_quarters(d.x, d.z) * columns_a_quarter), cells_.columns() - 1);
     const float reach = std::abs(d.x) + std::abs(d.z);
     const float reach2 = reach > 0 ? sin2_theta / (reach * reach) : 1;
-    return cells_.probability(column, d.y < 0 ? cells_.rows() - 1 - row : row) *
-           density(static_cast<float>(row), reach2);
+    return {column, d.y < 0 ? cells_.rows() - 1 - row : row, density(as_float(row), reach2)};
   }
+  // The density of sample() there.
+  [[nodiscard]] float pdf(const SkyPlace& place) const {
+    return cells_.probability(place.column, place.row) * place.density;
+  }
+  [[nodiscard]] float pdf(const Vec3f& d) const { return pdf(place_of(d)); }
 
  private:
+  // Of numbers of cells, by way of signed ones, which every processor's vectors convert.
+  [[nodiscard]] static float as_float(std::uint32_t number) {
+    return static_cast<float>(static_cast<std::int32_t>(number));
+  }
+  [[nodiscard]] static std::uint32_t as_number(float x) {
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(x));
+  }
   // One over a cell's solid angle, as it is where the chord is sqrt(reach2) away: a step of the
   // cosine of (2 row + 1) / half_rows^2, times one of the azimuth of 4 / columns / reach2.
   [[nodiscard]] float density(float row, float reach2) const {
-    const float half_rows = 0.5f * static_cast<float>(cells_.rows());
-    return reach2 * static_cast<float>(cells_.columns()) * (half_rows * half_rows) /
-           (4 * (2 * row + 1));
+    const float half_rows = 0.5f * as_float(cells_.rows());
+    return reach2 * as_float(cells_.columns()) * (half_rows * half_rows) / (4 * (2 * row + 1));
   }
 
   GridDistribution cells_;

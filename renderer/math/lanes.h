@@ -43,6 +43,12 @@ inline constexpr LaneMask all_lanes = (1u << block_size) - 1;
   return mask;
 }
 
+[[nodiscard]] inline LaneFlags flags_of(LaneMask lanes) {
+  LaneFlags flags;
+  for (std::uint32_t i = 0; i < block_size; ++i) flags[i] = lanes >> i & 1;
+  return flags;
+}
+
 // std::popcount, without a call where the processor need not have an instruction for it.
 [[nodiscard]] constexpr std::uint32_t lane_count(LaneMask lanes) {
   lanes -= (lanes >> 1) & 0x5555;
