@@ -114,6 +114,13 @@ inline void put_normals(const Geometry& geometry, const std::array<std::uint32_t
   met.normal2.set(slot, geometry.normals[corners[2]]);
 }
 
+// Asks the memory for what the surface's maps say there, long before the first is looked at.
+inline void prefetch_maps(const Material& material, const TextureStore& textures, Vec2f uv) {
+  for (const TextureHandle map : {material.diffuse.texture, material.specular.texture,
+                                  material.height, material.normal_map})
+    if (map) textures.prefetch(map, uv);
+}
+
 inline void put_surface(const Scene& scene, const Geometry& geometry, std::uint32_t triangle,
                         float u, float v, std::uint32_t slot, PlainLanes& lanes) {
   const auto& corners = geometry.triangles[triangle];
@@ -122,8 +129,10 @@ inline void put_surface(const Scene& scene, const Geometry& geometry, std::uint3
   met.corner1.set(slot, geometry.positions[corners[1]]);
   met.corner2.set(slot, geometry.positions[corners[2]]);
   put_normals(geometry, corners, slot, met);
-  lanes.bsdfs.material[slot] = &scene.materials[geometry.material.index];
+  const Material& material = scene.materials[geometry.material.index];
+  lanes.bsdfs.material[slot] = &material;
   lanes.bsdfs.uv[slot] = geometry.uvs.empty() ? SurfacePoint{}.uv : uv_of(geometry, corners, u, v);
+  if (material.reads_uv) prefetch_maps(material, scene.textures, lanes.bsdfs.uv[slot]);
 }
 
 // What a path's ray met, and the numbers by which it goes on.

@@ -69,7 +69,7 @@ class Texture {
   }
 
   void prefetch(Vec2f uv) const {
-    if (!is_ready_.load(std::memory_order_acquire) || is_special_) return;
+    if (!is_ready_.load(std::memory_order_acquire) || is_at_hand_) return;
     const auto [column, row] = footprint_of(uv, view_.width, view_.height, wrap_);
     for (const std::int32_t y : {row.first, row.second}) {
       const std::ptrdiff_t texel = std::ptrdiff_t{y} * view_.width + column.first;
@@ -106,6 +106,8 @@ class Texture {
       texel_bytes_ = static_cast<std::size_t>(texels.channels) * size_of(texels.type);
       filters_ = texel_filters(texels.type, texels.channels, encoding_, wrap_ == Wrap::Black);
       is_special_ = is_single_texel(texels);
+      constexpr std::size_t most_at_hand = 1 << 16;  // of a processor's second cache a small part
+      is_at_hand_ = is_special_ || file_->bytes() <= most_at_hand;
       if (is_special_) constant_ = filters_.all(view_, Footprint{});
       is_ready_.store(true, std::memory_order_release);
     });
@@ -114,6 +116,7 @@ class Texture {
   TextureFile* file_ = nullptr;
   std::atomic<bool> is_ready_{false};
   bool is_special_ = false;  // a constant, or procedural
+  bool is_at_hand_ = true;   // nothing that memory would have to be asked for
   Encoding encoding_ = Encoding::Linear;
   Wrap wrap_ = Wrap::Repeat;
   TexelView view_;
