@@ -2,6 +2,7 @@
 
 #include "renderer/base/floating_point_traps.h"
 #include "renderer/base/vector_widths.h"
+#include "renderer/math/lanes_power.h"
 
 namespace candela {
 namespace {
@@ -80,6 +81,14 @@ CANDELA_LANES void find_places(const Environment& sky, const Vec3Lanes& directio
   places = found;
 }
 
+CANDELA_LANES void decode_gamma(const LaneFlags& lacks_gamma, Vec3Lanes& colours) {
+  for (std::uint32_t i = 0; i < block_size; ++i) {
+    Vec3f colour = colours[i];
+    Vec3f decoded{power_2_2(colour.x), power_2_2(colour.y), power_2_2(colour.z)};
+    colours.set(i, lacks_gamma[i] != 0 ? decoded : colour);
+  }
+}
+
 // Of environment_pdf().
 void find_pdfs(const Environment& sky, LaneMask lanes, const Vec3Lanes& directions,
                Lanes<float>& pdf) {
@@ -116,6 +125,25 @@ void find_sky_points(const Environment& sky, const Vec3Lanes& directions, SkyPoi
     case EnvironmentMapping::EqualArea:
       return find_on_equal_area(sky, directions, points);
   }
+}
+
+void find_sky_radiance(const Environment& sky, const TextureStore& textures, LaneMask lanes,
+                       const Vec3Lanes& directions, Coherence coherence, Vec3Lanes& radiance) {
+  SkyPointLanes points;
+  find_sky_points(sky, directions, points);
+  if (coherence == Coherence::Incoherent)
+    for_each_lane(lanes, [&](std::uint32_t i) { prefetch_radiance(sky, textures, points[i]); });
+  LaneFlags lacks_gamma{};
+  for_each_lane(lanes, [&](std::uint32_t i) {
+    const auto stored = textures.lookup_stored(sky.faces[points.face[i]], points[i].uv);
+    radiance.set(i, Rgb(stored.value));
+    lacks_gamma[i] = flag(stored.lacks_gamma);
+  });
+  const FloatingPointTraps traps(Traps::Off);  // lanes that nothing is in
+  if (mask_of(lacks_gamma) != 0) decode_gamma(lacks_gamma, radiance);
+  for_each_lane(lanes, [&](std::uint32_t i) {
+    radiance.set(i, sky.scale * valid_radiance(Vec4f(radiance[i], 1)));
+  });
 }
 
 void sample_sky_in_lanes(const Environment& sky, LaneMask lanes, PlainLanes& plain) {

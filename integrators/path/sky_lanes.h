@@ -28,6 +28,11 @@ struct SkyPointLanes {
 // Of a map's directions.
 void find_sky_points(const Environment& sky, const Vec3Lanes& directions, SkyPointLanes& points);
 
+// What a map sends from the directions in the given lanes. Where those are not side by side, all
+// texels are asked for before the first is looked at, so that their waits overlap.
+void find_sky_radiance(const Environment& sky, const TextureStore& textures, LaneMask lanes,
+                       const Vec3Lanes& directions, Coherence coherence, Vec3Lanes& radiance);
+
 // Light samples of the given lanes, whose lamp is the sky, a map, as if its radiance were 1.
 void sample_sky_in_lanes(const Environment& sky, LaneMask lanes, PlainLanes& plain);
 

@@ -116,24 +116,15 @@ template <FeatureSet F, class A>
 // Lanes whose directions are looked up side by side.
 inline constexpr std::uint32_t fewest_in_sky = 4;
 
-// Calls use(i, radiance) with what the sky sends from the given lanes' directions. Where those are
-// not side by side, all of its texels are asked for before the first is looked at, so that their
-// waits overlap.
-template <FeatureSet F, class Use>
-inline void for_each_sky_radiance(const Scene& scene, LaneMask lanes, const Vec3Lanes& directions,
-                                  Coherence coherence, const Use& use) {
+// What the sky sends from the directions in the given lanes.
+template <FeatureSet F>
+inline void find_sky(const Scene& scene, LaneMask lanes, const Vec3Lanes& directions,
+                     Coherence coherence, Vec3Lanes& radiance) {
   const Environment& sky = *scene.environment;
-  SkyPointLanes points;
-  if (F.lanes && lane_count(lanes) >= fewest_in_sky)
-    find_sky_points(sky, directions, points);
-  else
-    for_each_lane(lanes,
-                  [&](std::uint32_t i) { points.set(i, environment_point(sky, directions[i])); });
-  if (coherence == Coherence::Incoherent)
-    for_each_lane(lanes,
-                  [&](std::uint32_t i) { prefetch_radiance(sky, scene.textures, points[i]); });
+  if (F.lanes && lane_count(lanes) >= fewest_in_sky && !sky.is_constant())
+    return find_sky_radiance(sky, scene.textures, lanes, directions, coherence, radiance);
   for_each_lane(lanes, [&](std::uint32_t i) {
-    use(i, environment_radiance(sky, scene.textures, points[i]));
+    radiance.set(i, environment_radiance(sky, scene.textures, directions[i]));
   });
 }
 
@@ -142,11 +133,12 @@ template <FeatureSet F, class A>
 inline void add_direct_light(const PathContext<A>& context, const LanesAfterStep& after,
                              PathBlock& block, TileCounts& counts) {
   const LaneMask arriving = trace_shadow_rays<F>(context, after.shadow_rays, block, counts);
-  if (const LaneMask sky = arriving & after.sky_rays; sky != 0)
-    for_each_sky_radiance<F>(context.scene, sky, block.shadow_rays.direction, Coherence::Incoherent,
-                             [&](std::uint32_t i, const Rgb& radiance) {
-                               block.unshadowed.set(i, block.unshadowed[i] * radiance);
-                             });
+  if (const LaneMask sky = arriving & after.sky_rays; sky != 0) {
+    Vec3Lanes radiance;
+    find_sky<F>(context.scene, sky, block.shadow_rays.direction, Coherence::Incoherent, radiance);
+    for_each_lane(
+        sky, [&](std::uint32_t i) { block.unshadowed.set(i, block.unshadowed[i] * radiance[i]); });
+  }
   if (arriving != 0) add_unshadowed(arriving, block);
 }
 
@@ -154,22 +146,18 @@ inline void add_direct_light(const PathContext<A>& context, const LanesAfterStep
 template <FeatureSet F, class A>
 inline void add_sky(const PathContext<A>& context, LaneMask lanes, Coherence coherence,
                     PathBlock& block) {
+  static_assert(!(F.lanes && F.strategies));
   const Scene& scene = context.scene;
   const Vec3Lanes& directions = block.rays.direction;
-  if (F.lanes && lane_count(lanes) >= fewest_in_sky) {
-    static_assert(!(F.lanes && F.strategies));
-    Vec3Lanes radiance;
-    for_each_sky_radiance<F>(
-        scene, lanes, directions, coherence,
-        [&](std::uint32_t i, const Rgb& from_sky) { radiance.set(i, from_sky); });
+  Vec3Lanes radiance;
+  find_sky<F>(scene, lanes, directions, coherence, radiance);
+  if (F.lanes && lane_count(lanes) >= fewest_in_sky)
     return add_met_sky(scene, lanes, directions, radiance, block.paths);
-  }
-  for_each_sky_radiance<F>(
-      scene, lanes, directions, coherence, [&](std::uint32_t i, const Rgb& radiance) {
-        PathState path = block.paths[i];
-        add_environment<F>(scene, context.options, directions[i], radiance, path);
-        block.paths.radiance.set(i, path.radiance);
-      });
+  for_each_lane(lanes, [&](std::uint32_t i) {
+    PathState path = block.paths[i];
+    add_environment<F>(scene, context.options, directions[i], radiance[i], path);
+    block.paths.radiance.set(i, path.radiance);
+  });
 }
 
 // Ends the paths whose rays left the scene; returns the others. (Within a medium a ray may collide

@@ -156,14 +156,16 @@ float filter_alpha(const TexelView& view, const Footprint& footprint) {
 
 template <SampleType type, int channels, bool has_border>
 TexelFilters chosen_encoding(Encoding encoding) {
+  const TexelFilter linear = filter<type, channels, Encoding::Linear, has_border>;
   const AlphaFilter alpha = filter_alpha<type, channels, has_border>;
   switch (encoding) {
     case Encoding::Linear:
-      return {filter<type, channels, Encoding::Linear, has_border>, alpha};
+      return {linear, linear, alpha};
     case Encoding::Srgb:
-      return {filter<type, channels, Encoding::Srgb, has_border>, alpha};
+      return {filter<type, channels, Encoding::Srgb, has_border>,
+              filter<type, channels, Encoding::Srgb, has_border>, alpha};
     case Encoding::LabGamma:
-      return {filter<type, channels, Encoding::LabGamma, has_border>, alpha};
+      return {filter<type, channels, Encoding::LabGamma, has_border>, linear, alpha};
   }
   return {};
 }

@@ -27,6 +27,7 @@ using AlphaFilter = float (*)(const TexelView&, const Footprint&);
 
 struct TexelFilters {
   TexelFilter all = nullptr;
+  TexelFilter before_gamma = nullptr;  // likewise, but for LabGamma's power_2_2()
   AlphaFilter alpha = nullptr;
 };
 

@@ -68,6 +68,14 @@ class Texture {
     return filters_.all(view_, footprint_of(uv, view_.width, view_.height, wrap_));
   }
 
+  // Of images.
+  [[nodiscard]] TextureStore::Stored lookup_stored(Vec2f uv) {
+    if (!is_ready_.load(std::memory_order_acquire)) prepare();
+    if (is_special_) return {constant_, false};
+    return {filters_.before_gamma(view_, footprint_of(uv, view_.width, view_.height, wrap_)),
+            encoding_ == Encoding::LabGamma};
+  }
+
   void prefetch(Vec2f uv) const {
     if (!is_ready_.load(std::memory_order_acquire) || is_at_hand_) return;
     const auto [column, row] = footprint_of(uv, view_.width, view_.height, wrap_);
@@ -195,6 +203,10 @@ bool TextureStore::is_image(TextureHandle texture) const {
 
 Vec4f TextureStore::lookup(TextureHandle texture, Vec2f uv) const {
   return textures_[texture.index]->lookup(*this, uv, nullptr);
+}
+
+TextureStore::Stored TextureStore::lookup_stored(TextureHandle image, Vec2f uv) const {
+  return textures_[image.index]->lookup_stored(uv);
 }
 
 void TextureStore::prefetch(TextureHandle texture, Vec2f uv) const {

@@ -14,6 +14,7 @@ using light_test::MapEnvironment;
 using light_test::random_direction;
 using light_test::random_pair;
 using light_test::random_unit;
+using light_test::write_byte_map;
 using light_test::write_float_map;
 
 constexpr std::uint64_t blocks = 200;
@@ -23,12 +24,14 @@ Vec3f uneven(int x, int y) {
           y == 3 ? 40.0f : 0.5f};
 }
 
-// Turned and mirrored; the faces of the cube are of two sizes.
+// Turned and mirrored; the faces of the cube are of two sizes and encodings, and one is even.
 std::vector<MapEnvironment> maps() {
   const Mat3d turn = Mat3d(Vec3d(0, 0.6, 0.8), Vec3d(1, 0, 0), Vec3d(0, 0.8, -0.6));
   std::array<description::Image, 6> faces;
   for (std::size_t i = 0; i < faces.size(); ++i)
-    faces[i] = write_float_map(fmt::format("lanes{}", i), i < 3 ? 8 : 4, i < 3 ? 8 : 4, uneven);
+    faces[i] = i < 3 ? write_float_map(fmt::format("lanes{}", i), 8, 8, uneven)
+                     : write_byte_map(fmt::format("lanes{}", i), 4, 4, uneven);
+  faces[5] = write_byte_map("lanes_even", 1, 1, uneven);
   std::vector<MapEnvironment> made;
   made.push_back(light_test::cube(faces));
   made.push_back(light_test::lat_long(write_float_map("lanes_around", 16, 8, uneven), turn));
@@ -58,6 +61,22 @@ TEST(Agreement_SkyLanes, PointsAreThoseOfSingleDirections) {
         const EnvironmentPoint single = environment_point(map.environment, directions[i]);
         ASSERT_EQ(points.face[i], single.face);
         ASSERT_EQ(points[i].uv, single.uv);
+      }
+    }
+}
+
+TEST(Agreement_SkyLanes, RadianceIsThatOfSingleDirections) {
+  const LaneMask lanes = 0xff7b;
+  for (const MapEnvironment& map : maps())
+    for (std::uint64_t block = 0; block < blocks; ++block) {
+      const Vec3Lanes directions = directions_of(block);
+      for (const Coherence coherence : {Coherence::Coherent, Coherence::Incoherent}) {
+        Vec3Lanes radiance;
+        find_sky_radiance(map.environment, map.textures, lanes, directions, coherence, radiance);
+        for_each_lane(lanes, [&](std::uint32_t i) {
+          ASSERT_EQ(radiance[i], map.radiance(directions[i]));
+          ASSERT_GT(radiance[i].x, 0);
+        });
       }
     }
 }

@@ -64,5 +64,13 @@ TEST(Unit_LanesPower, LanesDoNotMix) {
   }
 }
 
+TEST(Unit_LanesPower, OneFloatHasTheBitsOfALane) {
+  const FloatingPointTraps traps(Traps::Off);  // not all are numbers
+  for (std::uint32_t bits = 0; bits < 0xffff'0000; bits += 9973) {
+    const auto x = std::bit_cast<float>(bits);
+    ASSERT_EQ(power_2_2(x), power_2_2(all(x))[1]) << x;
+  }
+}
+
 }  // namespace
 }  // namespace candela
