@@ -54,7 +54,7 @@ inline void put_bsdf(PlainModel model, const TextureStore& textures, std::uint32
   BsdfLanes& bsdfs = lanes.bsdfs;
   const Material& material = *bsdfs.material[slot];
   const TexturePoint at = texture_point_of(lanes, slot);
-  if (model == PlainModel::Diffuse) {
+  if (model == PlainModel::Diffuse || model == PlainModel::Mirror) {
     bsdfs.diffuse.set(slot, colour_at(material.diffuse, textures, at));
     return;
   }
@@ -68,6 +68,12 @@ inline void put_bsdf(PlainModel model, const TextureStore& textures, std::uint32
   if (model == PlainModel::CoatedDiffuse) {
     put_coat(coated_diffuse_at(material, textures, at),
              dot(-lanes.met.direction[slot], lanes.met.shading_normal[slot]), slot, bsdfs);
+    return;
+  }
+  if (model == PlainModel::Glass) {
+    const Bsdf glass = dielectric_at(material, textures, at, lanes.met.is_front[slot] != 0);
+    bsdfs.eta.set(slot, glass.eta);
+    bsdfs.transmittance.set(slot, glass.transmittance);
     return;
   }
   Bsdf bsdf = model == PlainModel::Lab ? lab_at(material, textures, at)
@@ -116,8 +122,8 @@ inline void put_normals(const Geometry& geometry, const std::array<std::uint32_t
 
 // Asks the memory for what the surface's maps say there, long before the first is looked at.
 inline void prefetch_maps(const Material& material, const TextureStore& textures, Vec2f uv) {
-  for (const TextureHandle map : {material.diffuse.texture, material.specular.texture,
-                                  material.height, material.normal_map})
+  for (const TextureHandle map :
+       {material.diffuse.texture, material.specular.texture, material.height, material.normal_map})
     if (map) textures.prefetch(map, uv);
 }
 
@@ -197,6 +203,13 @@ inline void take_scattered(const PlainLanes& lanes, std::uint32_t slot, std::uin
   block.rays.set(i, {lanes.scattered.origin[slot], lanes.scattered.direction[slot], infinity});
 }
 
+// Then, where it left by a delta lobe.
+inline void take_delta(const PlainLanes& lanes, std::uint32_t slot, std::uint32_t i,
+                       PathBlock& block) {
+  block.paths.is_delta[i] = 1;
+  block.paths.roulette_scale[i] = lanes.scattered.roulette_scale[slot];
+}
+
 // The surfaces, once all paths are put.
 inline void find_surfaces(PlainModel model, const Scene& scene, PlainLanes& lanes) {
   find_points(lanes);
@@ -221,7 +234,10 @@ template <FeatureSet F, class A>
   });
   find_surfaces(model, context.scene, lanes);
   const ScatterMasks scattered = scatter(model, context.inverse_roulette_threshold, lanes);
-  for_each_lane(scattered.going_on, [&](std::uint32_t i) { take_scattered(lanes, i, i, block); });
+  for_each_lane(scattered.going_on, [&](std::uint32_t i) {
+    take_scattered(lanes, i, i, block);
+    if (is_only_delta(model)) take_delta(lanes, i, i, block);
+  });
   for_each_lane(scattered.lost, [&](std::uint32_t i) { lose_path(block, i); });
   return scattered.going_on;
 }

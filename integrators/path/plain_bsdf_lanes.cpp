@@ -16,6 +16,10 @@ constexpr BsdfModel bsdf_model(PlainModel model) {
       return BsdfModel::Conductor;
     case PlainModel::CoatedDiffuse:
       return BsdfModel::CoatedDiffuse;
+    case PlainModel::Mirror:
+      return BsdfModel::Mirror;
+    case PlainModel::Glass:
+      return BsdfModel::Dielectric;
     case PlainModel::Diffuse:
     case PlainModel::None:
       break;
@@ -38,6 +42,13 @@ template <PlainModel model>
             .alpha = bsdfs.alpha[i],
             .eta = bsdfs.eta[i],
             .k = bsdfs.k[i]};
+  if constexpr (model == PlainModel::Mirror)
+    return {.model = BsdfModel::Mirror, .diffuse = bsdfs.diffuse[i]};
+  if constexpr (model == PlainModel::Glass)
+    return {.model = BsdfModel::Dielectric,
+            .is_smooth = true,
+            .eta = bsdfs.eta[i],
+            .transmittance = bsdfs.transmittance[i]};
   return {.model = BsdfModel::CookTorrance,
           .alpha = bsdfs.alpha[i],
           .diffuse = bsdfs.diffuse[i],
@@ -127,6 +138,7 @@ template <PlainModel model>
     lost[i] = survives & (can_be_traced ^ 1);
     scattered.throughput.set(i, path.throughput);
     scattered.pdf[i] = path.bsdf_pdf;
+    if constexpr (is_only_delta(model)) scattered.roulette_scale[i] = path.roulette_scale;
     scattered.origin.set(i, ray.origin);
     scattered.direction.set(i, ray.direction);
   }
@@ -162,6 +174,13 @@ CANDELA_LANES ScatterMasks scatter_by_metal(float inverse_threshold, PlainLanes&
 }
 CANDELA_LANES ScatterMasks scatter_by_coat(float inverse_threshold, PlainLanes& lanes) {
   return scatter_by<PlainModel::CoatedDiffuse>(inverse_threshold, lanes);
+}
+
+CANDELA_LANES ScatterMasks scatter_by_mirror(float inverse_threshold, PlainLanes& lanes) {
+  return scatter_by<PlainModel::Mirror>(inverse_threshold, lanes);
+}
+CANDELA_LANES ScatterMasks scatter_by_glass(float inverse_threshold, PlainLanes& lanes) {
+  return scatter_by<PlainModel::Glass>(inverse_threshold, lanes);
 }
 
 CANDELA_LANES void sample_coats(PlainLanes& lanes) {
@@ -204,6 +223,8 @@ LightMasks weigh_light(PlainModel model, const RenderOptions& options, PlainLane
           },
           lanes);
       return weigh_light_by_coat(options, lanes);
+    case PlainModel::Mirror:
+    case PlainModel::Glass:
     case PlainModel::None:
       break;
   }
@@ -224,6 +245,10 @@ ScatterMasks scatter(PlainModel model, float inverse_roulette_threshold, PlainLa
       sample_coats(lanes);
       put_transmittances([&](std::uint32_t slot) { return lanes.scattered.wi.z[slot]; }, lanes);
       return scatter_by_coat(inverse_roulette_threshold, lanes);
+    case PlainModel::Mirror:
+      return scatter_by_mirror(inverse_roulette_threshold, lanes);
+    case PlainModel::Glass:
+      return scatter_by_glass(inverse_roulette_threshold, lanes);
     case PlainModel::None:
       break;
   }

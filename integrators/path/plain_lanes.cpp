@@ -27,6 +27,7 @@ CANDELA_LANES void find_planes(MetLanes& met) {
     met.position.set(i, plane.position);
     met.front_normal.set(i, plane.normal);
     met.normal.set(i, is_front ? plane.normal : -plane.normal);
+    met.is_front[i] = flag(is_front);
     met.offset[i] = plane.offset;
   }
 }

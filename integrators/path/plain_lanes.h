@@ -34,6 +34,7 @@ struct MetLanes {
   Vec3Lanes normal;  // the geometric one, on the ray's side
   Vec3Lanes front_normal;
   Lanes<float> offset{};
+  LaneFlags is_front{};  // the ray is on the side that the triangle's winding says
   LaneFlags is_flat{};
   bool all_are_flat = true;
   Vec3Lanes shading_normal;  // by find_frames(): that of the shading frame
@@ -89,7 +90,7 @@ struct BsdfLanes {
 
   Lanes<const Material*> material{};
   Lanes<Vec2f> uv{};
-  Vec3Lanes diffuse, specular, f0, eta, k;
+  Vec3Lanes diffuse, specular, f0, eta, k, transmittance;
   Lanes<float> alpha;
   // What a coat's table says (CoatedLobes): of light from wo, on average, and from wi.
   Lanes<float> coat_eta;
@@ -104,6 +105,7 @@ struct ScatteredLanes {
   Vec3Lanes wi;  // local; of coats
   Vec3Lanes throughput;
   Lanes<float> pdf{};
+  Lanes<float> roulette_scale{};  // of delta lobes; others leave it as it is
   Vec3Lanes origin, direction;
 };
 
@@ -137,9 +139,9 @@ struct PlainLanes {
   return mask_of(flags) & lanes.filled;
 }
 
-inline constexpr std::array plain_models{PlainModel::Diffuse, PlainModel::CookTorrance,
-                                         PlainModel::Lab, PlainModel::Conductor,
-                                         PlainModel::CoatedDiffuse};
+inline constexpr std::array plain_models{
+    PlainModel::Diffuse,       PlainModel::CookTorrance, PlainModel::Lab,  PlainModel::Conductor,
+    PlainModel::CoatedDiffuse, PlainModel::Mirror,       PlainModel::Glass};
 
 void find_points(PlainLanes& lanes);
 void find_frames(PlainLanes& lanes);

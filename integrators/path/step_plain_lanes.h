@@ -52,8 +52,10 @@ class PlainSteps {
   void step(PlainModel model) {
     if (lanes_.filled == 0) return;
     find_surfaces(model, scene(), lanes_);
-    for (const std::uint32_t index : lights().always()) add_light_of(index, model);
-    if (lights().has_table()) add_picked_light(model);
+    if (!is_only_delta(model)) {
+      for (const std::uint32_t index : lights().always()) add_light_of(index, model);
+      if (lights().has_table()) add_picked_light(model);
+    }
     scatter_paths(model);
   }
 
@@ -208,6 +210,10 @@ class PlainSteps {
         at.trip->after.going_on |= 1u << at.lane;
       });
     }
+    if (is_only_delta(model))
+      for_each_lane(scattered.going_on, [&](std::uint32_t slot) {
+        take_delta(lanes_, slot, place(slot).lane, place(slot).trip->block);
+      });
     for_each_lane(scattered.lost, [&](std::uint32_t slot) {
       lose_path(place(slot).trip->block, place(slot).lane);
     });

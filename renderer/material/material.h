@@ -33,7 +33,21 @@ enum class MaterialModel : std::uint8_t {
 };
 
 // See plain_model.h. CookTorrance: with Schlick's two terms. Conductor, CoatedDiffuse: rough ones.
-enum class PlainModel : std::uint8_t { None, Diffuse, CookTorrance, Lab, Conductor, CoatedDiffuse };
+// Glass: smooth.
+enum class PlainModel : std::uint8_t {
+  None,
+  Diffuse,
+  CookTorrance,
+  Lab,
+  Conductor,
+  CoatedDiffuse,
+  Mirror,
+  Glass,
+};
+// Of those whose lobes are all delta: light samples find nothing there.
+[[nodiscard]] constexpr bool is_only_delta(PlainModel model) {
+  return model == PlainModel::Mirror || model == PlainModel::Glass;
+}
 
 // Whether light may pass to the other side.
 [[nodiscard]] constexpr bool is_transmissive(MaterialModel model) {

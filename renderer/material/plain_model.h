@@ -1,4 +1,4 @@
-// Surfaces whose BSDF is of one of five models, the same one whatever textures say: paths take
+// Surfaces whose BSDF is of one of seven models, the same one whatever textures say: paths take
 // their steps on such surfaces side by side (integrators/path/plain_lanes.h).
 #pragma once
 
@@ -10,6 +10,14 @@ namespace candela {
 [[nodiscard]] inline bool has_one_width(const Material& material) {
   return !material.is_anisotropic && !material.roughness.texture &&
          material.roughness.constant >= smallest_ggx_width;
+}
+
+// From either side.
+[[nodiscard]] inline bool is_smooth_glass(const Material& material) {
+  const float alpha = material.roughness.constant;
+  const float eta = material.eta.x;
+  return !material.is_anisotropic && !material.roughness.texture &&
+         is_smooth_dielectric(alpha, eta) && is_smooth_dielectric(alpha, 1 / eta);
 }
 
 [[nodiscard]] inline PlainModel plain_model_of(const Material& material) {
@@ -28,6 +36,10 @@ namespace candela {
                                                                       : PlainModel::None;
     case MaterialModel::CoatedDiffuse:
       return has_one_width(material) ? PlainModel::CoatedDiffuse : PlainModel::None;
+    case MaterialModel::Mirror:
+      return PlainModel::Mirror;
+    case MaterialModel::Dielectric:
+      return is_smooth_glass(material) ? PlainModel::Glass : PlainModel::None;
     default:
       return PlainModel::None;
   }

@@ -132,12 +132,19 @@ SceneDescription room_of_maps(const TemporaryFolder& folder) {
   return scene;
 }
 
-// What lanes leave to single steps, so that paths come from there and go there: glass, mirrors,
-// spheres and instances.
+// Glass and mirrors, where lights are not sampled; and what lanes leave to single steps, so that
+// paths come from there and go there: rough glass, panes, spheres and instances.
 SceneDescription room_of_strangers(const TemporaryFolder& folder) {
   SceneDescription scene = room_of_maps(folder);
   const auto glass = add_material(scene, description::DielectricMaterial{});
   add_mesh(scene, sphere({0.5, 0.1, 0.5}, 0.3, 4), glass);
+  add_mesh(scene, sphere({-0.2, 0.2, 0.6}, 0.15, 1),
+           add_material(
+               scene, description::DielectricMaterial{.ior = 2.2, .transmittance = {1, 0.9, 0.5}}));
+  add_mesh(scene, sphere({0, -0.3, 0.6}, 0.2, 1),
+           add_material(scene, description::DielectricMaterial{.roughness = {0.3, {}, 0}}));
+  add_mesh(scene, quad({-0.3, 0.6, -0.2}, {0.5, 0, 0.2}, {0, 0.1, 0.5}),
+           add_material(scene, description::DielectricMaterial{.is_thin = true}));
   const auto mirror = add_material(scene, description::MirrorMaterial{{Vec3d(0.9), {}}});
   add_mesh(scene, quad({-0.98, -0.9, -0.9}, {0, 0, 1.5}, {0, 1.5, 0}), mirror);
   add_mesh(scene, exact_sphere(0.2), add_material(scene, diffuse({0.2, 0.8, 0.4})),

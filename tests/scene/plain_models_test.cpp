@@ -44,10 +44,34 @@ TEST(Unit_PlainModels, OfEachKindOfMaterial) {
   lab.specular = {Vec3d(0.3), {}};
   lab.shininess = 40;
   EXPECT_EQ(model_of(lab), PlainModel::Lab);
-  EXPECT_EQ(model_of(description::DielectricMaterial{}), PlainModel::None);
+  EXPECT_EQ(model_of(description::MirrorMaterial{}), PlainModel::Mirror);
+  EXPECT_EQ(model_of(description::DielectricMaterial{.is_thin = true}), PlainModel::None);
 }
 
-// Lanes know neither mirrors nor widths that change from place to place.
+// Lanes know smooth glass alone: of one width that float cannot tell from none, from either side.
+TEST(Unit_PlainModels, OfGlass) {
+  const auto glass = [](double ior, double along, double across) {
+    description::DielectricMaterial material;
+    material.ior = ior;
+    material.roughness = {along, {}, 0};
+    material.roughness_across = {across, {}, 0};
+    return model_of(material);
+  };
+  EXPECT_EQ(model_of(description::DielectricMaterial{}), PlainModel::Glass);
+  EXPECT_EQ(glass(1.5, 0, 0), PlainModel::Glass);
+  EXPECT_EQ(glass(1.5, 0.2, 0.2), PlainModel::None);
+  EXPECT_EQ(glass(1.5, 0, 0.2), PlainModel::None);
+  EXPECT_EQ(glass(1, 0.5, 0.5), PlainModel::Glass);  // nothing is refracted
+  const TemporaryFolder folder;
+  const std::string png =
+      folder.put("rough.png", crafted::png_rgba(8, 8, [](int x, int, int) { return 30u * x; }));
+  SceneDescription with_image;
+  with_image.images.push_back({png, description::Encoding::Linear, description::Wrap::Repeat, {}});
+  const description::DielectricMaterial mapped{.roughness = {1, description::ImageHandle(0), 0}};
+  EXPECT_EQ(model_of(mapped, with_image), PlainModel::None);
+}
+
+// Lanes know neither smooth metals and coats nor widths that change from place to place.
 TEST(Unit_PlainModels, OfMetalsAndCoats) {
   const description::ScalarInput rough{0.2, {}, 0};
   const description::ScalarInput smooth{0.0, {}, 0};
