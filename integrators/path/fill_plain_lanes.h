@@ -4,6 +4,7 @@
 #include "integrators/path/block_numbers.h"
 #include "integrators/path/path_block.h"
 #include "integrators/path/plain_lanes.h"
+#include "integrators/path/surface_lanes.h"
 
 namespace candela {
 
@@ -34,79 +35,6 @@ class PlainMasks {
   for_each_lane(lanes & hits.met & ~hits.instanced,
                 [&](std::uint32_t i) { plain.add(scene.plain_models[hits.geometry[i]], i); });
   return plain;
-}
-
-[[nodiscard]] inline TexturePoint texture_point_of(const PlainLanes& lanes, std::uint32_t slot) {
-  return {lanes.bsdfs.uv[slot], lanes.met.position[slot], lanes.met.normal[slot]};
-}
-
-// `cos_o`: at the shading normal.
-inline void put_coat(const Bsdf& bsdf, float cos_o, std::uint32_t slot, BsdfLanes& bsdfs) {
-  bsdfs.diffuse.set(slot, bsdf.diffuse);
-  bsdfs.alpha[slot] = bsdf.alpha;
-  bsdfs.coat_eta[slot] = bsdf.coat->eta();
-  bsdfs.transmittance_o[slot] = bsdf.coat->transmittance(cos_o, bsdf.alpha);
-  bsdfs.mean_transmittance[slot] = bsdf.coat->mean_transmittance(bsdf.alpha);
-}
-
-inline void put_bsdf(PlainModel model, const TextureStore& textures, std::uint32_t slot,
-                     PlainLanes& lanes) {
-  BsdfLanes& bsdfs = lanes.bsdfs;
-  const Material& material = *bsdfs.material[slot];
-  const TexturePoint at = texture_point_of(lanes, slot);
-  if (model == PlainModel::Diffuse || model == PlainModel::Mirror) {
-    bsdfs.diffuse.set(slot, colour_at(material.diffuse, textures, at));
-    return;
-  }
-  if (model == PlainModel::Conductor) {
-    const MetalIndex metal = metal_index_at(material, textures, at);
-    bsdfs.eta.set(slot, metal.eta);
-    bsdfs.k.set(slot, metal.k);
-    bsdfs.alpha[slot] = ggx_width(material.roughness.constant);
-    return;
-  }
-  if (model == PlainModel::CoatedDiffuse) {
-    put_coat(coated_diffuse_at(material, textures, at),
-             dot(-lanes.met.direction[slot], lanes.met.shading_normal[slot]), slot, bsdfs);
-    return;
-  }
-  if (model == PlainModel::Glass) {
-    const Bsdf glass = dielectric_at(material, textures, at, lanes.met.is_front[slot] != 0);
-    bsdfs.eta.set(slot, glass.eta);
-    bsdfs.transmittance.set(slot, glass.transmittance);
-    return;
-  }
-  Bsdf bsdf = model == PlainModel::Lab ? lab_at(material, textures, at)
-                                       : cook_torrance_at(material, textures, at);
-  bsdfs.diffuse.set(slot, bsdf.diffuse);
-  bsdfs.specular.set(slot, bsdf.specular);
-  bsdfs.f0.set(slot, bsdf.f0);
-  bsdfs.alpha[slot] = bsdf.alpha;
-}
-// What textures say is looked up one path after the other, once it is known where they are.
-inline void put_bsdfs(PlainModel model, const TextureStore& textures, PlainLanes& lanes) {
-  for_each_lane(lanes.filled, [&](std::uint32_t slot) { put_bsdf(model, textures, slot, lanes); });
-}
-
-// Likewise, where surfaces have bumps.
-inline void put_bumps(const Scene& scene, PlainLanes& lanes) {
-  MetLanes& met = lanes.met;
-  for_each_lane(lanes.filled, [&](std::uint32_t slot) {
-    const Material& material = *lanes.bsdfs.material[slot];
-    if (!has_bump(material)) return;
-    const Geometry& geometry = scene.geometries[met.geometry[slot]];
-    const Float4 corner0 = to_lanes(met.corner0[slot]);
-    SurfacePoint point;
-    if (!geometry.uvs.empty())
-      set_tangents(geometry, geometry.triangles[met.triangle[slot]],
-                   to_lanes(met.corner1[slot]) - corner0, to_lanes(met.corner2[slot]) - corner0,
-                   point);
-    met.front_normal.set(slot,
-                         shading_normal_at(material, scene.textures, texture_point_of(lanes, slot),
-                                           met.front_normal[slot], point.dpdu, point.dpdv));
-    met.is_flat[slot] = 0;
-    met.all_are_flat = false;
-  });
 }
 
 inline void put_normals(const Geometry& geometry, const std::array<std::uint32_t, 3>& corners,
@@ -208,14 +136,6 @@ inline void take_delta(const PlainLanes& lanes, std::uint32_t slot, std::uint32_
                        PathBlock& block) {
   block.paths.is_delta[i] = 1;
   block.paths.roulette_scale[i] = lanes.scattered.roulette_scale[slot];
-}
-
-// The surfaces, once all paths are put.
-inline void find_surfaces(PlainModel model, const Scene& scene, PlainLanes& lanes) {
-  find_points(lanes);
-  if (scene.features.bump) put_bumps(scene, lanes);
-  find_frames(lanes);
-  put_bsdfs(model, scene.textures, lanes);
 }
 
 // Other paths from the first hits of a block in place of those that have ended (branches.h);

@@ -86,6 +86,7 @@ struct BsdfLanes {
   BsdfLanes() {
     alpha.fill(1);
     coat_eta.fill(1);
+    eta.x.fill(1);
   }
 
   Lanes<const Material*> material{};

@@ -1,0 +1,127 @@
+#include "integrators/path/surface_lanes.h"
+
+#include "renderer/material/bump.h"
+
+namespace candela {
+namespace {
+
+[[nodiscard]] TexturePoint texture_point_of(const PlainLanes& lanes, std::uint32_t slot) {
+  return {lanes.bsdfs.uv[slot], lanes.met.position[slot], lanes.met.normal[slot]};
+}
+
+// Where surfaces have bumps. What textures say is looked up one path after the other, once it is
+// known where they are.
+void put_bumps(const Scene& scene, PlainLanes& lanes) {
+  MetLanes& met = lanes.met;
+  for_each_lane(lanes.filled, [&](std::uint32_t slot) {
+    const Material& material = *lanes.bsdfs.material[slot];
+    if (!has_bump(material)) return;
+    const Geometry& geometry = scene.geometries[met.geometry[slot]];
+    const Float4 corner0 = to_lanes(met.corner0[slot]);
+    SurfacePoint point;
+    if (!geometry.uvs.empty())
+      set_tangents(geometry, geometry.triangles[met.triangle[slot]],
+                   to_lanes(met.corner1[slot]) - corner0, to_lanes(met.corner2[slot]) - corner0,
+                   point);
+    met.front_normal.set(slot,
+                         shading_normal_at(material, scene.textures, texture_point_of(lanes, slot),
+                                           met.front_normal[slot], point.dpdu, point.dpdv));
+    met.is_flat[slot] = 0;
+    met.all_are_flat = false;
+  });
+}
+
+// `put(slot, material, at)` for each path.
+template <class Put>
+void for_each_material(const PlainLanes& lanes, const Put& put) {
+  for_each_lane(lanes.filled, [&](std::uint32_t slot) {
+    put(slot, *lanes.bsdfs.material[slot], texture_point_of(lanes, slot));
+  });
+}
+
+void put_colours(const TextureStore& textures, PlainLanes& lanes) {
+  for_each_material(lanes, [&](std::uint32_t slot, const Material& material, const auto& at) {
+    lanes.bsdfs.diffuse.set(slot, colour_at(material.diffuse, textures, at));
+  });
+}
+
+template <class BsdfAt>
+void put_highlights(const BsdfAt& bsdf_at, PlainLanes& lanes) {
+  BsdfLanes& bsdfs = lanes.bsdfs;
+  for_each_material(lanes, [&](std::uint32_t slot, const Material& material, const auto& at) {
+    const Bsdf bsdf = bsdf_at(material, at);
+    bsdfs.diffuse.set(slot, bsdf.diffuse);
+    bsdfs.specular.set(slot, bsdf.specular);
+    bsdfs.f0.set(slot, bsdf.f0);
+    bsdfs.alpha[slot] = bsdf.alpha;
+  });
+}
+
+void put_metals(const TextureStore& textures, PlainLanes& lanes) {
+  BsdfLanes& bsdfs = lanes.bsdfs;
+  for_each_material(lanes, [&](std::uint32_t slot, const Material& material, const auto& at) {
+    const MetalIndex metal = metal_index_at(material, textures, at);
+    bsdfs.eta.set(slot, metal.eta);
+    bsdfs.k.set(slot, metal.k);
+    bsdfs.alpha[slot] = ggx_width(material.roughness.constant);
+  });
+}
+
+void put_coats(const TextureStore& textures, PlainLanes& lanes) {
+  BsdfLanes& bsdfs = lanes.bsdfs;
+  for_each_material(lanes, [&](std::uint32_t slot, const Material& material, const auto& at) {
+    const Bsdf bsdf = coated_diffuse_at(material, textures, at);
+    const float cos_o = dot(-lanes.met.direction[slot], lanes.met.shading_normal[slot]);
+    bsdfs.diffuse.set(slot, bsdf.diffuse);
+    bsdfs.alpha[slot] = bsdf.alpha;
+    bsdfs.coat_eta[slot] = bsdf.coat->eta();
+    bsdfs.transmittance_o[slot] = bsdf.coat->transmittance(cos_o, bsdf.alpha);
+    bsdfs.mean_transmittance[slot] = bsdf.coat->mean_transmittance(bsdf.alpha);
+  });
+}
+
+void put_glass(const TextureStore& textures, PlainLanes& lanes) {
+  BsdfLanes& bsdfs = lanes.bsdfs;
+  for_each_material(lanes, [&](std::uint32_t slot, const Material& material, const auto& at) {
+    const Bsdf bsdf = dielectric_at(material, textures, at, lanes.met.is_front[slot] != 0);
+    bsdfs.eta.set(slot, bsdf.eta);
+    bsdfs.transmittance.set(slot, bsdf.transmittance);
+  });
+}
+
+void put_bsdfs(PlainModel model, const TextureStore& textures, PlainLanes& lanes) {
+  switch (model) {
+    case PlainModel::Diffuse:
+    case PlainModel::Mirror:
+      return put_colours(textures, lanes);
+    case PlainModel::CookTorrance:
+      return put_highlights(
+          [&](const Material& material, const TexturePoint& at) {
+            return cook_torrance_at(material, textures, at);
+          },
+          lanes);
+    case PlainModel::Lab:
+      return put_highlights([&](const Material& material,
+                                const TexturePoint& at) { return lab_at(material, textures, at); },
+                            lanes);
+    case PlainModel::Conductor:
+      return put_metals(textures, lanes);
+    case PlainModel::CoatedDiffuse:
+      return put_coats(textures, lanes);
+    case PlainModel::Glass:
+      return put_glass(textures, lanes);
+    case PlainModel::None:
+      break;
+  }
+}
+
+}  // namespace
+
+void find_surfaces(PlainModel model, const Scene& scene, PlainLanes& lanes) {
+  find_points(lanes);
+  if (scene.features.bump) put_bumps(scene, lanes);
+  find_frames(lanes);
+  put_bsdfs(model, scene.textures, lanes);
+}
+
+}  // namespace candela
