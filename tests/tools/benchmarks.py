@@ -24,6 +24,7 @@ import numpy  # noqa: E402
 import peers  # noqa: E402
 import references  # noqa: E402
 import results  # noqa: E402
+import times as times_module  # noqa: E402
 import truth  # noqa: E402
 
 
@@ -89,6 +90,10 @@ def verdicts(ratios):
 
 def before_and_now(pairs, rate):
     return before.compared([runs_of(pair) for pair in json.loads(pairs)], float(rate))
+
+
+def times(pairs):
+    return times_module.compared(json.loads(pairs))
 
 
 def ratios_of(pairs, counts):

@@ -203,6 +203,14 @@ TEST_F(Unit_Benchmarks, EarlierBuildsAreHeldAgainstThisOne) {
   EXPECT_NEAR(row["wall_low"], 4, 1e-12);
 }
 
+TEST_F(Unit_Benchmarks, TimesOfEarlierBuildsArePaired) {
+  const Json row = ask({"times", "[[2, 1], [4, 4], [8, 6]]"});
+  EXPECT_NEAR(row["cpu_ratio"], 0.75, 1e-12);
+  EXPECT_NEAR(row["low"], 0.5, 1e-12);
+  EXPECT_NEAR(row["high"], 1, 1e-12);
+  EXPECT_NEAR(row["seconds"], 4, 1e-12);
+}
+
 TEST_F(Unit_Benchmarks, TheBetterSettingIsThatOfTheLeastMedian) {
   EXPECT_EQ(ask({"better_setting", R"({"a": [1, 5, 9], "b": [4, 4, 90]})"}), "b");
   EXPECT_EQ(ask({"better_setting", R"({"a": [1, 3, 9], "b": [4, 4, 90]})"}), "a");

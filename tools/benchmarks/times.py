@@ -1,0 +1,81 @@
+"""This candela against another build of it: CPU time of rendering the same samples.
+
+For changes that leave pictures as they are, or nearly: no reference is needed, and both programs
+draw the same number of samples of each pixel, without adaptive sampling and with one replicate, in
+pairs of one seed that take turns. How far apart their pictures are stands beside the ratio.
+"""
+
+import json
+import pathlib
+import subprocess
+import types
+
+import chosen_scenes
+import peers
+from fits import geometric_mean, spread
+from renders import CandelaFailed
+
+ABOUT = "against another build of candela: CPU time of the same samples"
+
+
+def add_arguments(parser):
+    parser.add_argument("before", type=pathlib.Path, metavar="PROGRAM", help="the other candela")
+    chosen_scenes.add_argument(parser)
+    parser.add_argument("--quick", action="store_true", help="64x64, 16 spp, 2 pairs")
+    parser.add_argument("--pairs", type=int, help="pictures of each program (5)")
+    parser.add_argument("--size", type=int, metavar="N", help="pixels a side (160)")
+    parser.add_argument("--spp", type=int, help="samples of a picture (32)")
+
+
+def run(options):
+    from renders import Candela
+    from results import Results
+    out = options.out.resolve()
+    candela = Candela(options.program, out / "renders")
+    size = options.size or (64 if options.quick else 160)
+    spp = options.spp or (16 if options.quick else 32)
+    pairs = options.pairs or (2 if options.quick else 5)
+    results = Results(out, "CPU time before and now", __doc__, candela.version())
+    rows = []
+    wanted = options.scenes or (*peers.BLENDER_SCENES, *chosen_scenes.names())
+    for name, scene in peers.scene_files(candela, out, wanted).items():
+        words = [scene, "--size", f"{size}x{size}", "--spp", spp]
+        try:
+            measured = [[rendered(path.resolve(), out / f"renders/{which}.exr", words, seed)
+                         for which, path in (("before", options.before), ("now", options.program))]
+                        for seed in range(1, pairs + 1)]
+        except CandelaFailed as reason:
+            results.note(f"{name}: left out. {str(reason).splitlines()[0]}")
+            continue
+        rows.append({"scene": name} | compared(measured) | {"apart": apart(candela, out)})
+        print(f"{name}: {rows[-1]['cpu_ratio']:.3f}", flush=True)
+    results.table("times", f"CPU time, now over before, {size}x{size}, {spp} spp, {pairs} pairs",
+                  rows, "apart: relMSE between the last pair of pictures.")
+    if rows:
+        results.note(f"geometric mean {geometric_mean(r['cpu_ratio'] for r in rows):.3f}")
+    results.finish()
+
+
+def rendered(program, exr, words, seed):
+    """CPU seconds of rendering, with one thread."""
+    stats = exr.with_suffix(".json")
+    process = subprocess.run(
+        list(map(str, [program, "render", *words, "--seed", seed, "-o", exr, "--stats", stats,
+                       "--adaptive", "off", "--replicates", 1, "--threads", 1, "--quiet"])),
+        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
+    if process.returncode != 0:
+        raise CandelaFailed(process.stderr.strip() or f"{program} ended with {process.returncode}")
+    return json.loads(stats.read_text())["cpu_seconds"]["render"]
+
+
+def compared(pairs):
+    """`pairs`: CPU seconds [before, now] each."""
+    ratio = spread(now / before for before, now in pairs)
+    return {"cpu_ratio": ratio.median, "low": ratio.low, "high": ratio.high,
+            "seconds": spread(now for _, now in pairs).median}
+
+
+def apart(candela, out):
+    now, before = (types.SimpleNamespace(exr=out / f"renders/{which}.exr")
+                   for which in ("now", "before"))
+    return candela.compare(now, before)["relmse"]
