@@ -8,7 +8,10 @@
 
 namespace candela {
 
-// Whether light samples may be of one.
+// Lanes that are worth it.
+inline constexpr std::uint32_t fewest_in_sky = 4;
+
+// Whether light samples may be of a map.
 [[nodiscard]] inline bool has_sky_map(const Scene& scene) {
   return scene.environment && !scene.environment->is_constant() && !scene.environment->is_black();
 }

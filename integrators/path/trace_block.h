@@ -113,9 +113,6 @@ template <FeatureSet F, class A>
   return arriving;
 }
 
-// Lanes whose directions are looked up side by side.
-inline constexpr std::uint32_t fewest_in_sky = 4;
-
 // What the sky sends from the directions in the given lanes.
 template <FeatureSet F>
 inline void find_sky(const Scene& scene, LaneMask lanes, const Vec3Lanes& directions,

@@ -157,13 +157,13 @@ float filter_alpha(const TexelView& view, const Footprint& footprint) {
 template <SampleType type, int channels, bool has_border>
 TexelFilters chosen_encoding(Encoding encoding) {
   const TexelFilter linear = filter<type, channels, Encoding::Linear, has_border>;
+  const TexelFilter srgb = filter<type, channels, Encoding::Srgb, has_border>;
   const AlphaFilter alpha = filter_alpha<type, channels, has_border>;
   switch (encoding) {
     case Encoding::Linear:
       return {linear, linear, alpha};
     case Encoding::Srgb:
-      return {filter<type, channels, Encoding::Srgb, has_border>,
-              filter<type, channels, Encoding::Srgb, has_border>, alpha};
+      return {srgb, srgb, alpha};
     case Encoding::LabGamma:
       return {filter<type, channels, Encoding::LabGamma, has_border>, linear, alpha};
   }
