@@ -1,29 +1,44 @@
-// Up to sixteen consecutive samples of a pixel on their way from the camera: their rays are traced
-// together, then each path takes its step.
+// Up to sixteen samples on their way from the camera, of one pixel or of several: their rays are
+// traced together, then each path takes its step.
 #pragma once
 
 #include "integrators/path/branches.h"
+#include "integrators/path/camera_rays.h"
 
 namespace candela {
 
 // Which samples a block has.
 struct BlockPlace {
-  int x;
-  int y;
-  std::uint32_t first;  // sample of the pixel
-  LaneMask lanes;       // of the sixteen from there on
+  PixelLanes pixels;
+  Lanes<std::uint32_t> samples;  // of the pixels
+  LaneMask lanes;                // those that are filled
 };
+
+// Consecutive ones of a pixel, from `first` on.
+[[nodiscard]] inline BlockPlace place_in_pixel(const RenderOptions& options, int x, int y,
+                                               std::uint32_t first, LaneMask lanes) {
+  BlockPlace place{pixel_lanes_of(options), {}, lanes};
+  place.pixels.x.fill(x);
+  place.pixels.y.fill(y);
+  for (std::uint32_t i = 0; i < block_size; ++i) place.samples[i] = first + i;
+  return place;
+}
 
 template <class A>
 struct BlockTrip {
-  BlockTrip(const PathContext<A>& context_there, const PixelSampler& sampler_there,
-            const BlockPlace& where, std::uint32_t splitting, PathBlock& paths)
+  // Of one pixel.
+  BlockTrip(const PathContext<A>& context_there, const BlockPlace& where,
+            const PixelSampler& sampler_there, std::uint32_t splitting, PathBlock& paths)
       : context(context_there),
         pixel(sampler_there),
         place(where),
-        samplers(pixel, place.first),
-        branches(pixel, place.first, splitting),
+        samplers(*pixel, place.samples[0]),
+        branches(*pixel, place.samples[0], splitting),
         block(paths) {}
+  // Of several.
+  BlockTrip(const PathContext<A>& context_there, const BlockPlace& where,
+            const SamplerBlock& samplers_there, PathBlock& paths)
+      : context(context_there), place(where), samplers(samplers_there), block(paths) {}
   BlockTrip(const BlockTrip&) = delete;  // branches refer to its pixel
   BlockTrip& operator=(const BlockTrip&) = delete;
 
@@ -33,8 +48,8 @@ struct BlockTrip {
     return bounce == 0 ? samplers : path_samplers();
   }
 
-  const PathContext<A> context;  // as it is at the pixel
-  const PixelSampler pixel;
+  const PathContext<A> context;             // as it is at the pixel
+  const std::optional<PixelSampler> pixel;  // none where there are several
   const BlockPlace place;
   const SamplerBlock samplers;
   Branches branches;

@@ -36,9 +36,10 @@ template <FeatureSet F, class A>
 
 class Branches {
  public:
+  Branches() = default;  // unsplit
   // Of each of the sixteen samples of the pixel that begin with first_sample.
   Branches(const PixelSampler& pixel, std::uint32_t first_sample, std::uint32_t splitting)
-      : pixel_(pixel), first_sample_(first_sample), splitting_(splitting) {}
+      : pixel_(&pixel), first_sample_(first_sample), splitting_(splitting) {}
 
   [[nodiscard]] bool is_split() const { return splitting_ > 1; }
   // The running branch's random numbers; those of the samples themselves where there is but one.
@@ -96,11 +97,11 @@ class Branches {
   }
 
  private:
-  void draw_branch() { own_.emplace(pixel_, first_sample_, splitting_, branch_); }
+  void draw_branch() { own_.emplace(*pixel_, first_sample_, splitting_, branch_); }
 
-  const PixelSampler& pixel_;
-  std::uint32_t first_sample_;
-  std::uint32_t splitting_;
+  const PixelSampler* pixel_ = nullptr;
+  std::uint32_t first_sample_ = 0;
+  std::uint32_t splitting_ = 1;
   std::uint32_t branch_ = 0;
   LaneMask lanes_ = 0;
   std::optional<SamplerBlock> own_;

@@ -6,10 +6,10 @@ namespace candela {
 namespace {
 
 // By value: stores to the rays cannot change the camera.
-CANDELA_LANES void aim_pinhole(Camera camera, PictureCell cell, const PlaceLanes& places,
+CANDELA_LANES void aim_pinhole(Camera camera, const PixelLanes& pixels, const PlaceLanes& places,
                                RayBlock& rays) {
   for (std::size_t i = 0; i < block_size; ++i)
-    rays.set(i, camera.pinhole_ray(cell.on_film(places[i])));
+    rays.set(i, camera.pinhole_ray(pixels[i].on_film(places[i])));
 }
 
 CANDELA_LANES LaneMask traceable_lanes(const RayBlock& rays) {
@@ -31,13 +31,13 @@ CANDELA_LANES PlaceLanes sample_places(const Filter& filter, FilterPart part,
   return places;
 }
 
-LaneMask aim_camera_rays(const Camera& camera, const PictureCell& cell, const PlaceLanes& places,
+LaneMask aim_camera_rays(const Camera& camera, const PixelLanes& pixels, const PlaceLanes& places,
                          const CameraNumbers& numbers, LaneMask lanes, RayBlock& rays) {
   if (camera.is_pinhole())
-    aim_pinhole(camera, cell, places, rays);
+    aim_pinhole(camera, pixels, places, rays);
   else
     for_each_lane(lanes, [&](std::uint32_t i) {
-      rays.set(i, camera.generate_ray(cell.on_film(places[i]), unit_point(numbers.lens, i)));
+      rays.set(i, camera.generate_ray(pixels[i].on_film(places[i]), unit_point(numbers.lens, i)));
     });
   return lanes & traceable_lanes(rays);
 }

@@ -1,5 +1,4 @@
-// Camera rays of the samples of a pixel, at places that the filter chose (filter importance
-// sampling).
+// Camera rays of samples, at places that the filter chose (filter importance sampling).
 #pragma once
 
 #include "integrators/path/block_numbers.h"
@@ -21,6 +20,15 @@ struct PictureCell {
   }
 };
 
+// Those of a block's samples.
+struct PixelLanes {
+  Lanes<int> x{}, y{};
+  int width;  // of the picture
+  int height;
+
+  [[nodiscard]] PictureCell operator[](std::size_t i) const { return {x[i], y[i], width, height}; }
+};
+
 struct PlaceLanes {
   Lanes<float> x, y;
 
@@ -39,18 +47,22 @@ struct CameraNumbers {
   }
 };
 
+[[nodiscard]] inline PixelLanes pixel_lanes_of(const RenderOptions& options) {
+  return {{}, {}, options.width, options.height};
+}
+
 template <class A>
 [[nodiscard]] inline PictureCell cell_of(const PathContext<A>& context, int x, int y) {
   return {x, y, context.options.width, context.options.height};
 }
 
-// Places relative to the pixel's centre, in a part of the filter.
+// Places relative to the pixels' centres, in a part of the filter.
 [[nodiscard]] PlaceLanes sample_places(const Filter& filter, FilterPart part,
                                        const CameraNumbers& numbers);
 
 // The rays through them: the same bits as Camera::generate_ray()'s. Returns which of `lanes` can be
 // traced; of other lanes the rays mean nothing.
-[[nodiscard]] LaneMask aim_camera_rays(const Camera& camera, const PictureCell& cell,
+[[nodiscard]] LaneMask aim_camera_rays(const Camera& camera, const PixelLanes& pixels,
                                        const PlaceLanes& places, const CameraNumbers& numbers,
                                        LaneMask lanes, RayBlock& rays);
 

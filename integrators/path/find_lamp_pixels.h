@@ -22,8 +22,9 @@ template <FeatureSet F, class A>
   bool all = part.is_whole();
   RayBlock rays;
   for (std::uint32_t block = 0; block < blocks; ++block) {
-    const SamplerBlock samplers(pixel, block * block_size);
-    const LaneMask traced = aim_at_lamps(context, samplers, part, x, y, all_lanes, rays);
+    const BlockPlace place = place_in_pixel(context.options, x, y, block * block_size, all_lanes);
+    const SamplerBlock samplers(pixel, place.samples[0]);
+    const LaneMask traced = aim_at_lamps(context, samplers, part, place.pixels, place.lanes, rays);
     const HitBlock hits = intersect_lanes(context.accelerator, rays, traced, 0);
     for_each_lane(traced, [&](std::uint32_t i) {
       const bool is_lit =

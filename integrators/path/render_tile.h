@@ -5,6 +5,7 @@
 #include "integrators/lamp_pixels.h"
 #include "integrators/path/convoy.h"
 #include "integrators/path/seen_lamps.h"
+#include "integrators/path/shared_block.h"
 #include "integrators/tile_pass.h"
 
 namespace candela {
@@ -17,8 +18,8 @@ inline void start(BlockTrip<A>& trip) {
   CameraNumbers numbers;
   numbers.draw(context.camera, trip.samplers, Dimension::Filter, Dimension::Lens);
   const PlaceLanes places = sample_places(context.filter, {}, numbers);
-  trip.alive = aim_camera_rays(context.camera, cell_of(context, trip.place.x, trip.place.y), places,
-                               numbers, trip.place.lanes, block.rays);
+  trip.alive = aim_camera_rays(context.camera, trip.place.pixels, places, numbers, trip.place.lanes,
+                               block.rays);
   begin_paths(block.paths);
   if constexpr (F.media) block.media.fill(context.camera.medium);
   block.alpha.fill(1);
@@ -28,9 +29,21 @@ inline void start(BlockTrip<A>& trip) {
   trip.counts.rays.camera += lane_count(trip.place.lanes);
 }
 
-// The paths of a block have ended.
+// What a block's rays took, to its pixels: in equal parts.
+template <class A>
+inline void add_cost(const BlockTrip<A>& trip, const PixelRect& tile, Film& film) {
+  const auto cost = static_cast<std::uint32_t>(cost_of(trip.counts.rays));
+  const PixelLanes& pixels = trip.place.pixels;
+  if (trip.pixel) return film.add_cost(pixels.x[0], pixels.y[0], cost);
+  const std::uint32_t part = cost / lane_count(trip.place.lanes);
+  for_each_lane(trip.place.lanes, [&](std::uint32_t i) {
+    if (tile.contains(pixels.x[i], pixels.y[i])) film.add_cost(pixels.x[i], pixels.y[i], part);
+  });
+}
+
+// The paths of a block have ended. Those of pixels beside the tile were company only.
 template <FeatureSet F, class A>
-inline void finish(BlockTrip<A>& trip, Film& film, TileCounts& counts) {
+inline void finish(BlockTrip<A>& trip, const PixelRect& tile, Film& film, TileCounts& counts) {
   const PathContext<A>& context = trip.context;
   PathBlock& block = trip.block;
   if constexpr (F.guided) {
@@ -41,22 +54,17 @@ inline void finish(BlockTrip<A>& trip, Film& film, TileCounts& counts) {
   if (context.lamp_rays > 0) add_seen_lamps<F>(trip);
   FilmSample bare;
   for_each_lane(trip.place.lanes, [&](std::uint32_t i) {
+    const int x = trip.place.pixels.x[i];
+    const int y = trip.place.pixels.y[i];
+    if (!tile.contains(x, y)) return;
     FilmSample& sample = context.options.aovs != 0 ? block.first_hits[i] : bare;
     sample.radiance = block.paths.radiance[i];
     sample.weight = block.weight[i];
     sample.alpha = block.alpha[i];
-    add_or_count(sample, trip.place.x, trip.place.y, trip.place.first + i, context.options.clamp,
-                 film, trip.counts);
+    add_or_count(sample, x, y, trip.place.samples[i], context.options.clamp, film, trip.counts);
   });
-  film.add_cost(trip.place.x, trip.place.y, static_cast<std::uint32_t>(cost_of(trip.counts.rays)));
+  add_cost(trip, tile, film);
   counts.add(trip.counts);
-}
-
-template <FeatureSet F, class A>
-inline void travel(Convoy<F, A>& convoy, Film& film, TileCounts& counts) {
-  convoy.travel();
-  convoy.for_each_trip([&](BlockTrip<A>& trip) { finish<F>(trip, film, counts); });
-  convoy.clear();
 }
 
 // Lanes of the block at `base` whose samples lie in the range, which ends after `base`.
@@ -93,42 +101,109 @@ using TrainingLogOf = std::conditional_t<F.guided, TrainingLog, NoTrainingLog>;
 
 // The samples of a pass, in order.
 template <FeatureSet F, class A>
-TileCounts render_tile(const PathContext<A>& of_render, const TilePass& pass, Film& film) {
-  PathContext<A> context = of_render;
-  context.inverse_roulette_threshold = 1 / pass.plan.roulette_threshold;
-  context.guide = pass.guide;
-  TrainingLogOf<F> training;
-  if constexpr (F.guided) {
-    if (pass.training != nullptr) context.training = &training;
-  }
-  const PixelRect& tile = pass.tile;
-  const std::uint32_t splitting = F.media && context.scene.features.media ? 1 : pass.plan.splitting;
-  TileCounts counts;
-  Convoy<F, A> convoy;
-  for (int y = tile.y0; y < tile.y1; ++y) {
-    for (int x = tile.x0; x < tile.x1; ++x) {
-      const SampleRange range = pass.of_pixel(x, y);
-      if (context.background != nullptr && context.background->contains(x, y)) {
-        add_background(*context.background, range, x, y, context.options.clamp, film, counts);
-        continue;
-      }
-      const PixelSampler pixel(pass.seed, static_cast<std::uint32_t>(x),
-                               static_cast<std::uint32_t>(y), sequences_of(context.options, film),
-                               pair_order_of(context.options));
-      aim_lamp_rays(x, y, context);
-      for (std::uint32_t base = range.first & ~(block_size - 1); base < range.end;
-           base += block_size) {
-        start<F>(
-            convoy.add(context, pixel, BlockPlace{x, y, base, lanes_in(base, range)}, splitting));
-        if (convoy.is_full()) travel(convoy, film, counts);
-      }
+class TileRenderer {
+ public:
+  TileRenderer(const PathContext<A>& of_render, const TilePass& pass, Film& film)
+      : context_(of_render),
+        pass_(pass),
+        splitting_(F.media && context_.scene.features.media ? 1 : pass.plan.splitting),
+        film_(film),
+        shared_(of_render.options) {
+    context_.inverse_roulette_threshold = 1 / pass.plan.roulette_threshold;
+    context_.guide = pass.guide;
+    if constexpr (F.guided) {
+      if (pass.training != nullptr) context_.training = &training_;
     }
   }
-  travel(convoy, film, counts);
-  if constexpr (F.guided) {
-    if (pass.training != nullptr) *pass.training = std::move(training.records());
+
+  [[nodiscard]] TileCounts run() {
+    if (splitting_ == 1 && pass_.training == nullptr && leaves_lanes_empty(pass_)) {
+      const RenderOptions& options = context_.options;
+      for_each_square(pass_.tile, options.width, options.height,
+                      [&](const PixelRect& square) { add_square(square); });
+    } else {
+      for (int y = pass_.tile.y0; y < pass_.tile.y1; ++y)
+        for (int x = pass_.tile.x0; x < pass_.tile.x1; ++x)
+          if (is_rendered(x, y)) add_alone(x, y);
+    }
+    travel();
+    if constexpr (F.guided) {
+      if (pass_.training != nullptr) *pass_.training = std::move(training_.records());
+    }
+    return counts_;
   }
-  return counts;
+
+ private:
+  [[nodiscard]] PixelSampler sampler_of(int x, int y) const {
+    return {pass_.seed, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
+            sequences_of(context_.options, film_), pair_order_of(context_.options)};
+  }
+
+  // Turns to a pixel; false where it is known to see nothing, whose samples are added at once.
+  [[nodiscard]] bool is_rendered(int x, int y) {
+    aim_lamp_rays(x, y, context_);
+    if (context_.background == nullptr || !context_.background->contains(x, y)) return true;
+    if (pass_.tile.contains(x, y))
+      add_background(*context_.background, pass_.of_pixel(x, y), x, y, context_.options.clamp,
+                     film_, counts_);
+    return false;
+  }
+
+  // In blocks of the pixel's own.
+  void add_alone(int x, int y) {
+    const SampleRange range = pass_.of_pixel(x, y);
+    const PixelSampler pixel = sampler_of(x, y);
+    for (std::uint32_t base = range.first & ~(block_size - 1); base < range.end; base += block_size)
+      add_block(place_in_pixel(context_.options, x, y, base, lanes_in(base, range)), pixel,
+                splitting_);
+  }
+
+  void add_square(const PixelRect& square) {
+    for_each_pixel_near(square, [&](int x, int y) {
+      if (!is_rendered(x, y)) return;
+      if (context_.lamp_rays > 0) {
+        if (pass_.tile.contains(x, y)) add_alone(x, y);
+        return;
+      }
+      const SampleRange range = pass_.of_pixel(x, y);
+      const PixelSampler pixel = sampler_of(x, y);
+      for (std::uint32_t sample = range.first; sample < range.end; ++sample) {
+        shared_.add(x, y, pixel, sample);
+        if (shared_.is_full()) add_shared();
+      }
+    });
+    if (!shared_.is_empty()) add_shared();
+  }
+  void add_shared() {
+    context_.lamp_rays = 0;
+    add_block(shared_.place(), shared_.samplers());
+    shared_.clear();
+  }
+
+  template <class... Arguments>
+  void add_block(const Arguments&... arguments) {
+    start<F>(convoy_.add(context_, arguments...));
+    if (convoy_.is_full()) travel();
+  }
+  void travel() {
+    convoy_.travel();
+    convoy_.for_each_trip([&](BlockTrip<A>& trip) { finish<F>(trip, pass_.tile, film_, counts_); });
+    convoy_.clear();
+  }
+
+  PathContext<A> context_;
+  const TilePass& pass_;
+  std::uint32_t splitting_;
+  Film& film_;
+  TileCounts counts_;
+  TrainingLogOf<F> training_;
+  SharedBlock shared_;
+  Convoy<F, A> convoy_;
+};
+
+template <FeatureSet F, class A>
+TileCounts render_tile(const PathContext<A>& of_render, const TilePass& pass, Film& film) {
+  return TileRenderer<F, A>(of_render, pass, film).run();
 }
 
 }  // namespace candela

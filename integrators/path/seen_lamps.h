@@ -23,11 +23,12 @@ inline void aim_lamp_rays(int x, int y, PathContext<A>& context) {
 template <class A>
 [[nodiscard]] inline LaneMask aim_at_lamps(const PathContext<A>& context,
                                            const SamplerBlock& samplers, const FilterPart& part,
-                                           int x, int y, LaneMask lanes, RayBlock& rays) {
+                                           const PixelLanes& pixels, LaneMask lanes,
+                                           RayBlock& rays) {
   CameraNumbers numbers;
   numbers.draw(context.camera, samplers, Dimension::LampFilter, Dimension::LampLens);
-  return aim_camera_rays(context.camera, cell_of(context, x, y),
-                         sample_places(context.filter, part, numbers), numbers, lanes, rays);
+  return aim_camera_rays(context.camera, pixels, sample_places(context.filter, part, numbers),
+                         numbers, lanes, rays);
 }
 
 // Radiance along a camera ray, of the surface that it met itself.
@@ -42,8 +43,8 @@ template <FeatureSet F>
   return path.radiance;
 }
 
-// To each sample of a block the mean over its rays, times the part's share. Out of line: few pixels
-// have any.
+// To each sample of a block, which is of one pixel, the mean over its rays, times the part's share.
+// Out of line: few pixels have any.
 template <FeatureSet F, class A>
 [[gnu::noinline]] void add_seen_lamps(BlockTrip<A>& trip) {
   const PathContext<A>& context = trip.context;
@@ -51,9 +52,9 @@ template <FeatureSet F, class A>
   const float share = context.lamp_part.share() / static_cast<float>(count);
   RayBlock rays;
   for (std::uint32_t k = 0; k < count; ++k) {
-    const SamplerBlock samplers(trip.pixel, trip.place.first, count, k);
-    const LaneMask traced = aim_at_lamps(context, samplers, context.lamp_part, trip.place.x,
-                                         trip.place.y, trip.place.lanes, rays);
+    const SamplerBlock samplers(*trip.pixel, trip.place.samples[0], count, k);
+    const LaneMask traced = aim_at_lamps(context, samplers, context.lamp_part, trip.place.pixels,
+                                         trip.place.lanes, rays);
     const HitBlock hits = intersect_lanes(context.accelerator, rays, traced, 0);
     for_each_lane(traced, [&](std::uint32_t i) {
       trip.block.paths.add_radiance(

@@ -8,12 +8,16 @@
 
 namespace candela {
 
-// Squares of `size` pixels (smaller at the edges) in rows from the top.
+// Squares of `size` pixels (smaller at the edges) in rows from the top, cut at the multiples of
+// `size` whatever the rectangle: so that few cut what pixels share (path/shared_block.h).
 [[nodiscard]] inline std::vector<PixelRect> tiles_of(const PixelRect& rect, int size) {
+  const auto end_of = [size](int start, int end) {
+    return std::min(start - start % size + size, end);
+  };
   std::vector<PixelRect> tiles;
-  for (int y = rect.y0; y < rect.y1; y += size)
-    for (int x = rect.x0; x < rect.x1; x += size)
-      tiles.push_back({x, y, std::min(x + size, rect.x1), std::min(y + size, rect.y1)});
+  for (int y = rect.y0; y < rect.y1; y = end_of(y, rect.y1))
+    for (int x = rect.x0; x < rect.x1; x = end_of(x, rect.x1))
+      tiles.push_back({x, y, end_of(x, rect.x1), end_of(y, rect.y1)});
   return tiles;
 }
 

@@ -47,9 +47,7 @@ CANDELA_EACH_VECTOR_WIDTH void numbers_of(const Lanes<std::uint64_t>& keys,
 
 SamplerBlock::SamplerBlock(const PixelSampler& pixel, std::uint32_t first_sample,
                            std::uint32_t branches, std::uint32_t branch)
-    : joint_columns_(0),
-      period_(std::min<std::size_t>(pixel.replicates(), block_size)),
-      order_(pixel.order()) {
+    : period_(std::min<std::size_t>(pixel.replicates(), block_size)), order_(pixel.order()) {
   std::uint32_t replicate = first_sample % pixel.replicates();
   std::uint32_t index = first_sample / pixel.replicates();
   for (std::size_t i = 0; i < block_size; ++i) {
@@ -60,6 +58,17 @@ SamplerBlock::SamplerBlock(const PixelSampler& pixel, std::uint32_t first_sample
       ++index;
     }
   }
+  find_joint_indices();
+}
+
+SamplerBlock::SamplerBlock(const SequenceLanes& sequences)
+    : sequence_keys_(sequences.keys), period_(block_size), order_(sequences.order) {
+  for (std::size_t i = 0; i < block_size; ++i)
+    reversed_indices_[i] = reverse_bits(sequences.indices[i]);
+  find_joint_indices();
+}
+
+void SamplerBlock::find_joint_indices() {
   if (order_ == PairOrder::Padded) return;
   const Lanes<std::uint64_t> seeds = keys_at(0, joint_order);
   std::uint32_t all = 0;

@@ -1,5 +1,5 @@
-// The numbers of sixteen consecutive samples of a pixel at once: the same bits as Sampler's, side
-// by side in the lanes of the processor's vectors.
+// The numbers of sixteen samples at once, consecutive ones of a pixel or those of several pixels:
+// the same bits as Sampler's, side by side in the lanes of the processor's vectors.
 #pragma once
 
 #include <cstddef>
@@ -16,12 +16,25 @@ struct SobolPointLanes {
   Lanes<std::uint32_t> y;
 };
 
+// Sixteen points, each of a sequence of its own.
+struct SequenceLanes {
+  Lanes<std::uint64_t> keys{};
+  Lanes<std::uint32_t> indices{};
+  PairOrder order = PairOrder::Joint;
+
+  void set(std::size_t i, const PixelSampler& pixel, std::uint32_t sample) {
+    keys[i] = pixel.sequence_key(sample % pixel.replicates());
+    indices[i] = sample / pixel.replicates();
+  }
+};
+
 class SamplerBlock {
  public:
   // Samples first_sample to first_sample + 15 of the pixel. Where a sample's path is split, each of
   // its `branches` has a point of its own: branch b of point i is point i * branches + b.
   SamplerBlock(const PixelSampler& pixel, std::uint32_t first_sample, std::uint32_t branches = 1,
                std::uint32_t branch = 0);
+  explicit SamplerBlock(const SequenceLanes& sequences);
 
   [[nodiscard]] Sampler lane(std::size_t i) const {
     return Sampler(SequencePlace{sequence_keys_[i], reversed_indices_[i], order_});
@@ -30,6 +43,7 @@ class SamplerBlock {
   void sample_1d(std::uint32_t bounce, Dimension dimension, Lanes<std::uint32_t>& numbers) const;
 
  private:
+  void find_joint_indices();
   [[nodiscard]] Lanes<std::uint64_t> keys_at(std::uint32_t bounce, Dimension dimension) const;
   // The reversed indices in the order of a dimension, whose keys these are.
   [[nodiscard]] Lanes<std::uint32_t> order_of(std::uint32_t bounce, Dimension dimension,
@@ -38,7 +52,7 @@ class SamplerBlock {
   Lanes<std::uint64_t> sequence_keys_;
   Lanes<std::uint32_t> reversed_indices_;
   Lanes<std::uint32_t> joint_indices_;  // joint_index() of each
-  std::uint32_t joint_columns_;         // needed_columns() of all of them
+  std::uint32_t joint_columns_ = 0;     // needed_columns() of all of them
   std::size_t period_;                  // of the sequence keys over the lanes
   PairOrder order_;
 };
