@@ -8,7 +8,15 @@
 namespace candela {
 namespace {
 
-constexpr PictureCell cell{3, 5, 20, 10};
+// A pixel of its own for each ray.
+PixelLanes some_pixels() {
+  PixelLanes pixels{{}, {}, 20, 10};
+  for (int i = 0; i < 16; ++i) {
+    pixels.x[static_cast<std::size_t>(i)] = i;
+    pixels.y[static_cast<std::size_t>(i)] = 9 - i / 2;
+  }
+  return pixels;
+}
 
 Camera camera_of(CameraKind kind, float lens_radius) {
   Camera camera;
@@ -45,10 +53,12 @@ TEST(Unit_CameraRays, AreThoseOfSingleSamples) {
       const CameraNumbers numbers = some_numbers(camera);
       const PlaceLanes places = sample_places(filter, part, numbers);
       RayBlock rays;
-      EXPECT_EQ(aim_camera_rays(camera, cell, places, numbers, all_lanes, rays), all_lanes);
+      EXPECT_EQ(aim_camera_rays(camera, some_pixels(), places, numbers, all_lanes, rays),
+                all_lanes);
       for (std::size_t i = 0; i < block_size; ++i) {
         const Vec2f place = filter.sample(part.number(unit_point(numbers.filter, i)));
-        const Ray ray = camera.generate_ray(cell.on_film(place), unit_point(numbers.lens, i));
+        const Ray ray =
+            camera.generate_ray(some_pixels()[i].on_film(place), unit_point(numbers.lens, i));
         expect_same(rays.origin[i], ray.origin);
         expect_same(rays.direction[i], ray.direction);
         EXPECT_EQ(rays.t_max[i], ray.t_max);
@@ -64,12 +74,12 @@ TEST(Unit_CameraRays, OnlyThoseThatCanBeTracedAreTold) {
   const PlaceLanes places = sample_places(filter, {}, numbers);
   RayBlock rays;
   constexpr LaneMask lanes = 0b110010;
-  EXPECT_EQ(aim_camera_rays(camera, cell, places, numbers, lanes, rays), lanes);
+  EXPECT_EQ(aim_camera_rays(camera, some_pixels(), places, numbers, lanes, rays), lanes);
   camera.eye.y = 1e16f;
-  EXPECT_EQ(aim_camera_rays(camera, cell, places, numbers, lanes, rays), 0u);
+  EXPECT_EQ(aim_camera_rays(camera, some_pixels(), places, numbers, lanes, rays), 0u);
   const FloatingPointTraps traps(Traps::Off);  // comparisons with NaN raise them
   camera.eye.y = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(aim_camera_rays(camera, cell, places, numbers, lanes, rays), 0u);
+  EXPECT_EQ(aim_camera_rays(camera, some_pixels(), places, numbers, lanes, rays), 0u);
 }
 
 }  // namespace

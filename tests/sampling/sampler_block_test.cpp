@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace candela {
 namespace {
 
@@ -33,6 +35,34 @@ TEST(Unit_SamplerBlock, HasTheBitsOfSingleSamplers) {
         }
       }
     }
+}
+
+TEST(Unit_SamplerBlock, MayBeOfSeveralPixels) {
+  for (const PairOrder order : {PairOrder::Joint, PairOrder::Padded}) {
+    SequenceLanes sequences;
+    sequences.order = order;
+    std::vector<Sampler> singles;
+    for (std::uint32_t i = 0; i < block_size; ++i) {
+      const PixelSampler pixel(5, i / 3, 7 - i / 5, 4, order);
+      const std::uint32_t sample = 1000 * i + 5;
+      sequences.set(i, pixel, sample);
+      singles.push_back(pixel.at(sample));
+    }
+    const SamplerBlock block(sequences);
+    for (const std::uint32_t bounce : {0u, 1u, 40u}) {
+      SobolPointLanes points;
+      Lanes<std::uint32_t> numbers;
+      block.sample_2d(bounce, Dimension::Direction, points);
+      block.sample_1d(bounce, Dimension::Roulette, numbers);
+      for (std::uint32_t i = 0; i < block_size; ++i) {
+        const SobolPoint point = singles[i].sample_2d_bits(bounce, Dimension::Direction);
+        ASSERT_EQ(points.x[i], point.x) << bounce << " " << i;
+        ASSERT_EQ(points.y[i], point.y) << bounce << " " << i;
+        ASSERT_EQ(numbers[i], singles[i].sample_1d_bits(bounce, Dimension::Roulette));
+        ASSERT_EQ(block.lane(i).sample_1d_bits(bounce, Dimension::Roulette), numbers[i]);
+      }
+    }
+  }
 }
 
 // Branches take a sample's place in the sequence among themselves.
