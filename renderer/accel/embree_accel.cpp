@@ -11,8 +11,9 @@
 #include "renderer/accel/embree_api.h"
 #include "renderer/accel/embree_block.h"
 #include "renderer/accel/embree_spheres.h"
-#include "renderer/accel/face_list.h"
+#include "renderer/accel/few_faces.h"
 #include "renderer/accel/placement.h"
+#include "renderer/accel/probe_walks.h"
 #include "renderer/base/handover.h"
 #include "renderer/base/parallel.h"
 #include "renderer/math/float4.h"
@@ -85,6 +86,12 @@ void set_ray(RTCRay& target, const Ray& ray) {
   target.flags = 0;
 }
 
+Lanes<float> nearer(const Lanes<float>& a, const Lanes<float>& b) {
+  Lanes<float> least;
+  for (std::size_t i = 0; i < block_size; ++i) least[i] = std::min(a[i], b[i]);
+  return least;
+}
+
 // From Embree's IDs to the scene's.
 Hit in_tables_of_instance(const Scene& scene, Hit hit) {
   hit.instance = instance_of_id(scene, hit.instance);
@@ -111,15 +118,20 @@ struct EmbreeAccel::State {
   Device device;
   std::vector<EmbreeScene> objects;
   EmbreeScene world;
-  FaceList faces;
+  EmbreeScene rest;  // what no list of faces has; null where there is nothing, or no list
+  FewFaces few;
 
   State(const Scene& s, EmbreeOptions o) : scene(&s), options(o) {
-    if (o.faces) faces = FaceList(s);
+    if (o.faces) few = find_few_faces(s);
   }
 
   void open_device();
   void build();
   [[nodiscard]] EmbreeScene new_scene() const;
+  // Of geometries of the world, which keep their index as ID.
+  [[nodiscard]] EmbreeScene scene_of(std::span<const GeometryHandle> geometries);
+  // Of rays that go where paths do those that enter a box of the rest.
+  [[nodiscard]] double share_of_entering_rays() const;
   [[nodiscard]] EmbreeGeometry triangles_of(std::uint32_t index);
   void attach_geometry(RTCScene target, std::uint32_t index, std::uint32_t id);
   void attach_instance(std::size_t index);
@@ -127,10 +139,17 @@ struct EmbreeAccel::State {
   void throw_if_failed();
 
   // By Embree itself.
-  [[nodiscard]] Hit intersect(const Ray& ray) const;
-  [[nodiscard]] bool occluded(const Ray& ray) const;
-  [[nodiscard]] HitBlock intersect(const RayBlock& rays, LaneMask lanes, Coherence coherence) const;
-  [[nodiscard]] LaneMask occluded(const RayBlock& rays, LaneMask lanes) const;
+  [[nodiscard]] Hit intersect(RTCScene in, const Ray& ray) const;
+  [[nodiscard]] bool occluded(RTCScene in, const Ray& ray) const;
+  [[nodiscard]] HitBlock intersect(RTCScene in, const RayBlock& rays, LaneMask lanes,
+                                   Coherence coherence) const;
+  [[nodiscard]] LaneMask occluded(RTCScene in, const RayBlock& rays, LaneMask lanes) const;
+
+  // By the list of faces, where there is one.
+  [[nodiscard]] Hit nearest(const Ray& ray) const;
+  [[nodiscard]] bool is_occluded(const Ray& ray) const;
+  [[nodiscard]] HitBlock nearest(const RayBlock& rays, LaneMask lanes, Coherence coherence) const;
+  [[nodiscard]] LaneMask are_occluded(const RayBlock& rays, LaneMask lanes) const;
 
   static void record_error(void* state, RTCError code, const char* text);
   static bool count_bytes(void* state, ssize_t bytes, bool is_done);
@@ -242,18 +261,46 @@ void EmbreeAccel::State::attach_instance(std::size_t index) {
                         static_cast<std::uint32_t>(scene->geometries.size() + index));
 }
 
-// The world's geometries keep their index as ID, so that a hit of the world needs no table.
+// A hit of the world needs no table.
 void EmbreeAccel::State::build() {
   user_data.resize(scene->geometries.size());
   objects.resize(scene->objects.size());
   parallel_for(objects.size(), [&](std::size_t i) { build_object(i); });
   throw_if_failed();
-  world = new_scene();
-  for (const GeometryHandle geometry : scene->world.geometries)
-    attach_geometry(world.get(), geometry.index, geometry.index);
+  world = scene_of(scene->world.geometries);
   for (std::size_t i = 0; i < scene->instances.size(); ++i) attach_instance(i);
   rtcCommitScene(world.get());
   throw_if_failed();
+  if (few.boxes.is_empty()) return;
+  rest = scene_of(few.rest);
+  rtcCommitScene(rest.get());
+  throw_if_failed();
+  if (options.faces_always || pays(few.faces.size(), share_of_entering_rays())) return;
+  few = {};
+  rest.reset();
+}
+
+EmbreeScene EmbreeAccel::State::scene_of(std::span<const GeometryHandle> geometries) {
+  EmbreeScene made = new_scene();
+  for (const GeometryHandle geometry : geometries)
+    attach_geometry(made.get(), geometry.index, geometry.index);
+  return made;
+}
+
+double EmbreeAccel::State::share_of_entering_rays() const {
+  double rays = 0;
+  double entering = 0;
+  probe_walks(*scene, [&](const Ray& ray) {
+    Hit hit = few.faces.intersect(ray).value_or(Hit{});
+    const Ray before{ray.origin, ray.direction, hit.t};
+    ++rays;
+    if (few.boxes.is_entered(before)) {
+      ++entering;
+      if (const Hit nearer = intersect(rest.get(), before); nearer.is_hit()) hit = nearer;
+    }
+    return hit;
+  });
+  return rays > 0 ? entering / rays : 1;
 }
 
 EmbreeAccel::EmbreeAccel(const Scene& scene, EmbreeOptions options)
@@ -267,14 +314,14 @@ EmbreeAccel::EmbreeAccel(EmbreeAccel&&) noexcept = default;
 EmbreeAccel& EmbreeAccel::operator=(EmbreeAccel&&) noexcept = default;
 EmbreeAccel::~EmbreeAccel() = default;
 
-Hit EmbreeAccel::State::intersect(const Ray& ray) const {
+Hit EmbreeAccel::State::intersect(RTCScene in, const Ray& ray) const {
   embree::Query query;
   embree::initialise(query, &ray, nullptr);
   RTCRayHit ray_hit;
   set_ray(ray_hit.ray, ray);
   ray_hit.hit.geomID = none;
   ray_hit.hit.instID[0] = none;
-  embree::intersect_one(world.get(), ray_hit, query);
+  embree::intersect_one(in, ray_hit, query);
 
   const RTCHit& found = ray_hit.hit;
   if (found.geomID == none) return {};
@@ -282,16 +329,16 @@ Hit EmbreeAccel::State::intersect(const Ray& ray) const {
       *scene, {ray_hit.ray.tfar, found.u, found.v, found.geomID, found.primID, found.instID[0]});
 }
 
-bool EmbreeAccel::State::occluded(const Ray& ray) const {
+bool EmbreeAccel::State::occluded(RTCScene in, const Ray& ray) const {
   embree::Query query;
   embree::initialise(query, &ray, nullptr);
   RTCRay embree_ray;
   set_ray(embree_ray, ray);
-  embree::occluded_one(world.get(), embree_ray, query);
+  embree::occluded_one(in, embree_ray, query);
   return embree_ray.tfar < 0;  // Embree's mark of an occluded ray: -infinity
 }
 
-HitBlock EmbreeAccel::State::intersect(const RayBlock& rays, LaneMask lanes,
+HitBlock EmbreeAccel::State::intersect(RTCScene in, const RayBlock& rays, LaneMask lanes,
                                        Coherence coherence) const {
   embree::Query query;
   embree::initialise(query, nullptr, &rays);
@@ -299,7 +346,7 @@ HitBlock EmbreeAccel::State::intersect(const RayBlock& rays, LaneMask lanes,
   const ValidLanes valid = set_rays(rays, lanes, ray_hits.ray);
   std::fill_n(ray_hits.hit.geomID, block_size, none);
   std::fill_n(ray_hits.hit.instID[0], block_size, none);
-  embree::intersect_block(world.get(), valid.lanes.data(), ray_hits, query, coherence);
+  embree::intersect_block(in, valid.lanes.data(), ray_hits, query, coherence);
 
   HitBlock hits;
   set_hits(ray_hits, hits);
@@ -308,55 +355,94 @@ HitBlock EmbreeAccel::State::intersect(const RayBlock& rays, LaneMask lanes,
   return hits;
 }
 
-LaneMask EmbreeAccel::State::occluded(const RayBlock& rays, LaneMask lanes) const {
+LaneMask EmbreeAccel::State::occluded(RTCScene in, const RayBlock& rays, LaneMask lanes) const {
   embree::Query query;
   embree::initialise(query, nullptr, &rays);
   RTCRay16 embree_rays;
   const ValidLanes valid = set_rays(rays, lanes, embree_rays);
-  embree::occluded_block(world.get(), valid.lanes.data(), embree_rays, query);
+  embree::occluded_block(in, valid.lanes.data(), embree_rays, query);
   return occluded_lanes(embree_rays) & lanes;
 }
 
-// What the list of faces does not know for certain the tree is asked for.
-Hit EmbreeAccel::intersect(const Ray& ray) const {
-  if (!state_->faces.is_empty())
-    if (const std::optional<Hit> known = state_->faces.intersect(ray)) return *known;
-  return state_->intersect(ray);
+// What the list of faces does not know for certain the tree of everything is asked for. Else the
+// rest is, where a ray enters one of its boxes before it meets a face.
+Hit EmbreeAccel::State::nearest(const Ray& ray) const {
+  if (few.faces.is_empty()) return intersect(world.get(), ray);
+  const std::optional<Hit> known = few.faces.intersect(ray);
+  if (!known) return intersect(world.get(), ray);
+  if (!rest) return *known;
+  const Ray before{ray.origin, ray.direction, std::min(ray.t_max, known->t)};
+  if (!few.boxes.is_entered(before)) return *known;
+  const Hit hit = intersect(rest.get(), before);
+  return hit.is_hit() ? hit : *known;
 }
 
-bool EmbreeAccel::occluded(const Ray& ray) const {
-  if (!state_->faces.is_empty())
-    if (const std::optional<bool> known = state_->faces.occluded(ray)) return *known;
-  return state_->occluded(ray);
+bool EmbreeAccel::State::is_occluded(const Ray& ray) const {
+  if (few.faces.is_empty()) return occluded(world.get(), ray);
+  const std::optional<bool> known = few.faces.occluded(ray);
+  if (!known) return occluded(world.get(), ray);
+  if (*known || !rest || !few.boxes.is_entered(ray)) return *known;
+  return occluded(rest.get(), ray);
 }
 
-HitBlock EmbreeAccel::intersect(const RayBlock& rays, LaneMask lanes, Coherence coherence) const {
-  if (state_->faces.is_empty()) return state_->intersect(rays, lanes, coherence);
-  FaceList::BlockAnswer answer = state_->faces.intersect(rays, lanes);
+HitBlock EmbreeAccel::State::nearest(const RayBlock& rays, LaneMask lanes,
+                                     Coherence coherence) const {
+  if (few.faces.is_empty()) return intersect(world.get(), rays, lanes, coherence);
+  FaceList::BlockAnswer answer = few.faces.intersect(rays, lanes);
   for_each_lane(answer.open,
-                [&](std::uint32_t i) { answer.hits.set(i, state_->intersect(rays[i])); });
+                [&](std::uint32_t i) { answer.hits.set(i, intersect(world.get(), rays[i])); });
+  if (!rest) return answer.hits;
+  RayBlock before = rays;
+  before.t_max = nearer(rays.t_max, answer.hits.t);
+  const LaneMask entering = few.boxes.entered(before, lanes & ~answer.open);
+  if (entering == 0) return answer.hits;
+  const HitBlock hits = intersect(rest.get(), before, entering, coherence);
+  for_each_lane(entering & hits.met, [&](std::uint32_t i) { answer.hits.set(i, hits[i]); });
   return answer.hits;
 }
 
-LaneMask EmbreeAccel::occluded(const RayBlock& rays, LaneMask lanes) const {
-  if (state_->faces.is_empty()) return state_->occluded(rays, lanes);
-  FaceList::BlockOcclusion answer = state_->faces.occluded(rays, lanes);
+LaneMask EmbreeAccel::State::are_occluded(const RayBlock& rays, LaneMask lanes) const {
+  if (few.faces.is_empty()) return occluded(world.get(), rays, lanes);
+  FaceList::BlockOcclusion answer = few.faces.occluded(rays, lanes);
   for_each_lane(answer.open, [&](std::uint32_t i) {
-    if (state_->occluded(rays[i])) answer.occluded |= 1u << i;
+    if (occluded(world.get(), rays[i])) answer.occluded |= 1u << i;
   });
-  return answer.occluded;
+  if (!rest) return answer.occluded;
+  const LaneMask entering = few.boxes.entered(rays, lanes & ~answer.open & ~answer.occluded);
+  if (entering == 0) return answer.occluded;
+  return answer.occluded | occluded(rest.get(), rays, entering);
+}
+
+Hit EmbreeAccel::intersect(const Ray& ray) const {
+  return state_->nearest(ray);
+}
+
+bool EmbreeAccel::occluded(const Ray& ray) const {
+  return state_->is_occluded(ray);
+}
+
+HitBlock EmbreeAccel::intersect(const RayBlock& rays, LaneMask lanes, Coherence coherence) const {
+  return state_->nearest(rays, lanes, coherence);
+}
+
+LaneMask EmbreeAccel::occluded(const RayBlock& rays, LaneMask lanes) const {
+  return state_->are_occluded(rays, lanes);
 }
 
 Hit EmbreeAccel::intersect_by_tree(const Ray& ray) const {
-  return state_->intersect(ray);
+  return state_->intersect(state_->world.get(), ray);
 }
 
 bool EmbreeAccel::occluded_by_tree(const Ray& ray) const {
-  return state_->occluded(ray);
+  return state_->occluded(state_->world.get(), ray);
 }
 
 std::size_t EmbreeAccel::face_count() const {
-  return state_->faces.size();
+  return state_->few.faces.size();
+}
+
+std::size_t EmbreeAccel::box_count() const {
+  return state_->few.boxes.size();
 }
 
 std::size_t EmbreeAccel::memory_bytes() const {

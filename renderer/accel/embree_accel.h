@@ -12,9 +12,11 @@ struct EmbreeOptions {
   // RTC_SCENE_FLAG_ROBUST: no ray slips between triangles that share an edge, and none meets the
   // face that it left (docs/accuracy_stress.md tells what happens without, and what it costs).
   bool robust = true;
-  // Scenes of few triangles are looked at face by face (face_list.h), and Embree is asked only
-  // where rounding matters.
+  // Scenes of few triangles are looked at face by face, as are walls of rooms with few dense things
+  // in them, where that pays (few_faces.h); Embree is asked for the rest, and where rounding
+  // matters.
   bool faces = false;
+  bool faces_always = false;  // of such rooms, whether it pays or not; for comparisons
   // Building fails as if out of memory beyond this; 0: no limit.
   std::size_t memory_limit_bytes = 0;
 };
@@ -37,8 +39,10 @@ class EmbreeAccel {
   // By Embree alone, whatever the options say.
   [[nodiscard]] Hit intersect_by_tree(const Ray& ray) const;
   [[nodiscard]] bool occluded_by_tree(const Ray& ray) const;
-  // How many faces are looked at one by one; 0: there is no list of them.
+  // How many faces are looked at one by one, 0 where there is no list of them; and how many boxes
+  // there are around the rest, 0 where there is none.
   [[nodiscard]] std::size_t face_count() const;
+  [[nodiscard]] std::size_t box_count() const;
   // What Embree has allocated; the scene's own arrays are not counted.
   [[nodiscard]] std::size_t memory_bytes() const;
 

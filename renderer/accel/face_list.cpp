@@ -1,7 +1,6 @@
 #include "renderer/accel/face_list.h"
 
 #include <algorithm>
-#include <span>
 
 #include "renderer/accel/placement.h"
 #include "renderer/base/floating_point_traps.h"
@@ -21,22 +20,11 @@ struct SceneTriangle {
   }
 };
 
-// Other than of objects without a surface.
-bool has_instances(const Scene& scene) {
-  return std::ranges::any_of(scene.instances, [&](const Instance& instance) {
-    return std::ranges::any_of(scene.objects[instance.object.index].geometries,
-                               [&](GeometryHandle handle) {
-                                 const Geometry& geometry = scene.geometries[handle.index];
-                                 return !geometry.triangles.empty() || !geometry.spheres.empty();
-                               });
-  });
-}
-
-// Nothing where the scene has too many, or anything else.
-std::vector<SceneTriangle> triangles_of(const Scene& scene) {
+// Nothing where there are too many, or anything else.
+std::vector<SceneTriangle> triangles_of(const Scene& scene,
+                                        std::span<const GeometryHandle> geometries) {
   std::vector<SceneTriangle> triangles;
-  if (has_instances(scene)) return {};
-  for (const GeometryHandle handle : scene.world.geometries) {
+  for (const GeometryHandle handle : geometries) {
     const Geometry& geometry = scene.geometries[handle.index];
     const bool is_too_much =
         triangles.size() + geometry.triangles.size() > 2 * FaceList::most_faces;
@@ -120,8 +108,8 @@ void put_face(std::span<const Vec3d> corners, const Vec3d& normal, FaceGroups& f
 
 }  // namespace
 
-FaceList::FaceList(const Scene& scene) {
-  const std::vector<SceneTriangle> all = triangles_of(scene);
+FaceList::FaceList(const Scene& scene, std::span<const GeometryHandle> geometries) {
+  const std::vector<SceneTriangle> all = triangles_of(scene, geometries);
   std::vector<bool> is_taken(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (is_taken[i]) continue;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "renderer/accel/face_lanes.h"
@@ -36,9 +37,9 @@ class FaceList {
   static constexpr float most_reach = 64;
 
   FaceList() = default;
-  // Empty where there are more, where one reaches farther, and where anything in the scene is no
-  // opaque triangle of the world.
-  explicit FaceList(const Scene& scene);
+  // Of these geometries, placed in the world. Empty where there are more, where one reaches
+  // farther, and where anything is no opaque triangle.
+  FaceList(const Scene& scene, std::span<const GeometryHandle> geometries);
 
   [[nodiscard]] bool is_empty() const { return faces_.size == 0; }
   [[nodiscard]] std::size_t size() const { return faces_.size; }

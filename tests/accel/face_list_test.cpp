@@ -150,7 +150,7 @@ TEST(Agreement_FaceList, SaysWhatBruteForceSays) {
 // random rays in nine open, faces of mixed scales one in seven, all others hardly any.
 TEST(Unit_FaceList, AnswersItselfInAllOfTheseScenes) {
   for (const Case& c : cases()) {
-    const FaceList faces(c.scene);
+    const FaceList faces(c.scene, c.scene.world.geometries);
     const std::vector<Ray> rays = test::random_rays(c.soup, 2000, 1);
     const auto known = std::count_if(
         rays.begin(), rays.end(), [&](const Ray& ray) { return faces.intersect(ray).has_value(); });
@@ -160,7 +160,7 @@ TEST(Unit_FaceList, AnswersItselfInAllOfTheseScenes) {
 
 TEST(Unit_FaceList, OfManyRaysAFewAreLeftOpen) {
   const Scene scene = test::scene_of(std::vector<Geometry>{geometry_of(room())});
-  const FaceList faces(scene);
+  const FaceList faces(scene, scene.world.geometries);
   const Soup soup = cases().back().soup;
   const auto open_share = [&](const std::vector<Ray>& rays) {
     double open = 0;

@@ -35,6 +35,7 @@ TEST(Unit_Info, TellsWhatIsInTheCornellBox) {
   EXPECT_FALSE(info["memory_bytes"].contains("bvh"));
   EXPECT_FALSE(info["kernel"].get<std::string>().empty());
   EXPECT_EQ(info["faces"], 17);
+  EXPECT_EQ(info["boxes"], 0);
   EXPECT_EQ(info["textures"].size(), 0u);
 }
 

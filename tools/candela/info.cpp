@@ -3,7 +3,7 @@
 
 #include "integrators/render.h"
 #include "renderer/accel/any_accel.h"
-#include "renderer/accel/face_list.h"
+#include "renderer/accel/few_faces.h"
 #include "tools/candela/commands.h"
 #include "tools/candela/console.h"
 #include "tools/candela/json_reports.h"
@@ -23,7 +23,11 @@ ExitCode run_info(const InfoArguments& arguments) {
   const SettledSettings settled =
       settle_settings(as_the_scene_asks(arguments.scene), *read.description);
   info.kernel = kernel_name(*read.scene, settled.settings->options);
-  info.faces = FaceList(*read.scene).size();
+  if (!find_few_faces(*read.scene).faces.is_empty()) {
+    const EmbreeAccel accelerator(*read.scene, {.faces = true});
+    info.faces = accelerator.face_count();
+    info.boxes = accelerator.box_count();
+  }
   if (arguments.accelerator) {
     info.accelerator = name_of(*arguments.accelerator, accelerator_choices());
     info.accelerator_bytes = memory_bytes(build_accelerator(*read.scene, *arguments.accelerator));

@@ -197,6 +197,7 @@ std::string to_json(const SceneInfo& info) {
     json["dropped"].push_back({{"what", dropped.what}, {"count", dropped.count}});
   json["kernel"] = info.kernel;
   json["faces"] = info.faces;
+  json["boxes"] = info.boxes;
   return text_of(json);
 }
 

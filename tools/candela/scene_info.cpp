@@ -159,7 +159,10 @@ std::string to_text(const SceneInfo& info) {
     line("", fmt::format("{} {}", info.accelerator, bytes_text(*info.accelerator_bytes)));
   line("kernel", info.kernel);
   if (info.faces > 0)
-    line("rays", fmt::format("against all of {} faces, without a tree", info.faces));
+    line("rays",
+         fmt::format("against all of {} faces, {}", info.faces,
+                     info.boxes == 0 ? "without a tree"
+                                     : fmt::format("and down a tree behind {} boxes", info.boxes)));
   line("materials", fmt::format("{}", info.materials.size()));
   for (const std::string& name : info.materials) text += fmt::format("    {}\n", name);
   line("media", fmt::format("{}", info.media.size()));

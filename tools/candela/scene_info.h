@@ -52,6 +52,7 @@ struct SceneInfo {
   std::vector<Dropped> dropped;
   std::string kernel;
   std::size_t faces = 0;  // that rays are tested against one by one; 0: they go down a tree
+  std::size_t boxes = 0;  // around the rest, which has a tree; 0: there is no rest
 };
 
 [[nodiscard]] SceneInfo describe_scene(const description::SceneDescription& description,

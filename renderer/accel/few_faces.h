@@ -1,0 +1,28 @@
+// What of a scene is looked at face by face, and what by a tree: all of a scene of few faces, or
+// the walls of a room with a few dense things in it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "renderer/accel/box_list.h"
+#include "renderer/accel/face_list.h"
+
+namespace candela {
+
+struct FewFaces {
+  FaceList faces;
+  BoxList boxes;  // around the rest
+  std::vector<GeometryHandle> rest;
+};
+
+// Whether a list of faces with a tree for the rest takes less time than a tree of everything, where
+// such a share of rays enters a box of the rest (docs/decisions.md).
+[[nodiscard]] constexpr bool pays(std::size_t faces, double entering) {
+  return entering + static_cast<double>(faces) / 50 < 0.5;
+}
+
+// Nothing where the scene has instances or too many faces for either.
+[[nodiscard]] FewFaces find_few_faces(const Scene& scene);
+
+}  // namespace candela
