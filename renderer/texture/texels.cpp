@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/thread_clock.h"
 #include "renderer/image/half.h"
 
 namespace candela {
@@ -128,10 +129,12 @@ const TexelArray& TextureFile::texels() {
 }
 
 void TextureFile::decode() {
+  const double start = thread_cpu_seconds();
   if (is_broken_)
     become_magenta();
   else
     decode_file();
+  decoding_seconds_ = thread_cpu_seconds() - start;
   is_decoded_.store(true, std::memory_order_release);
 }
 

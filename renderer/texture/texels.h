@@ -57,6 +57,8 @@ class TextureFile {
   // Decodes at the first call; any number of threads may call at once.
   const TexelArray& texels();
   [[nodiscard]] bool is_decoded() const { return is_decoded_.load(std::memory_order_acquire); }
+  // Of CPU time, what decoding took; 0 before.
+  [[nodiscard]] double decoding_seconds() const { return is_decoded() ? decoding_seconds_ : 0; }
   // What was wrong with pixels whose header was fine. Empty until decoded.
   [[nodiscard]] Diagnostics decoding_diagnostics() const;
   // Builds the tree of a channel at the first call. `channel` < channels of texels().
@@ -77,6 +79,7 @@ class TextureFile {
 
   std::once_flag decode_once_;
   std::atomic<bool> is_decoded_{false};
+  double decoding_seconds_ = 0;
   TexelArray texels_;
   Diagnostics diagnostics_;
   std::array<std::once_flag, 4> range_once_;

@@ -321,6 +321,12 @@ std::size_t TextureStore::decoded_bytes() const {
   return bytes;
 }
 
+double TextureStore::decoding_seconds() const {
+  double seconds = 0;
+  for (const auto& [path, file] : files_->by_path) seconds += file->decoding_seconds();
+  return seconds;
+}
+
 Diagnostics TextureStore::decoding_diagnostics() const {
   Diagnostics found;
   for (const auto& [path, file] : files_->by_path) found.append(file->decoding_diagnostics());

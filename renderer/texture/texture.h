@@ -120,6 +120,8 @@ class TextureStore {
   // Which have been decoded so far, and the bytes they hold.
   [[nodiscard]] bool is_decoded(TextureHandle texture) const;
   [[nodiscard]] std::size_t decoded_bytes() const;
+  // The CPU time that decoding them took.
+  [[nodiscard]] double decoding_seconds() const;
   // Warnings met while decoding (a file whose header was fine and whose pixels were not).
   [[nodiscard]] Diagnostics decoding_diagnostics() const;
 

@@ -63,8 +63,16 @@ TEST(Unit_Stats, TellWhatWasAskedAndDone) {
   const double cpu_seconds = stats["cpu_seconds"]["render"];
   EXPECT_GT(cpu_seconds, 0);
   EXPECT_LE(cpu_seconds, 4 * stats["seconds"]["render"].get<double>() + 0.05);  // two threads
+  EXPECT_EQ(stats["cpu_seconds"]["decoding"], 0);
   EXPECT_EQ(stats["outputs"].size(), 1u);
   EXPECT_EQ(stats["interrupted"], false);
+}
+
+TEST(Unit_Stats, TellWhatImagesTookThatRaysMet) {
+  const Json stats = stats_of({"-t", "1"}, CANDELA_SOURCE_DIR "/assets/cutouts/cutouts.yaml");
+  const double decoding = stats["cpu_seconds"]["decoding"];
+  EXPECT_GT(decoding, 0);
+  EXPECT_LT(decoding, stats["cpu_seconds"]["render"]);
 }
 
 TEST(Unit_Stats, TheImageTellsTheSame) {

@@ -188,8 +188,10 @@ class Bench:
 
     def our_ladder(self, file, right, seed):
         # Cycles tells no error of a picture: without --all candela does not either.
-        return [truth.measured(self.candela, file, right, size=f"{self.size}x{self.size}", spp=spp,
-                               seed=seed, threads=self.threads, max_depth="none",
+        # Nor does it count reading images, which candela does when a path first meets them.
+        return [truth.measured(self.candela, file, right, counts_decoding=False,
+                               size=f"{self.size}x{self.size}", spp=spp, seed=seed,
+                               threads=self.threads, max_depth="none",
                                replicates=4 if self.with_all else 1,
                                adaptive="on" if self.with_all and spp >= PILOTS else "off")
                 for spp in self.counts]

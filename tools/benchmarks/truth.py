@@ -38,10 +38,12 @@ class Run:
     mean_ratio: float  # of the picture's mean to the reference's
 
 
-def measured(candela, scene, truth, **options):
+def measured(candela, scene, truth, counts_decoding=True, **options):
     from exr import read_exr
     render = candela.render("measured", scene, png=False, filter="box", **options)
-    return run_of(read_exr(render.exr), truth, render.cpu_seconds, render.seconds, render.spp)
+    decoding = 0 if counts_decoding else render.stats["cpu_seconds"]["decoding"]
+    return run_of(read_exr(render.exr), truth, render.cpu_seconds - decoding, render.seconds,
+                  render.spp)
 
 
 def run_of(image, truth, cpu_seconds, seconds, spp):

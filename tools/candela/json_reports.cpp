@@ -114,6 +114,7 @@ void add_results(Json& json, const RenderReport& report) {
   json["error"] = error_json(report.error);
   json["seconds"] = seconds_json(report.seconds);
   json["cpu_seconds"] = seconds_json(report.cpu_seconds);
+  json["cpu_seconds"]["decoding"] = report.decoding_cpu_seconds;
   json["rays"] = {{"camera", statistics.rays.camera},
                   {"indirect", statistics.rays.indirect},
                   {"shadow", statistics.rays.shadow},

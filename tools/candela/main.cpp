@@ -55,10 +55,11 @@ ExitCode render_scene(const RenderArguments& arguments) {
   });
 
   ProgressSink* const progress = run.start_rendering(*scene);
+  const double decoding_before = scene->textures.decoding_seconds();
   const RenderResult result = run.timed(&StageSeconds::render, [&] {
     return render(*scene, *accelerator, run.options(), progress, &cancel_flag());
   });
-  run.rendered(*scene, result);
+  run.rendered(*scene, result, scene->textures.decoding_seconds() - decoding_before);
   if (!arguments.measures_ray_limit) accelerator.reset();  // room for the encoders
   {
     const WritingGuard guard(run.outputs());

@@ -37,7 +37,8 @@ struct RenderReport {
   std::uint32_t replicates = 1;  // that samples were dealt out to
   std::optional<ErrorEstimate> error;
   StageSeconds seconds;
-  StageSeconds cpu_seconds;  // of all threads
+  StageSeconds cpu_seconds;         // of all threads
+  double decoding_cpu_seconds = 0;  // of images that rendering met first
   RenderStatistics statistics;
   std::size_t skipped_textures = 0;  // never decoded since no ray touched them
   std::uint64_t triangles = 0;

@@ -196,7 +196,8 @@ ProgressSink* RenderRun::start_rendering(const Scene& scene) {
   return arguments_.is_quiet ? nullptr : progress_.get();  // its numbers cost a little
 }
 
-void RenderRun::rendered(const Scene& scene, const RenderResult& result) {
+void RenderRun::rendered(const Scene& scene, const RenderResult& result, double decoding) {
+  report_.decoding_cpu_seconds = decoding;
   report_.statistics = result.statistics;
   report_.min_samples = result.film.min_samples();
   report_.max_samples = result.film.max_samples();

@@ -43,7 +43,8 @@ class RenderRun {
   [[nodiscard]] const RenderOptions& options() const { return report_.options; }
   // From here on a signal stops the render and not the process.
   [[nodiscard]] ProgressSink* start_rendering(const Scene& scene);
-  void rendered(const Scene& scene, const RenderResult& result);
+  // `decoding`: the CPU seconds of it that went into images.
+  void rendered(const Scene& scene, const RenderResult& result, double decoding);
 
   // The files to write; none where not one sample was taken.
   [[nodiscard]] std::vector<std::string> outputs() const;
