@@ -140,7 +140,7 @@ CANDELA_LANES bool BoxList::is_entered(const Ray& ray) const {
                 finite_inverse(ray.direction.z)};
   const float t_max = ray.t_max;
   std::uint32_t any = 0;
-  for (std::size_t k = 0; k < block_size; ++k)
+  for (std::size_t k = 0; k < most_boxes; ++k)
     any |= enters(origin, inverse, t_max, lower_[k], upper_[k]);
   return any != 0;
 }

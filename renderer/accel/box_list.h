@@ -13,7 +13,7 @@ namespace candela {
 
 class BoxList {
  public:
-  static constexpr std::size_t most_boxes = block_size;
+  static constexpr std::size_t most_boxes = 8;
 
   BoxList() = default;
   // Around all triangles and spheres of these geometries, which are placed in the world.
