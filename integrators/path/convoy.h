@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "integrators/path/step_plain_lanes.h"
+#include "integrators/path/trip_rays.h"
 
 namespace candela {
 
@@ -51,12 +52,19 @@ class Convoy {
     for (std::size_t i = 0; i < size_; ++i) {
       moves[i] = trips_[i]->alive != 0;
       any_moves |= moves[i];
-      if (moves[i]) meet<F>(*trips_[i]);
     }
     if (!any_moves) return false;
+    const auto for_each_moving = [&](const auto& visit) {
+      for (std::size_t i = 0; i < size_; ++i)
+        if (moves[i]) visit(*trips_[i]);
+    };
+    for_each_moving([&](BlockTrip<A>& trip) { rays_.add_rays(trip); });
+    rays_.end_rays();
+    for_each_moving([](BlockTrip<A>& trip) { meet<F>(trip); });
     step();
-    for (std::size_t i = 0; i < size_; ++i)
-      if (moves[i]) go_on<F>(*trips_[i], lanes_);
+    for_each_moving([&](BlockTrip<A>& trip) { rays_.add_shadow_rays(trip); });
+    rays_.end_shadow_rays();
+    for_each_moving([&](BlockTrip<A>& trip) { go_on<F>(trip, lanes_); });
     return true;
   }
 
@@ -91,6 +99,7 @@ class Convoy {
   std::array<std::optional<BlockTrip<A>>, capacity> trips_;
   std::size_t size_ = 0;
   PlainLanes lanes_;
+  TripRays<F, A> rays_;
 };
 
 }  // namespace candela

@@ -41,6 +41,7 @@ struct SplitPaths {
 struct LanesAfterStep {
   LaneMask shadow_rays = 0;
   LaneMask sky_rays = 0;  // of the shadow rays those whose contribution lacks the sky
+  LaneMask arriving = 0;  // of the shadow rays those that bring something, once they are traced
   LaneMask going_on = 0;
 };
 

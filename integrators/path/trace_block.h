@@ -125,11 +125,11 @@ inline void find_sky(const Scene& scene, LaneMask lanes, const Vec3Lanes& direct
   });
 }
 
-// Adds what the shadow rays bring.
+// Adds what the shadow rays bring that arrive.
 template <FeatureSet F, class A>
 inline void add_direct_light(const PathContext<A>& context, const LanesAfterStep& after,
-                             PathBlock& block, TileCounts& counts) {
-  const LaneMask arriving = trace_shadow_rays<F>(context, after.shadow_rays, block, counts);
+                             PathBlock& block) {
+  const LaneMask arriving = after.arriving;
   if (const LaneMask sky = arriving & after.sky_rays; sky != 0) {
     Vec3Lanes radiance;
     find_sky<F>(context.scene, sky, block.shadow_rays.direction, Coherence::Incoherent, radiance);
@@ -170,11 +170,10 @@ template <FeatureSet F, class A>
   return alive & ~ended;
 }
 
-// The rays of the paths that are alive end; so do the paths whose rays leave the scene.
+// The rays of the paths that are alive have ended; so do the paths whose rays left the scene.
 template <FeatureSet F, class A>
 inline void meet(BlockTrip<A>& trip) {
   PathBlock& block = trip.block;
-  block.hits = intersect_lanes(trip.context.accelerator, block.rays, trip.alive, trip.bounce);
   if (trip.branches.is_split() && trip.bounce == 0) block.split.hits = block.hits;
   if constexpr (F.guided) {
     if (trip.context.training != nullptr)
@@ -190,8 +189,7 @@ inline void meet(BlockTrip<A>& trip) {
 template <FeatureSet F, class A>
 inline void go_on(BlockTrip<A>& trip, PlainLanes& lanes) {
   PathBlock& block = trip.block;
-  if (trip.after.shadow_rays != 0)
-    add_direct_light<F>(trip.context, trip.after, block, trip.counts);
+  if (trip.after.shadow_rays != 0) add_direct_light<F>(trip.context, trip.after, block);
   trip.alive = trip.after.going_on;
   if constexpr (F.guided) {
     if (trip.context.training != nullptr)

@@ -395,9 +395,15 @@ HitBlock EmbreeAccel::State::nearest(const RayBlock& rays, LaneMask lanes,
   RayBlock before = rays;
   before.t_max = nearer(rays.t_max, answer.hits.t);
   const LaneMask entering = few.boxes.entered(before, lanes & ~answer.open);
-  if (entering == 0) return answer.hits;
-  const HitBlock hits = intersect(rest.get(), before, entering, coherence);
-  for_each_lane(entering & hits.met, [&](std::uint32_t i) { answer.hits.set(i, hits[i]); });
+  const auto take = [&](std::uint32_t i, const Hit& hit) {
+    if (hit.is_hit()) answer.hits.set(i, hit);
+  };
+  if (coherence == Coherence::Incoherent) {
+    for_each_lane(entering, [&](std::uint32_t i) { take(i, intersect(rest.get(), before[i])); });
+  } else if (entering != 0) {
+    const HitBlock hits = intersect(rest.get(), before, entering, coherence);
+    for_each_lane(entering, [&](std::uint32_t i) { take(i, hits[i]); });
+  }
   return answer.hits;
 }
 
@@ -408,9 +414,11 @@ LaneMask EmbreeAccel::State::are_occluded(const RayBlock& rays, LaneMask lanes) 
     if (occluded(world.get(), rays[i])) answer.occluded |= 1u << i;
   });
   if (!rest) return answer.occluded;
-  const LaneMask entering = few.boxes.entered(rays, lanes & ~answer.open & ~answer.occluded);
-  if (entering == 0) return answer.occluded;
-  return answer.occluded | occluded(rest.get(), rays, entering);
+  for_each_lane(few.boxes.entered(rays, lanes & ~answer.open & ~answer.occluded),
+                [&](std::uint32_t i) {
+                  if (occluded(rest.get(), rays[i])) answer.occluded |= 1u << i;
+                });
+  return answer.occluded;
 }
 
 Hit EmbreeAccel::intersect(const Ray& ray) const {
@@ -427,6 +435,10 @@ HitBlock EmbreeAccel::intersect(const RayBlock& rays, LaneMask lanes, Coherence 
 
 LaneMask EmbreeAccel::occluded(const RayBlock& rays, LaneMask lanes) const {
   return state_->are_occluded(rays, lanes);
+}
+
+bool EmbreeAccel::allows_any_company() const {
+  return !state_->few.faces.is_empty();
 }
 
 Hit EmbreeAccel::intersect_by_tree(const Ray& ray) const {

@@ -36,6 +36,9 @@ class EmbreeAccel {
   [[nodiscard]] bool occluded(const Ray& ray) const;
   [[nodiscard]] HitBlock intersect(const RayBlock& rays, LaneMask lanes, Coherence coherence) const;
   [[nodiscard]] LaneMask occluded(const RayBlock& rays, LaneMask lanes) const;
+  // Whether what a block's rays are told, incoherent ones and shadow rays, depends on none of the
+  // others in it: so where there is a list of faces.
+  [[nodiscard]] bool allows_any_company() const;
   // By Embree alone, whatever the options say.
   [[nodiscard]] Hit intersect_by_tree(const Ray& ray) const;
   [[nodiscard]] bool occluded_by_tree(const Ray& ray) const;
