@@ -11,9 +11,8 @@ namespace candela {
 // Lanes of a block by the models of the surfaces that they met.
 class PlainMasks {
  public:
-  void add(PlainModel model, std::uint32_t lane) {
-    std::uint16_t& of_model = lanes_[static_cast<std::size_t>(model)];
-    of_model = static_cast<std::uint16_t>(of_model | 1u << lane);
+  void set(PlainModel model, LaneMask lanes) {
+    lanes_[static_cast<std::size_t>(model)] = static_cast<std::uint16_t>(lanes);
   }
   [[nodiscard]] LaneMask of(PlainModel model) const {
     return lanes_[static_cast<std::size_t>(model)];
@@ -28,12 +27,20 @@ class PlainMasks {
   std::array<std::uint16_t, plain_models.size() + 1> lanes_{};  // by model, None among them
 };
 
-// Of the hits those on plain surfaces that stand where the scene says.
+// Of the hits those on plain surfaces that stand where the scene says. Model by model, of which a
+// block mostly meets one or two: lanes that were put where they belong one after the other would
+// wait for each other.
 [[nodiscard]] inline PlainMasks plain_lanes_of(const Scene& scene, const HitBlock& hits,
                                                LaneMask lanes) {
   PlainMasks plain;
-  for_each_lane(lanes & hits.met & ~hits.instanced,
-                [&](std::uint32_t i) { plain.add(scene.plain_models[hits.geometry[i]], i); });
+  for (LaneMask left = lanes & hits.met & ~hits.instanced; left != 0;) {
+    const auto model_of = [&](std::uint32_t i) { return scene.plain_models[hits.geometry[i]]; };
+    const PlainModel model = model_of(static_cast<std::uint32_t>(std::countr_zero(left)));
+    LaneMask same = 0;
+    for_each_lane(left, [&](std::uint32_t i) { same |= flag(model_of(i) == model) << i; });
+    plain.set(model, same);
+    left &= ~same;
+  }
   return plain;
 }
 

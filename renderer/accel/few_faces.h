@@ -19,7 +19,7 @@ struct FewFaces {
 // Whether a list of faces with a tree for the rest takes less time than a tree of everything, where
 // such a share of rays enters a box of the rest (docs/decisions.md).
 [[nodiscard]] constexpr bool pays(std::size_t faces, double entering) {
-  return entering + static_cast<double>(faces) / 50 < 0.5;
+  return entering + static_cast<double>(faces) / 200 < 0.45;
 }
 
 // Nothing where the scene has instances or too many faces for either.

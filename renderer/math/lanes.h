@@ -50,11 +50,14 @@ inline constexpr LaneMask all_lanes = (1u << block_size) - 1;
 }
 
 // std::popcount, without a call where the processor need not have an instruction for it.
+inline constexpr auto bit_counts = [] {
+  std::array<std::uint8_t, 256> counts{};
+  for (std::size_t i = 1; i < counts.size(); ++i)
+    counts[i] = static_cast<std::uint8_t>(counts[i / 2] + i % 2);
+  return counts;
+}();
 [[nodiscard]] constexpr std::uint32_t lane_count(LaneMask lanes) {
-  lanes -= (lanes >> 1) & 0x5555;
-  lanes = (lanes & 0x3333) + ((lanes >> 2) & 0x3333);
-  lanes = (lanes + (lanes >> 4)) & 0x0f0f;
-  return (lanes + (lanes >> 8)) & 0x1f;
+  return std::uint32_t{bit_counts[lanes & 0xff]} + bit_counts[lanes >> 8];
 }
 
 // For each lane of the mask, from the lowest.
