@@ -132,15 +132,32 @@ class PlainSteps {
     if (!sample_delta_light(scene().lights[index], lanes_))
       for_each_lane(lanes_.filled,
                     [&](std::uint32_t slot) { sample_alone(slot, index, Vec2f(0)); });
-    for_each_lane(weighed_light(model), [&](std::uint32_t slot) {
+    const LightSampleLanes& samples = lanes_.light_samples;
+    const LaneMask to_trace = weighed_light(model);
+    if constexpr (!F.media) {
+      if (context().accelerator.allows_any_company()) return add_unoccluded(to_trace);
+    }
+    for_each_lane(to_trace, [&](std::uint32_t slot) {
       const Place at = place(slot);
-      const LightSampleLanes& samples = lanes_.light_samples;
       const DirectLight light{samples.contribution[slot], samples.shadow_ray(slot)};
       PathLanes& paths = at.trip->block.paths;
       if constexpr (F.media)
         paths.add_radiance(at.lane, shadowed_in(context(), light, MediumHandle{}, at.trip->counts));
       else
         paths.add_radiance(at.lane, shadowed(context().accelerator, light, at.trip->counts));
+    });
+  }
+
+  // What the samples in these lanes bring whose shadow rays, which are traced together, arrive.
+  void add_unoccluded(LaneMask to_trace) {
+    const LightSampleLanes& samples = lanes_.light_samples;
+    const RayBlock rays{samples.shadow_origin, samples.shadow_direction, samples.shadow_end};
+    const LaneMask occluded = context().accelerator.occluded(rays, to_trace);
+    for_each_lane(to_trace, [&](std::uint32_t slot) {
+      const Place at = place(slot);
+      ++at.trip->counts.rays.shadow;
+      if ((occluded >> slot & 1) == 0)
+        at.trip->block.paths.add_radiance(at.lane, samples.contribution[slot]);
     });
   }
 
