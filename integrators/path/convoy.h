@@ -82,14 +82,17 @@ class Convoy {
 
   void step_together() {
     std::array<PlainMasks, capacity> plain;
+    PlainModelSet met = 0;
     for (std::size_t i = 0; i < size_; ++i) {
       BlockTrip<A>& trip = *trips_[i];
       plain[i] = plain_lanes_of(trip.context.scene, trip.block.hits,
                                 lanes_without_medium<F>(trip.block, trip.alive));
       step_alone(trip, trip.alive & ~plain[i].all());
+      met |= plain[i].models();
     }
     PlainSteps<F, A> steps(lanes_);
     for (const PlainModel model : plain_models) {
+      if ((met & bit_of(model)) == 0) continue;
       for (std::size_t i = 0; i < size_; ++i) steps.add(*trips_[i], plain[i].of(model), model);
       steps.end(model);
     }

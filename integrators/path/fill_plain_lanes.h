@@ -8,12 +8,19 @@
 
 namespace candela {
 
+using PlainModelSet = std::uint32_t;
+[[nodiscard]] constexpr PlainModelSet bit_of(PlainModel model) {
+  return 1u << static_cast<unsigned>(model);
+}
+
 // Lanes of a block by the models of the surfaces that they met.
 class PlainMasks {
  public:
   void set(PlainModel model, LaneMask lanes) {
     lanes_[static_cast<std::size_t>(model)] = static_cast<std::uint16_t>(lanes);
+    models_ |= bit_of(model);
   }
+  [[nodiscard]] PlainModelSet models() const { return models_; }
   [[nodiscard]] LaneMask of(PlainModel model) const {
     return lanes_[static_cast<std::size_t>(model)];
   }
@@ -25,6 +32,7 @@ class PlainMasks {
 
  private:
   std::array<std::uint16_t, plain_models.size() + 1> lanes_{};  // by model, None among them
+  PlainModelSet models_ = 0;                                    // that there are any of
 };
 
 // Of the hits those on plain surfaces that stand where the scene says. Model by model, of which a

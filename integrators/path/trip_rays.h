@@ -19,7 +19,8 @@ class TripRays {
       trip.block.hits = intersect_lanes(trip.context.accelerator, rays, trip.alive, trip.bounce);
       return;
     }
-    trip.block.hits = {};
+    trip.block.hits.met = 0;  // what other lanes hold means nothing
+    trip.block.hits.instanced = 0;
     for_each_lane(trip.alive, [&](std::uint32_t lane) {
       put(trip, lane, rays);
       if (size_ == block_size) end_rays();
