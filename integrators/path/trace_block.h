@@ -15,8 +15,8 @@ namespace candela {
 }
 
 // Where the rays of the paths end. Of surfaces in the very same place a packet may meet another one
-// than a single ray or a packet with other lanes does: which lanes there are follows from the range
-// of samples alone, from no tile, crop or thread.
+// than a single ray or a packet with other lanes does: which lanes there are follows from the
+// picture's ranges of samples alone (shared_block.h), from no tile, crop or thread.
 template <class A>
 [[nodiscard]] inline HitBlock intersect_lanes(const A& accelerator, const RayBlock& rays,
                                               LaneMask lanes, std::uint32_t bounce) {
