@@ -38,12 +38,14 @@ double mean_area(const Geometry& geometry) {
 FewFaces find_few_faces(const Scene& scene) {
   constexpr std::size_t most_listed = 2 * FaceList::most_faces;
   constexpr std::size_t most_dense = 1 << 17;  // a second tree of so many takes little memory
-  if (has_instances(scene)) return {};
   std::vector<GeometryHandle> all = scene.world.geometries;
   const auto size_of = [&](GeometryHandle handle) {
     const Geometry& geometry = scene.geometries[handle.index];
     return geometry.triangles.size() + geometry.spheres.size();
   };
+  std::size_t size = 0;
+  for (const GeometryHandle handle : all) size += size_of(handle);
+  if (size > most_listed + most_dense || has_instances(scene)) return {};
   std::ranges::stable_sort(all, std::greater(), [&](GeometryHandle handle) {
     return mean_area(scene.geometries[handle.index]);
   });

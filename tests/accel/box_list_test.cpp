@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "renderer/accel/bvh_accel.h"
+#include "tests/accel/block_agreement.h"
 #include "tests/accel/ray_sets.h"
 
 namespace candela {
@@ -40,21 +41,16 @@ TEST(Unit_BoxList, BlocksAreToldWhatRaysAre) {
   const Soup soup = test::random_soup(300, 0.1f, 1);
   const Scene scene = test::scene_of(soup);
   const BoxList boxes = boxes_around(scene);
-  const std::vector<Ray> rays = test::rays_of_all_sets(soup, 800);
   std::size_t entering = 0;
-  for (std::size_t first = 0; first + block_size <= rays.size(); first += block_size) {
-    RayBlock block;
-    for (std::size_t i = 0; i < block_size; ++i)
-      block.set(i, rays[(first + i * 251) % rays.size()]);
-    constexpr LaneMask some[]{all_lanes, 0b0110100110010110u};
-    const LaneMask lanes = some[first / block_size % 2];
-    const LaneMask entered = boxes.entered(block, lanes);
-    EXPECT_EQ(entered & ~lanes, 0u);
-    for_each_lane(lanes, [&](std::uint32_t i) {
-      ASSERT_EQ((entered >> i & 1) != 0, boxes.is_entered(block[i]));
-    });
-    entering += lane_count(entered);
-  }
+  test::for_each_mixed_block(test::rays_of_all_sets(soup, 800), {all_lanes, 0b0110100110010110u},
+                             [&](const RayBlock& block, LaneMask lanes) {
+                               const LaneMask entered = boxes.entered(block, lanes);
+                               EXPECT_EQ(entered & ~lanes, 0u);
+                               for_each_lane(lanes, [&](std::uint32_t i) {
+                                 ASSERT_EQ((entered >> i & 1) != 0, boxes.is_entered(block[i]));
+                               });
+                               entering += lane_count(entered);
+                             });
   EXPECT_GT(entering, 500u);
 }
 

@@ -7,6 +7,7 @@
 #include "integrators/ray_bench/ray_bench.h"
 #include "renderer/accel/any_accel.h"
 #include "renderer/base/parallel.h"
+#include "tests/accel/block_agreement.h"
 #include "tests/accel/brute_force.h"
 #include "tests/accel/ray_sets.h"
 
@@ -172,36 +173,16 @@ TEST(Unit_FaceList, OfManyRaysAFewAreLeftOpen) {
   EXPECT_GT(open_share(test::edge_rays(soup, 1000, 1)), 0.3);
 }
 
-bool are_equal(const Hit& a, const Hit& b) {
-  return a.t == b.t && a.u == b.u && a.v == b.v && a.geometry == b.geometry &&
-         a.triangle == b.triangle;
-}
-
-// In any lane and beside any others a ray is told the same.
+// In any lane and beside any others a ray is told the same, and both questions have one answer.
 TEST(Unit_FaceList, BlocksAreToldWhatRaysAre) {
   for (const Case& c : cases()) {
     const EmbreeAccel faces(c.scene, {.faces = true});
     const std::vector<Ray> rays = test::rays_of_all_sets(c.soup, 800);
-    std::size_t hits = 0;
-    for (std::size_t first = 0; first + block_size <= rays.size(); first += block_size) {
-      RayBlock block;
-      for (std::size_t i = 0; i < block_size; ++i)
-        block.set(i, rays[(first + i * 251) % rays.size()]);
-      constexpr LaneMask some[]{all_lanes, 0b0110100110010110u, 0b0000100000010010u};
-      const LaneMask lanes = some[first / block_size % 3];
-      const HitBlock found = faces.intersect(block, lanes, Coherence::Incoherent);
-      const LaneMask occluded = faces.occluded(block, lanes);
-      EXPECT_EQ(occluded & ~lanes, 0u);
-      EXPECT_EQ(found.met & ~lanes, 0u);
-      for_each_lane(lanes, [&](std::uint32_t i) {
-        const Hit single = faces.intersect(block[i]);
-        hits += single.is_hit();
-        ASSERT_TRUE(are_equal(found[i], single)) << c.name;
-        ASSERT_EQ((occluded >> i & 1) != 0, faces.occluded(block[i])) << c.name;
-        ASSERT_EQ(faces.occluded(block[i]), single.is_hit()) << c.name;
-      });
-    }
+    const std::size_t hits = test::expect_blocks_told_as_rays(
+        faces, rays, {all_lanes, 0b0110100110010110u, 0b0000100000010010u}, c.name);
     EXPECT_GT(hits, 100u) << c.name;
+    for (const Ray& ray : rays)
+      ASSERT_EQ(faces.occluded(ray), faces.intersect(ray).is_hit()) << c.name;
   }
 }
 
