@@ -17,9 +17,7 @@ struct PixelRect {
   [[nodiscard]] int width() const { return x1 - x0; }
   [[nodiscard]] int height() const { return y1 - y0; }
   [[nodiscard]] bool is_empty() const { return x1 <= x0 || y1 <= y0; }
-  [[nodiscard]] bool contains(int x, int y) const {
-    return x >= x0 && x < x1 && y >= y0 && y < y1;
-  }
+  [[nodiscard]] bool contains(int x, int y) const { return x >= x0 && x < x1 && y >= y0 && y < y1; }
   friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
 
