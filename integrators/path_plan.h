@@ -10,10 +10,22 @@ namespace candela {
 inline constexpr float default_roulette_threshold = 0.5f;
 inline constexpr std::uint32_t max_splitting = 64;
 
+// Russian roulette as a path asks it when it leaves a surface.
+struct Roulette {
+  float inverse_threshold = 1;
+  std::uint32_t first_bounce = 2;  // 0: it may end a path at its first hit
+};
+
 struct PathPlan {
   std::uint32_t splitting = 1;  // paths that go on from each first hit, up to max_splitting
-  // Russian roulette ends no path whose throughput is at least this, in (0, 1].
+  // Russian roulette ends no path whose throughput is at least this, in (0, 1], nor any that leaves
+  // an earlier hit than this one (from 0).
   float roulette_threshold = 1;
+  std::uint32_t first_roulette_bounce = Roulette{}.first_bounce;
+
+  [[nodiscard]] Roulette roulette() const {
+    return {1 / roulette_threshold, first_roulette_bounce};
+  }
 };
 
 }  // namespace candela

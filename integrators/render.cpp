@@ -39,7 +39,7 @@ Kernel path_kernel(const Scene& scene, const A& accelerator, const Filter& filte
   context.background = background.get();
   return {"path/" + std::string(kernel.name),
           [render = kernel.render, context, lamps, background](const TilePass& pass, Film& film) {
-            const bool is_guided = pass.guide != nullptr || pass.training != nullptr;
+            const bool is_guided = pass.guide != nullptr || pass.observer != nullptr;
             return (is_guided ? &render_tile<guided_features, A> : render)(context, pass, film);
           }};
 }
@@ -85,6 +85,9 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
   const Filter filter = make_filter(options);
   RenderOptions rounds = options;
   if (!has_default_strategy(options)) rounds.guiding = Guiding::Off;
+  rounds.chooses_roulette = options.chooses_roulette && options.plan.splitting == 1 &&
+                            options.guiding == Guiding::Off && has_default_strategy(options) &&
+                            !scene.features.media;
   if (scene.features.media) {  // branches.h
     rounds.guiding = Guiding::Off;
     rounds.plan.splitting = 1;
@@ -99,9 +102,9 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
         const RoundsDone done =
             render_rounds(rounds, kernel.render_tile, result.film, progress, cancel);
         const TileCounts& counts = done.counts;
-        result.statistics = {counts.rays,          counts.skipped, counts.invalid_samples,
-                             counts.first_invalid, kernel.name,    rounds.plan,
-                             done.guiding,         done.stop};
+        result.statistics = {counts.rays,           counts.skipped, counts.invalid_samples,
+                             counts.first_invalid,  kernel.name,    done.roulette.plan,
+                             done.roulette.samples, done.guiding,   done.stop};
         if (done.guiding.cells > 0) result.statistics.kernel = "path/guided";
         result.error = done.error;
       },

@@ -57,6 +57,9 @@ struct RenderOptions {
   // then means over the picture. Needs replicates, and enough samples (render_rounds.cpp).
   bool adaptive = false;
   PathPlan plan;  // path; scenes with media are not split
+  // path by Mis and Power, without media, splitting or guiding: walks decide on the plan's roulette
+  // (roulette/choose_roulette.h).
+  bool chooses_roulette = false;
   // path: camera rays a sample that look for lamps alone in pixels that lamps cover in part, at
   // most (path/find_lamp_pixels.h); 0: none.
   int lamp_rays = 0;
@@ -130,7 +133,8 @@ struct RenderStatistics {
   std::uint64_t invalid_samples = 0;
   std::optional<InvalidSample> first_invalid;
   std::string kernel;  // the instance that ran
-  PathPlan plan;       // the options', but for what is never split
+  PathPlan plan;       // the options', but for what is never split and what walks decided
+  std::uint64_t roulette_samples = 0;  // that those took
   GuidingDone guiding;
   StopReason stop = StopReason::Samples;
 };

@@ -79,8 +79,12 @@ class Loop {
     const auto most = static_cast<std::uint32_t>(options_.samples_per_pixel);
     std::optional<StopReason> stop;
     expect({});
-    if (options_.integrator == IntegratorKind::Path)
+    result.roulette = {options_.plan};
+    if (options_.integrator == IntegratorKind::Path) {
+      result.roulette = choose_roulette(options_, render_tile_, cancel_);
+      plan_ = result.roulette.plan;
       guide_ = choose_guide(options_, render_tile_, cancel_);
+    }
     result.guiding = guiding_done();
     while (!stop) {
       if (pilot_samples_ > 0 && done_ == 0)
@@ -142,7 +146,7 @@ class Loop {
   }
 
   [[nodiscard]] TilePass pass_of(const SampleRange& range) const {
-    return {{}, range, nullptr, options_.seed, options_.plan, guide_.field.get(), nullptr};
+    return {{}, range, nullptr, options_.seed, plan_, guide_.field.get(), nullptr};
   }
 
   // `render`: what renders a range of samples a pixel.
@@ -223,6 +227,7 @@ class Loop {
   std::optional<SampleDensity> density_;  // once the pilot is there
   TileCounts counts_;
   CloserLook look_;
+  PathPlan plan_;
   GuideChoice guide_;
   std::uint32_t done_ = 0;
   std::uint32_t error_samples_ = 0;  // a pixel, when the error was estimated

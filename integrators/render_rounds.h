@@ -5,12 +5,14 @@
 
 #include "integrators/kernel.h"
 #include "integrators/render.h"
+#include "integrators/roulette/choose_roulette.h"
 
 namespace candela {
 
 struct RoundsDone {
   TileCounts counts;
   StopReason stop = StopReason::Samples;
+  RouletteChoice roulette;
   GuidingDone guiding;
   std::optional<ErrorEstimate> error;  // of the film as it is now
 };

@@ -11,16 +11,16 @@
 namespace candela {
 
 class GuidingField;
-struct TrainingRecord;
+class PathObserver;
 
 struct TilePass {
   PixelRect tile;
   SampleRange range;                       // of each pixel; with a density: of the mean over all
   const SampleDensity* density = nullptr;  // null: all pixels get the same
   std::uint64_t seed = 0;
-  PathPlan plan{};                                  // of the path kernel
-  const GuidingField* guide = nullptr;              // null: paths are not guided
-  std::vector<TrainingRecord>* training = nullptr;  // where what paths bring is kept; null: not
+  PathPlan plan{};                      // of the path kernel
+  const GuidingField* guide = nullptr;  // null: paths are not guided
+  PathObserver* observer = nullptr;     // who is told what paths do; null: nobody
 
   // Half-open range of the pixel's own sample indices. Those of consecutive passes join.
   [[nodiscard]] SampleRange of_pixel(int x, int y) const {

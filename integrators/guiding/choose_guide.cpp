@@ -12,15 +12,6 @@ namespace {
 
 constexpr int tile_size = 2;
 
-// Camera samples of the picture; where other rules than their number end it, what it has at least.
-double picture_samples(const RenderOptions& options) {
-  constexpr int surely = 128;  // a pixel
-  const bool is_open = options.target_relmse || options.time_limit_seconds;
-  const int samples =
-      is_open ? std::min(options.samples_per_pixel, surely) : options.samples_per_pixel;
-  return static_cast<double>(options.width) * options.height * samples;
-}
-
 // Whole blocks of a share of the picture's samples; 0 where they would be too few to teach
 // anything, and not so many that their records would fill the memory.
 std::uint64_t training_samples(const RenderOptions& options, double share) {

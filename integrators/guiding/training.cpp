@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "integrators/guiding/training_log.h"
 #include "integrators/guiding/trial.h"
 #include "renderer/base/parallel.h"
 #include "renderer/film/film.h"
@@ -29,15 +30,15 @@ Records thinned(const std::vector<Records>& groups) {
 // Of block `index`: a pixel and a seed of its own.
 Records run_block(const RenderOptions& options, const TileFunction& render_tile,
                   const TilePass& settings, std::uint32_t index) {
-  Records records;
+  TrainingLog log;
   TilePass pass = settings;
   pass.tile = trial_tile(options, 1, settings.seed, index);
   pass.range = {0, whole_block};
   pass.seed = hash_counter(settings.seed, index);
-  pass.training = &records;
+  pass.observer = &log;
   Film film(options.width, options.height, pass.tile, 0);
   render_tile(pass, film);
-  return records;
+  return std::move(log.records());
 }
 
 }  // namespace

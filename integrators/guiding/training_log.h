@@ -1,37 +1,35 @@
 // What training paths brought, vertex by vertex: by lane while they are on their way, as records
-// when they have ended.
+// when they have ended. Nothing is learned of lobes that have but one direction.
 #pragma once
 
 #include <array>
 #include <vector>
 
 #include "integrators/guiding/guiding_field.h"
+#include "integrators/path/path_observer.h"
 #include "renderer/accel/ray_block.h"
-#include "renderer/math/colour.h"
 
 namespace candela {
 
-class TrainingLog {
+class TrainingLog final : public PathObserver {
  public:
-  // The path in a lane leaves a surface along `ray`. `throughput`: as it came there.
-  void leave(std::uint32_t lane, const Ray& ray, const Vec3f& receiving_normal, float pdf,
-             float bsdf_pdf, const Rgb& throughput) {
+  void leave(std::uint32_t lane, const LeftSurface& left) override {
+    if (left.is_delta) return;
     Vertex vertex;
-    vertex.record.position = ray.origin;
-    vertex.record.target = ray.direction;
-    vertex.record.pdf = pdf;
-    vertex.record.bsdf_pdf = bsdf_pdf;
-    vertex.record.throughput = max_component(throughput);
-    vertex.record.receiving_normal = receiving_normal;
-    vertex.throughput = throughput;
+    vertex.record.position = left.ray.origin;
+    vertex.record.target = left.ray.direction;
+    vertex.record.pdf = left.pdf;
+    vertex.record.bsdf_pdf = left.bsdf_pdf;
+    vertex.record.throughput = max_component(left.throughput_before);
+    vertex.record.receiving_normal = left.receiving_normal;
+    vertex.throughput = left.throughput_before;
     open_[lane].push_back(vertex);
   }
-  // Its radiance so far: what comes later came from the direction.
-  void had(std::uint32_t lane, const Rgb& radiance) {
+  // What comes later came from the direction.
+  void had(std::uint32_t lane, const Rgb& radiance) override {
     if (Vertex* vertex = last_unmet(lane)) vertex->radiance = radiance;
   }
-  // Where the ray ended; infinite where it left the scene.
-  void meet(std::uint32_t lane, float distance) {
+  void meet(std::uint32_t lane, float distance) override {
     constexpr float far = 1e3f;  // scenes are about of size 1
     if (Vertex* vertex = last_unmet(lane)) {
       vertex->record.target =
@@ -39,8 +37,7 @@ class TrainingLog {
       vertex->has_met = true;
     }
   }
-  // The path has ended with so much radiance in all.
-  void end(std::uint32_t lane, const Rgb& radiance) {
+  void end(std::uint32_t lane, const Rgb& radiance) override {
     for (Vertex& vertex : open_[lane]) {
       const Rgb brought = (radiance - vertex.radiance) / vertex.throughput;
       vertex.record.weight = sum_of(brought);

@@ -43,6 +43,14 @@ PixelRect trial_tile(const RenderOptions& options, int size, std::uint64_t seed,
   return {x, y, std::min(x + size, options.width), std::min(y + size, options.height)};
 }
 
+double picture_samples(const RenderOptions& options) {
+  constexpr int surely = 128;  // a pixel
+  const bool is_open = options.target_relmse || options.time_limit_seconds;
+  const int samples =
+      is_open ? std::min(options.samples_per_pixel, surely) : options.samples_per_pixel;
+  return static_cast<double>(options.width) * options.height * samples;
+}
+
 double relative_weight(double mean, double picture_mean) {
   return 1 / (mean * mean + 1e-2 * picture_mean * picture_mean);
 }

@@ -29,6 +29,9 @@ struct Trial {
 [[nodiscard]] PixelRect trial_tile(const RenderOptions& options, int size, std::uint64_t seed,
                                    std::uint32_t index);
 
+// Camera samples of the picture; where other rules than their number end it, what it has at least.
+[[nodiscard]] double picture_samples(const RenderOptions& options);
+
 // What relMSE weighs a tile's variance by. Means of tiles.
 [[nodiscard]] double relative_weight(double mean, double picture_mean);
 

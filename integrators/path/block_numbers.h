@@ -40,12 +40,12 @@ class BlockNumbers {
   }
   // What a path takes that goes on.
   template <FeatureSet F>
-  void draw_direction(const Scene& scene, const SamplerBlock& samplers, std::uint32_t bounce) {
+  void draw_direction(const Scene& scene, Roulette roulette, const SamplerBlock& samplers,
+                      std::uint32_t bounce) {
     if (needs_lobes(scene)) samplers.sample_1d(bounce, Dimension::LobeChoice, lobe_);
     samplers.sample_2d(bounce, Dimension::Direction, direction_);
     if constexpr (F.guided) samplers.sample_1d(bounce, Dimension::GuideChoice, guide_choice_);
-    if (bounce >= first_bounce_with_roulette)
-      samplers.sample_1d(bounce, Dimension::Roulette, roulette_);
+    if (bounce >= roulette.first_bounce) samplers.sample_1d(bounce, Dimension::Roulette, roulette_);
   }
 
   [[nodiscard]] std::uint32_t light_choice(std::size_t i) const { return light_choice_[i]; }
@@ -94,12 +94,12 @@ inline void draw_hit(const Scene& scene, const Sampler& sampler, std::uint32_t b
     numbers.free_flight = sampler.sample_1d_bits(bounce, Dimension::FreeFlight);
 }
 template <FeatureSet F>
-inline void draw_direction(const Scene& scene, const Sampler& sampler, std::uint32_t bounce,
-                           StepNumbers& numbers) {
+inline void draw_direction(const Scene& scene, Roulette roulette, const Sampler& sampler,
+                           std::uint32_t bounce, StepNumbers& numbers) {
   if (needs_lobes(scene)) numbers.lobe = sampler.sample_1d(bounce, Dimension::LobeChoice);
   numbers.direction = sampler.sample_2d(bounce, Dimension::Direction);
   if constexpr (F.guided) numbers.guide_choice = sampler.sample_1d(bounce, Dimension::GuideChoice);
-  if (bounce >= first_bounce_with_roulette)
+  if (bounce >= roulette.first_bounce)
     numbers.roulette = sampler.sample_1d(bounce, Dimension::Roulette);
 }
 

@@ -76,7 +76,7 @@ class Branches {
     draw_branch();
     BlockNumbers numbers;
     numbers.draw_material(context.scene, unsplit, 0);
-    numbers.draw_direction<F>(context.scene, *own_, 0);
+    numbers.draw_direction<F>(context.scene, context.roulette, *own_, 0);
     LaneMask going_on = 0;
     LaneMask single = lanes_;
     if constexpr (F.lanes) {

@@ -17,7 +17,7 @@ namespace candela {
 class BackgroundPixels;
 class LampPixels;
 class GuidingField;
-class TrainingLog;
+class PathObserver;
 
 template <class A>
 struct PathContext {
@@ -29,13 +29,13 @@ struct PathContext {
   std::uint32_t max_depth;                       // the largest number where there is no limit
   const BackgroundPixels* background = nullptr;  // null: of no pixel it is known
   const LampPixels* lamps = nullptr;             // null: there are none
-  float inverse_roulette_threshold = 1;          // of the pass (path_plan.h)
+  Roulette roulette{};                           // of the pass (path_plan.h)
   // Of the pixel: camera rays a sample that look for lamps, and where; 0: the path's own does.
   std::uint32_t lamp_rays = 0;
   FilterPart lamp_part{};
   // Of the pass, for kernels with guiding only; null: there is none.
   const GuidingField* guide = nullptr;
-  TrainingLog* training = nullptr;
+  PathObserver* observer = nullptr;
 };
 
 template <class A>

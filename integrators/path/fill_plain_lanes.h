@@ -168,7 +168,7 @@ template <FeatureSet F, class A>
              PathState{}, i, lanes);
   });
   find_surfaces(model, context.scene, lanes);
-  const ScatterMasks scattered = scatter(model, context.inverse_roulette_threshold, lanes);
+  const ScatterMasks scattered = scatter(model, context.roulette, lanes);
   for_each_lane(scattered.going_on, [&](std::uint32_t i) {
     take_scattered(lanes, i, i, block);
     if (is_only_delta(model)) take_delta(lanes, i, i, block);

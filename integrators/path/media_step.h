@@ -73,7 +73,7 @@ template <FeatureSet F, class A>
   path.is_delta = false;
   path.receiving_normal = Vec3f(0);
   ray = {place, next.wi, infinity};
-  return survives_roulette(numbers.roulette, bounce, context.inverse_roulette_threshold, path,
+  return survives_roulette(numbers.roulette, bounce, context.roulette, path,
                            highest_survival_in_media);
 }
 

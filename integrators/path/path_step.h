@@ -26,6 +26,11 @@ struct PathState {
   float roulette_scale = 1;
   Vec3f receiving_normal{0};  // where it was scattered, see SurfacePoint
   bool is_delta = true;       // camera rays and delta lobes: only this strategy finds the light
+  float survival = 1;         // with which roulette let it live last
+
+  [[nodiscard]] float roulette_throughput() const {
+    return max_component(throughput) * roulette_scale;
+  }
 };
 
 // The random numbers of a step: 32 random bits, else in [0, 1).
@@ -208,15 +213,21 @@ template <FeatureSet F>
 // section 14.5.4]; so is what a guide takes of the throughput where it sends most paths: it ends
 // none of them sooner than the BSDF would. The survival probability stays below 1 so that paths end
 // in closed white scenes too, by little: light that leaves a trap (total reflection) in shares
-// smaller than what roulette takes would have no variance. `inverse_threshold`: see PathPlan.
-inline constexpr std::uint32_t first_bounce_with_roulette = 2;
-[[nodiscard]] inline bool survives_roulette(float u, std::uint32_t bounce, float inverse_threshold,
-                                            PathState& path, float highest_survival = 0.998f) {
-  if (bounce < first_bounce_with_roulette) return true;
-  const float survival = std::min(
-      max_component(path.throughput) * path.roulette_scale * inverse_threshold, highest_survival);
+// smaller than what roulette takes would have no variance.
+inline constexpr float highest_survival_on_surfaces = 0.998f;
+[[nodiscard]] inline float survival_probability(std::uint32_t bounce, float roulette_throughput,
+                                                Roulette roulette, float highest) {
+  if (bounce < roulette.first_bounce) return 1;
+  return std::min(roulette_throughput * roulette.inverse_threshold, highest);
+}
+[[nodiscard]] inline bool survives_roulette(float u, std::uint32_t bounce, Roulette roulette,
+                                            PathState& path,
+                                            float highest = highest_survival_on_surfaces) {
+  const float survival =
+      survival_probability(bounce, path.roulette_throughput(), roulette, highest);
   if (!(u < survival)) return false;
   path.throughput /= survival;
+  path.survival = survival;
   return true;
 }
 
@@ -257,7 +268,7 @@ template <FeatureSet F, class A>
     picked.contribution *= path.throughput;
   }
   return scatter_from<F>(context.options, numbers, guide, point, bsdf, wo_local, ray, path) &&
-         survives_roulette(numbers.roulette, bounce, context.inverse_roulette_threshold, path);
+         survives_roulette(numbers.roulette, bounce, context.roulette, path);
 }
 
 // From the surface that the path's ray met to its next ray, which takes its place; false where the

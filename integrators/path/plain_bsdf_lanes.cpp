@@ -116,13 +116,13 @@ template <PlainModel model>
 }
 
 template <PlainModel model>
-[[nodiscard]] inline ScatterMasks scatter_by(float inverse_roulette_threshold, PlainLanes& lanes) {
+[[nodiscard]] inline ScatterMasks scatter_by(Roulette roulette, PlainLanes& lanes) {
   const MetLanes& met = lanes.met;
   ScatteredLanes& scattered = lanes.scattered;
   LaneFlags going_on, lost;
   for (std::size_t i = 0; i < block_size; ++i) {
     const std::uint32_t bounce = scattered.bounce[i];
-    const float roulette = scattered.roulette[i];
+    const float u = scattered.roulette[i];
     SurfacePoint point = point_of(met, i);
     PathState path;
     path.throughput = met.throughput[i];
@@ -132,7 +132,7 @@ template <PlainModel model>
         sample_in_lane<model>(lanes.bsdfs, scattered, i, point.shading.to_local(-met.direction[i]));
     const std::uint32_t is_scattered = flag(scatter(point, sample, ray, path));
     const std::uint32_t survives =
-        is_scattered & flag(survives_roulette(roulette, bounce, inverse_roulette_threshold, path));
+        is_scattered & flag(survives_roulette(u, bounce, roulette, path));
     const std::uint32_t can_be_traced = flag(is_traceable(ray));
     going_on[i] = survives & can_be_traced;
     lost[i] = survives & (can_be_traced ^ 1);
@@ -160,27 +160,27 @@ CANDELA_LANES LightMasks weigh_light_by_metal(const RenderOptions& options, Plai
 CANDELA_LANES LightMasks weigh_light_by_coat(const RenderOptions& options, PlainLanes& lanes) {
   return weigh_light_by<PlainModel::CoatedDiffuse>(options, lanes);
 }
-CANDELA_LANES ScatterMasks scatter_by_diffuse(float inverse_threshold, PlainLanes& lanes) {
-  return scatter_by<PlainModel::Diffuse>(inverse_threshold, lanes);
+CANDELA_LANES ScatterMasks scatter_by_diffuse(Roulette roulette, PlainLanes& lanes) {
+  return scatter_by<PlainModel::Diffuse>(roulette, lanes);
 }
-CANDELA_LANES ScatterMasks scatter_by_glossy(float inverse_threshold, PlainLanes& lanes) {
-  return scatter_by<PlainModel::CookTorrance>(inverse_threshold, lanes);
+CANDELA_LANES ScatterMasks scatter_by_glossy(Roulette roulette, PlainLanes& lanes) {
+  return scatter_by<PlainModel::CookTorrance>(roulette, lanes);
 }
-CANDELA_LANES ScatterMasks scatter_by_lab(float inverse_threshold, PlainLanes& lanes) {
-  return scatter_by<PlainModel::Lab>(inverse_threshold, lanes);
+CANDELA_LANES ScatterMasks scatter_by_lab(Roulette roulette, PlainLanes& lanes) {
+  return scatter_by<PlainModel::Lab>(roulette, lanes);
 }
-CANDELA_LANES ScatterMasks scatter_by_metal(float inverse_threshold, PlainLanes& lanes) {
-  return scatter_by<PlainModel::Conductor>(inverse_threshold, lanes);
+CANDELA_LANES ScatterMasks scatter_by_metal(Roulette roulette, PlainLanes& lanes) {
+  return scatter_by<PlainModel::Conductor>(roulette, lanes);
 }
-CANDELA_LANES ScatterMasks scatter_by_coat(float inverse_threshold, PlainLanes& lanes) {
-  return scatter_by<PlainModel::CoatedDiffuse>(inverse_threshold, lanes);
+CANDELA_LANES ScatterMasks scatter_by_coat(Roulette roulette, PlainLanes& lanes) {
+  return scatter_by<PlainModel::CoatedDiffuse>(roulette, lanes);
 }
 
-CANDELA_LANES ScatterMasks scatter_by_mirror(float inverse_threshold, PlainLanes& lanes) {
-  return scatter_by<PlainModel::Mirror>(inverse_threshold, lanes);
+CANDELA_LANES ScatterMasks scatter_by_mirror(Roulette roulette, PlainLanes& lanes) {
+  return scatter_by<PlainModel::Mirror>(roulette, lanes);
 }
-CANDELA_LANES ScatterMasks scatter_by_glass(float inverse_threshold, PlainLanes& lanes) {
-  return scatter_by<PlainModel::Glass>(inverse_threshold, lanes);
+CANDELA_LANES ScatterMasks scatter_by_glass(Roulette roulette, PlainLanes& lanes) {
+  return scatter_by<PlainModel::Glass>(roulette, lanes);
 }
 
 CANDELA_LANES void sample_coats(PlainLanes& lanes) {
@@ -231,24 +231,24 @@ LightMasks weigh_light(PlainModel model, const RenderOptions& options, PlainLane
   return {};
 }
 
-ScatterMasks scatter(PlainModel model, float inverse_roulette_threshold, PlainLanes& lanes) {
+ScatterMasks scatter(PlainModel model, Roulette roulette, PlainLanes& lanes) {
   switch (model) {
     case PlainModel::Diffuse:
-      return scatter_by_diffuse(inverse_roulette_threshold, lanes);
+      return scatter_by_diffuse(roulette, lanes);
     case PlainModel::CookTorrance:
-      return scatter_by_glossy(inverse_roulette_threshold, lanes);
+      return scatter_by_glossy(roulette, lanes);
     case PlainModel::Lab:
-      return scatter_by_lab(inverse_roulette_threshold, lanes);
+      return scatter_by_lab(roulette, lanes);
     case PlainModel::Conductor:
-      return scatter_by_metal(inverse_roulette_threshold, lanes);
+      return scatter_by_metal(roulette, lanes);
     case PlainModel::CoatedDiffuse:
       sample_coats(lanes);
       put_transmittances([&](std::uint32_t slot) { return lanes.scattered.wi.z[slot]; }, lanes);
-      return scatter_by_coat(inverse_roulette_threshold, lanes);
+      return scatter_by_coat(roulette, lanes);
     case PlainModel::Mirror:
-      return scatter_by_mirror(inverse_roulette_threshold, lanes);
+      return scatter_by_mirror(roulette, lanes);
     case PlainModel::Glass:
-      return scatter_by_glass(inverse_roulette_threshold, lanes);
+      return scatter_by_glass(roulette, lanes);
     case PlainModel::None:
       break;
   }

@@ -165,7 +165,6 @@ struct ScatterMasks {
   LaneMask going_on = 0;
   LaneMask lost = 0;  // of the lanes that would go on those whose rays cannot be traced
 };
-[[nodiscard]] ScatterMasks scatter(PlainModel model, float inverse_roulette_threshold,
-                                   PlainLanes& lanes);
+[[nodiscard]] ScatterMasks scatter(PlainModel model, Roulette roulette, PlainLanes& lanes);
 
 }  // namespace candela

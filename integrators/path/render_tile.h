@@ -47,9 +47,9 @@ inline void finish(BlockTrip<A>& trip, const PixelRect& tile, Film& film, TileCo
   const PathContext<A>& context = trip.context;
   PathBlock& block = trip.block;
   if constexpr (F.guided) {
-    if (context.training != nullptr)
+    if (context.observer != nullptr)
       for_each_lane(trip.place.lanes,
-                    [&](std::uint32_t i) { context.training->end(i, block.paths.radiance[i]); });
+                    [&](std::uint32_t i) { context.observer->end(i, block.paths.radiance[i]); });
   }
   if (context.lamp_rays > 0) add_seen_lamps<F>(trip);
   FilmSample bare;
@@ -95,10 +95,6 @@ inline void add_background(const BackgroundPixels& background, const SampleRange
   counts.skipped.samples += count;
 }
 
-struct NoTrainingLog {};
-template <FeatureSet F>
-using TrainingLogOf = std::conditional_t<F.guided, TrainingLog, NoTrainingLog>;
-
 // The samples of a pass, in order.
 template <FeatureSet F, class A>
 class TileRenderer {
@@ -109,15 +105,13 @@ class TileRenderer {
         splitting_(F.media && context_.scene.features.media ? 1 : pass.plan.splitting),
         film_(film),
         shared_(of_render.options) {
-    context_.inverse_roulette_threshold = 1 / pass.plan.roulette_threshold;
+    context_.roulette = pass.plan.roulette();
     context_.guide = pass.guide;
-    if constexpr (F.guided) {
-      if (pass.training != nullptr) context_.training = &training_;
-    }
+    context_.observer = pass.observer;
   }
 
   [[nodiscard]] TileCounts run() {
-    if (splitting_ == 1 && pass_.training == nullptr && leaves_lanes_empty(pass_)) {
+    if (splitting_ == 1 && pass_.observer == nullptr && leaves_lanes_empty(pass_)) {
       const RenderOptions& options = context_.options;
       for_each_square(pass_.tile, options.width, options.height,
                       [&](const PixelRect& square) { add_square(square); });
@@ -127,9 +121,6 @@ class TileRenderer {
           if (is_rendered(x, y)) add_alone(x, y);
     }
     travel();
-    if constexpr (F.guided) {
-      if (pass_.training != nullptr) *pass_.training = std::move(training_.records());
-    }
     return counts_;
   }
 
@@ -196,7 +187,6 @@ class TileRenderer {
   std::uint32_t splitting_;
   Film& film_;
   TileCounts counts_;
-  TrainingLogOf<F> training_;
   SharedBlock shared_;
   Convoy<F, A> convoy_;
 };

@@ -216,7 +216,7 @@ class PlainSteps {
   }
 
   void scatter_paths(PlainModel model) {
-    const ScatterMasks scattered = scatter(model, context().inverse_roulette_threshold, lanes_);
+    const ScatterMasks scattered = scatter(model, context().roulette, lanes_);
     if (block_ != nullptr) {
       take_scattered(lanes_, scattered.going_on, block_->block);
       block_->after.going_on |= scattered.going_on;

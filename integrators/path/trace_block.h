@@ -2,10 +2,10 @@
 // surfaces take their steps together whatever block they are of, the others one by one.
 #pragma once
 
-#include "integrators/guiding/training_log.h"
 #include "integrators/path/block_lanes.h"
 #include "integrators/path/block_trip.h"
 #include "integrators/path/media_step.h"
+#include "integrators/path/path_observer.h"
 #include "integrators/path/sky_lanes.h"
 
 namespace candela {
@@ -43,7 +43,8 @@ template <FeatureSet F, class A>
   if (trip.is_drawn_together) return trip.numbers.template lane<F>(i);
   StepNumbers own;
   draw_hit<F>(trip.context.scene, trip.hit_samplers().lane(i), trip.bounce, own);
-  draw_direction<F>(trip.context.scene, trip.path_samplers().lane(i), trip.bounce, own);
+  draw_direction<F>(trip.context.scene, trip.context.roulette, trip.path_samplers().lane(i),
+                    trip.bounce, own);
   return own;
 }
 
@@ -55,7 +56,8 @@ inline void draw_numbers(BlockTrip<A>& trip) {
   trip.is_drawn_together = lane_count(trip.alive) >= fewest_drawn_together;
   if (!trip.is_drawn_together) return;
   trip.numbers.template draw_hit<F>(trip.context.scene, trip.hit_samplers(), trip.bounce);
-  trip.numbers.template draw_direction<F>(trip.context.scene, trip.path_samplers(), trip.bounce);
+  trip.numbers.template draw_direction<F>(trip.context.scene, trip.context.roulette,
+                                          trip.path_samplers(), trip.bounce);
 }
 
 // A step of the path in lane i.
@@ -76,10 +78,16 @@ inline void step_lane(BlockTrip<A>& trip, std::uint32_t i) {
     if (picked.lacks_sky) after.sky_rays |= 1u << i;
   }
   if constexpr (F.guided) {
-    if (context.training != nullptr && goes_on && !path.is_delta)
-      context.training->leave(i, ray, path.receiving_normal, path.bsdf_pdf,
-                              path.bsdf_pdf * block.paths.roulette_scale[i] / path.roulette_scale,
-                              block.paths.throughput[i]);
+    if (context.observer != nullptr && goes_on)
+      context.observer->leave(
+          i, {.ray = ray,
+              .receiving_normal = path.receiving_normal,
+              .pdf = path.bsdf_pdf,
+              .bsdf_pdf = path.bsdf_pdf * block.paths.roulette_scale[i] / path.roulette_scale,
+              .is_delta = path.is_delta,
+              .throughput_before = block.paths.throughput[i],
+              .roulette_throughput = path.roulette_throughput() * path.survival,
+              .survival = path.survival});
   }
   block.paths.set(i, path);
   if (goes_on && set_ray(block, i, ray)) after.going_on |= 1u << i;
@@ -176,9 +184,9 @@ inline void meet(BlockTrip<A>& trip) {
   PathBlock& block = trip.block;
   if (trip.branches.is_split() && trip.bounce == 0) block.split.hits = block.hits;
   if constexpr (F.guided) {
-    if (trip.context.training != nullptr)
+    if (trip.context.observer != nullptr)
       for_each_lane(trip.alive,
-                    [&](std::uint32_t i) { trip.context.training->meet(i, block.hits.t[i]); });
+                    [&](std::uint32_t i) { trip.context.observer->meet(i, block.hits.t[i]); });
   }
   trip.alive = end_in_environment<F>(trip.context, trip.alive, trip.bounce, block.hits, block);
   trip.after = {};
@@ -192,9 +200,9 @@ inline void go_on(BlockTrip<A>& trip, PlainLanes& lanes) {
   if (trip.after.shadow_rays != 0) add_direct_light<F>(trip.context, trip.after, block);
   trip.alive = trip.after.going_on;
   if constexpr (F.guided) {
-    if (trip.context.training != nullptr)
+    if (trip.context.observer != nullptr)
       for_each_lane(trip.alive, [&](std::uint32_t i) {
-        trip.context.training->had(i, block.paths.radiance[i]);
+        trip.context.observer->had(i, block.paths.radiance[i]);
       });
   }
   Branches& branches = trip.branches;

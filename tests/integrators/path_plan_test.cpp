@@ -61,7 +61,8 @@ TEST(Statistical_PathPlan, KeepsTheMean) {
     for (const std::optional<int> max_depth : {std::optional<int>(), std::optional(1)}) {
       const Scene scene = compiled(description, settings_of(24, 20).options);
       const statistics::Moments plain = means_over_seeds(scene, {1, 1}, max_depth);
-      for (const PathPlan& plan : {PathPlan{3, 1}, PathPlan{1, 0.25f}, PathPlan{2, 0.5f}}) {
+      for (const PathPlan& plan :
+           {PathPlan{3, 1}, PathPlan{1, 0.25f}, PathPlan{2, 0.5f}, PathPlan{1, 1, 0}}) {
         const statistics::Moments planned = means_over_seeds(scene, plan, max_depth);
         const double error = std::hypot(plain.standard_error(), planned.standard_error());
         EXPECT_LT(error, 0.02 * plain.mean());

@@ -287,10 +287,10 @@ TEST(Unit_PlainLanes, PathsWhoseRaysCannotBeTracedAreLost) {
   lanes.scattered.direction_y.fill(0.7f);
   lanes.met.position.x[3] = 1e16f;
   lanes.met.position.z[9] = std::numeric_limits<float>::quiet_NaN();
-  lanes.scattered.bounce[9] = lanes.scattered.bounce[10] = first_bounce_with_roulette;
+  lanes.scattered.bounce[9] = lanes.scattered.bounce[10] = Roulette{}.first_bounce;
   lanes.scattered.roulette[10] = 0.99f;        // ended: of a throughput below it
   const FloatingPointTraps traps(Traps::Off);  // comparisons with NaN raise them
-  const ScatterMasks masks = scatter(PlainModel::Diffuse, 1, lanes);
+  const ScatterMasks masks = scatter(PlainModel::Diffuse, Roulette{}, lanes);
   EXPECT_EQ(masks.lost, 1u << 3 | 1u << 9);
   EXPECT_EQ(masks.going_on, all_lanes & ~(1u << 3 | 1u << 9 | 1u << 10));
 }

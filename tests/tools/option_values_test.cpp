@@ -50,12 +50,13 @@ TEST(Unit_OptionValues, DepthsMayBeNone) {
 }
 
 TEST(Unit_OptionValues, RouletteHasAThresholdAboveZero) {
-  EXPECT_EQ(*parse_roulette(".25"), 0.25);
-  EXPECT_EQ(*parse_roulette("1"), 1.0);
+  EXPECT_EQ(parse_roulette(".25")->threshold, 0.25);
+  EXPECT_EQ(parse_roulette("1")->threshold, 1.0);
+  EXPECT_EQ(parse_roulette("auto")->threshold, std::nullopt);
   for (const char* wrong : {"0", "-1", "1.01", "nan", "none", "1e-60", ""})
     EXPECT_FALSE(parse_roulette(wrong)) << wrong;
   EXPECT_EQ(parse_roulette("2").diagnostics.list().front().message,
-            "expected a number from 1e-06 to 1, found '2'");
+            "expected a number from 1e-06 to 1 or 'auto', found '2'");
 }
 
 TEST(Unit_OptionValues, ColoursAreThreeNonNegativeNumbers) {

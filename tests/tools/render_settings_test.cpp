@@ -44,6 +44,7 @@ TEST(Unit_RenderSettings, ASilentSceneGetsTheDefaults) {
   EXPECT_EQ(s.options.filter, FilterKind::BlackmanHarris);
   EXPECT_EQ(s.options.plan.splitting, 1u);
   EXPECT_EQ(s.options.plan.roulette_threshold, 0.5f);
+  EXPECT_TRUE(s.options.chooses_roulette);
   EXPECT_EQ(s.display.exposure, 0);
   RenderArguments arguments;
   arguments.scene.path = "folder/name.with.dots.yaml";
@@ -53,8 +54,10 @@ TEST(Unit_RenderSettings, ASilentSceneGetsTheDefaults) {
 TEST(Unit_RenderSettings, PathsAreSplitAndEndedAsAsked) {
   RenderArguments arguments;
   arguments.splitting = 3;
-  arguments.roulette = 0.25;
-  const PathPlan plan = settings(arguments, {}).options.plan;
+  arguments.roulette = RouletteThreshold{0.25};
+  const RenderOptions options = settings(arguments, {}).options;
+  const PathPlan& plan = options.plan;
+  EXPECT_FALSE(options.chooses_roulette);
   EXPECT_EQ(plan.splitting, 3u);
   EXPECT_EQ(plan.roulette_threshold, 0.25f);
 }

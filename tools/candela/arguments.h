@@ -28,6 +28,12 @@ struct DepthLimit {
   friend bool operator==(const DepthLimit&, const DepthLimit&) = default;
 };
 
+// --roulette: `auto` is said, too.
+struct RouletteThreshold {
+  std::optional<double> threshold;
+  friend bool operator==(const RouletteThreshold&, const RouletteThreshold&) = default;
+};
+
 // What every command that reads a scene takes.
 struct SceneArguments {
   std::string path;
@@ -47,7 +53,7 @@ struct RenderArguments {
   std::optional<int> replicates;
   std::optional<bool> adaptive;
   std::optional<int> splitting;
-  std::optional<double> roulette;
+  std::optional<RouletteThreshold> roulette;
   std::optional<Guiding> guiding;
   std::optional<double> clamp;
   std::optional<Size> size;

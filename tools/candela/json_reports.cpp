@@ -81,6 +81,8 @@ void add_options(Json& json, const RenderReport& report) {
   json["adaptive"] = options.adaptive;
   json["splitting"] = report.statistics.plan.splitting;
   json["roulette"] = report.statistics.plan.roulette_threshold;
+  json["roulette_bounce"] = report.statistics.plan.first_roulette_bounce;
+  json["roulette_samples"] = report.statistics.roulette_samples;
   json["guiding"] = guiding_json(report);
   json["biased"] = biases_of(options);
   json["max_depth"] = or_null(options.max_depth);

@@ -236,12 +236,13 @@ Result<DepthLimit> parse_depth_limit(std::string_view text) {
   return DepthLimit{depth};
 }
 
-Result<double> parse_roulette(std::string_view text) {
+Result<RouletteThreshold> parse_roulette(std::string_view text) {
+  if (text == "auto") return RouletteThreshold{};
   const Result<double> threshold = parse_probability(text);
   if (!threshold || *threshold < min_roulette_threshold)
-    return failure(
-        fmt::format("expected a number from {} to 1, found '{}'", min_roulette_threshold, text));
-  return threshold;
+    return failure(fmt::format("expected a number from {} to 1 or 'auto', found '{}'",
+                               min_roulette_threshold, text));
+  return RouletteThreshold{*threshold};
 }
 
 Result<Vec3d> parse_rgb(std::string_view text) {

@@ -75,7 +75,7 @@ template <class T>
 [[nodiscard]] Result<PixelRect> parse_crop(std::string_view text);
 // "5" or "none".
 [[nodiscard]] Result<DepthLimit> parse_depth_limit(std::string_view text);
-[[nodiscard]] Result<double> parse_roulette(std::string_view text);
+[[nodiscard]] Result<RouletteThreshold> parse_roulette(std::string_view text);
 // "R,G,B", non-negative.
 [[nodiscard]] Result<Vec3d> parse_rgb(std::string_view text);
 // "albedo,normal".

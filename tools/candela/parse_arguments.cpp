@@ -121,8 +121,9 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
   add_value(command, "--splitting", "N", render.splitting,
             integer_between(1, static_cast<int>(max_splitting)),
             "Paths that go on from the first hit of a camera ray [1]");
-  add_value(command, "--roulette", "X", render.roulette, parse_roulette,
-            "Throughput from which on no path is ended at random [.5]");
+  add_value(
+      command, "--roulette", "X|auto", render.roulette, parse_roulette,
+      "Throughput from which on no path is ended at random; auto: what some paths tell [auto]");
   add_choice(command, "--guiding", "guiding", render.guiding, guiding_choices(),
              "Whether paths follow what others learned of the light; auto: where a trial says that "
              "it pays [off]");

@@ -55,13 +55,14 @@ std::string options_text(const RenderReport& report) {
   const PixelRect crop = options.crop.value_or(whole);
   return fmt::format(
       "size={}x{} crop={},{},{},{} camera={} max_depth={} filter={} transparent={} accel={} "
-      "robust={} replicates={} adaptive={} splitting={} roulette={}{}{}{}{}",
+      "robust={} replicates={} adaptive={} splitting={} roulette={}/{}{}{}{}{}",
       options.width, options.height, crop.x0, crop.y0, crop.x1, crop.y1, options.camera,
       depth_text(options.max_depth), name_of(options.filter, filter_choices()),
       options.transparent ? "yes" : "no", name_of(report.accelerator, accelerator_choices()),
       report.is_robust ? "on" : "off", report.replicates, options.adaptive ? "on" : "off",
       report.statistics.plan.splitting, report.statistics.plan.roulette_threshold,
-      guiding_text(options), lab_text(options), strategy_text(options), balance_text(options));
+      report.statistics.plan.first_roulette_bounce, guiding_text(options), lab_text(options),
+      strategy_text(options), balance_text(options));
 }
 
 }  // namespace

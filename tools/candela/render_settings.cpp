@@ -162,8 +162,10 @@ void settle_stop_rules(const RenderArguments& arguments, RenderOptions& options)
   options.adaptive = arguments.adaptive.value_or(options.integrator == IntegratorKind::Path &&
                                                  options.replicates > 1);
   options.plan.splitting = static_cast<std::uint32_t>(arguments.splitting.value_or(1));
+  const RouletteThreshold roulette = arguments.roulette.value_or(RouletteThreshold{});
   options.plan.roulette_threshold =
-      static_cast<float>(arguments.roulette.value_or(default_roulette_threshold));
+      static_cast<float>(roulette.threshold.value_or(default_roulette_threshold));
+  options.chooses_roulette = !roulette.threshold;
   options.guiding = arguments.guiding.value_or(options.guiding);
   options.use_general_kernel = arguments.uses_general_kernel;
   if (arguments.error_goal) options.target_relmse = *arguments.error_goal * *arguments.error_goal;

@@ -1,0 +1,154 @@
+#include "integrators/roulette/choose_roulette.h"
+
+#include <algorithm>
+#include <array>
+
+#include "integrators/guiding/trial.h"
+#include "integrators/roulette/walk_log.h"
+#include "integrators/tile_counts.h"
+#include "renderer/base/parallel.h"
+#include "renderer/sampling/hash.h"
+
+namespace candela {
+namespace {
+
+using Block = std::vector<Walk>;
+
+// Walks that roulette leaves alone for long, in two blocks whose sequences know nothing of each
+// other.
+struct PixelWalks {
+  std::array<Block, 2> blocks;
+};
+constexpr std::uint32_t samples_a_pixel = 2 * whole_block;
+
+std::size_t pixels_to_ask(const RenderOptions& options) {
+  constexpr double share = 1.0 / 400;
+  constexpr double fewest = 1 << 10, most = 1 << 14;
+  const double samples = std::min(share * picture_samples(options), most);
+  return samples < fewest ? 0 : static_cast<std::size_t>(samples) / samples_a_pixel;
+}
+
+Block walk_block(const RenderOptions& options, const TileFunction& render_tile, std::uint64_t seed,
+                 std::uint32_t pixel, std::uint32_t block) {
+  WalkLog log;
+  TilePass pass;
+  pass.tile = trial_tile(options, 1, seed, pixel);
+  pass.range = {0, whole_block};
+  pass.seed = hash_counter(seed, 2 * pixel + block);
+  pass.plan.roulette_threshold = 1.0f / 16;
+  pass.observer = &log;
+  Film film(options.width, options.height, pass.tile, 0);
+  render_tile(pass, film);
+  return std::move(log.walks());
+}
+
+std::vector<PixelWalks> walk_pixels(const RenderOptions& options, const TileFunction& render_tile,
+                                    const CancelFlag* cancel) {
+  const std::uint64_t seed = mix_bits(options.seed + 6);  // none that the picture or others use
+  std::vector<PixelWalks> pixels(pixels_to_ask(options));
+  parallel_for(pixels.size(), [&](std::size_t i) {
+    if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return;
+    for (std::uint32_t block = 0; block < 2; ++block)
+      pixels[i].blocks[block] =
+          walk_block(options, render_tile, seed, static_cast<std::uint32_t>(i), block);
+  });
+  return pixels;
+}
+
+Vec3d mean_radiance(const Block& walks) {
+  Vec3d sum{0};
+  for (const Walk& walk : walks) sum += Vec3d(walk.radiance);
+  return sum / static_cast<double>(whole_block);
+}
+
+Vec3d mean_radiance(const PixelWalks& pixel) {
+  return (mean_radiance(pixel.blocks[0]) + mean_radiance(pixel.blocks[1])) / 2.0;
+}
+
+// What a sample has: variance as relMSE weighs it, and cost.
+struct Effort {
+  double variance = 0;
+  double cost = 0;
+};
+
+// The two blocks tell the variance with the walks' own roulette, which knows how well Sobol points
+// are spread; the walks what another one changes.
+Effort effort_of(const PixelWalks& pixel, double picture_mean, Roulette roulette) {
+  const double camera_cost = static_cast<double>(cost_of({.camera = 1}));
+  const double bounce_cost = static_cast<double>(cost_of({.indirect = 1, .shadow = 1}));
+  const Vec3d off = mean_radiance(pixel.blocks[0]) - mean_radiance(pixel.blocks[1]);
+  Vec3d variance = static_cast<double>(whole_block) / 2 * off * off;
+  double cost = 0;
+  for (const Block& block : pixel.blocks)
+    for (const Walk& walk : block) {
+      if (walk.steps.empty()) continue;  // of skies: hardly any cost, and not of all kernels
+      const RouletteToll toll = toll_of(walk, roulette);
+      variance += toll.variance / static_cast<double>(samples_a_pixel);
+      cost += (camera_cost + bounce_cost * toll.bounces) / samples_a_pixel;
+    }
+  const Vec3d mean = mean_radiance(pixel);
+  double weighted = 0;
+  for (int c = 0; c < 3; ++c) weighted += variance[c] * relative_weight(mean[c], picture_mean);
+  return {weighted, cost};
+}
+
+// Relative variance times cost of all but the noisiest pixels.
+class Efforts {
+ public:
+  Efforts(std::vector<PixelWalks> pixels, Roulette usual) : pixels_(std::move(pixels)) {
+    for (const PixelWalks& pixel : pixels_)
+      picture_mean_ +=
+          sum_of_components(mean_radiance(pixel)) / 3 / static_cast<double>(pixels_.size());
+    if (!has_light()) return;
+    std::vector<std::pair<double, std::size_t>> noise;
+    for (std::size_t i = 0; i < pixels_.size(); ++i)
+      noise.emplace_back(effort_of(pixels_[i], picture_mean_, usual).variance, i);
+    std::ranges::sort(noise);
+    noise.resize(noise.size() - noise.size() / noisy_share);
+    for (const auto& [variance, i] : noise) calm_.push_back(i);
+  }
+
+  [[nodiscard]] bool has_light() const { return picture_mean_ > 0; }
+  [[nodiscard]] double with(Roulette roulette) const {
+    Effort sum;
+    for (const std::size_t i : calm_) {
+      const Effort effort = effort_of(pixels_[i], picture_mean_, roulette);
+      sum.variance += effort.variance;
+      sum.cost += effort.cost;
+    }
+    return sum.variance * sum.cost;
+  }
+
+ private:
+  static constexpr std::size_t noisy_share = 32;
+  std::vector<PixelWalks> pixels_;
+  std::vector<std::size_t> calm_;
+  double picture_mean_ = 0;
+};
+
+}  // namespace
+
+RouletteChoice choose_roulette(const RenderOptions& options, const TileFunction& render_tile,
+                               const CancelFlag* cancel) {
+  constexpr double least_gain = 1.05;
+  RouletteChoice choice{options.plan};
+  if (!options.chooses_roulette) return choice;
+  std::vector<PixelWalks> pixels = walk_pixels(options, render_tile, cancel);
+  choice.samples = pixels.size() * samples_a_pixel;
+  const Efforts efforts(std::move(pixels), options.plan.roulette());
+  if (!efforts.has_light()) return choice;
+  double least = efforts.with(options.plan.roulette()) / least_gain;
+  for (const std::uint32_t first_bounce : {2u, 1u})
+    for (const float threshold : {1.0f, 0.5f, 0.25f}) {
+      PathPlan plan = options.plan;
+      plan.roulette_threshold = threshold;
+      plan.first_roulette_bounce = first_bounce;
+      const double effort = efforts.with(plan.roulette());
+      if (!(effort < least)) continue;
+      least = effort;
+      choice.plan = plan;
+    }
+  return choice;
+}
+
+}  // namespace candela

@@ -1,0 +1,81 @@
+// What another roulette would have made of a walk, held against playing it.
+#include "integrators/roulette/walk.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "integrators/path/path_step.h"
+#include "tests/statistics/moments.h"
+
+namespace candela {
+namespace {
+
+// Without roulette.
+Walk walk_of_four_steps() {
+  return {{{0.8f, 1, Rgb(1, 0, 0.5f)},
+           {0.5f, 1, Rgb(1.5f, 0, 0.5f)},
+           {0.45f, 1, Rgb(1.5f, 0.2f, 0.5f)},
+           {0.2f, 1, Rgb(2, 0.2f, 0.5f)}},
+          Rgb(2.5f, 0.3f, 0.5f)};
+}
+
+// The walk goes on as long as it survives; survivors stand for the ended.
+Walk played(const Walk& walk, Roulette roulette, std::mt19937& random) {
+  Walk found;
+  Rgb brought(0);
+  float weight = 1;
+  for (std::uint32_t i = 0;; ++i) {
+    const bool is_last = i == walk.steps.size();
+    const Rgb until = is_last ? walk.radiance : walk.steps[i].radiance;
+    found.radiance += weight * (until - brought);
+    brought = until;
+    if (is_last) return found;
+    PathState path;
+    path.throughput = Rgb(walk.steps[i].throughput * weight);
+    const float before = path.throughput.x;
+    const float u = std::generate_canonical<float, 24>(random);
+    if (!survives_roulette(u, i, roulette, path)) return found;
+    found.steps.push_back({before, path.survival, found.radiance});
+    weight /= path.survival;
+  }
+}
+
+double squared_error(const Walk& found, const Walk& truth) {
+  const double off = static_cast<double>(found.radiance.x - truth.radiance.x);
+  return off * off;
+}
+
+// Walks by one roulette tell what another one has and takes, which is seen by playing that.
+TEST(Statistical_RouletteToll, IsWhatTheOtherRouletteHas) {
+  const Walk walk = walk_of_four_steps();
+  std::mt19937 random(3);
+  for (const Roulette own : {Roulette{0.1f, 9}, Roulette{2, 1}, Roulette{4, 0}})
+    for (const Roulette other : {Roulette{1, 0}, Roulette{1, 2}, Roulette{2, 1}, Roulette{4, 0}}) {
+      statistics::Moments told, seen, bounces_told, bounces_seen;
+      for (int i = 0; i < 100'000; ++i) {
+        const Walk by_own = played(walk, own, random);
+        const Walk by_other = played(walk, other, random);
+        const RouletteToll toll = toll_of(by_own, other);
+        told.add(squared_error(by_own, walk) + toll.variance.x);
+        seen.add(squared_error(by_other, walk));
+        bounces_told.add(toll.bounces);
+        bounces_seen.add(static_cast<double>(by_other.steps.size()));
+      }
+      EXPECT_GT(statistics::welch_p_value(told, seen), 1e-4) << told.mean() << " " << seen.mean();
+      EXPECT_GT(statistics::welch_p_value(bounces_told, bounces_seen), 1e-4)
+          << bounces_told.mean() << " " << bounces_seen.mean();
+    }
+}
+
+TEST(Unit_RouletteToll, NoneWherePathsAreSpared) {
+  const RouletteToll spared = toll_of(walk_of_four_steps(), {1, 4});
+  EXPECT_EQ(spared.variance, Vec3d(0));
+  EXPECT_EQ(spared.bounces, 4);
+  const RouletteToll empty = toll_of({{}, Rgb(1)}, {1, 0});
+  EXPECT_EQ(empty.variance, Vec3d(0));
+  EXPECT_EQ(empty.bounces, 0);
+}
+
+}  // namespace
+}  // namespace candela
