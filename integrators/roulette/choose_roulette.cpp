@@ -139,7 +139,7 @@ RouletteChoice choose_roulette(const RenderOptions& options, const TileFunction&
   if (!efforts.has_light()) return choice;
   double least = efforts.with(options.plan.roulette()) / least_gain;
   for (const std::uint32_t first_bounce : {2u, 1u, 0u})
-    for (const float threshold : {1.0f, 0.5f, 0.25f}) {
+    for (const float threshold : {0.5f, 0.25f}) {
       PathPlan plan = options.plan;
       plan.roulette_threshold = threshold;
       plan.first_roulette_bounce = first_bounce;
