@@ -26,6 +26,12 @@ PathKernel<A> path_instance(const Scene& scene, const RenderOptions& options) {
   return select_path_kernel<A>(scene.features, options.use_general_kernel);
 }
 
+// For passes with a guide or an observer.
+template <class A>
+auto observed_kernel(const Scene& scene) {
+  return scene.features.media ? &render_tile<media_features, A> : &render_tile<guided_features, A>;
+}
+
 template <class A>
 Kernel path_kernel(const Scene& scene, const A& accelerator, const Filter& filter,
                    const RenderOptions& options) {
@@ -38,9 +44,10 @@ Kernel path_kernel(const Scene& scene, const A& accelerator, const Filter& filte
     background = std::make_shared<const BackgroundPixels>(scene, filter, options);
   context.background = background.get();
   return {"path/" + std::string(kernel.name),
-          [render = kernel.render, context, lamps, background](const TilePass& pass, Film& film) {
-            const bool is_guided = pass.guide != nullptr || pass.observer != nullptr;
-            return (is_guided ? &render_tile<guided_features, A> : render)(context, pass, film);
+          [render = kernel.render, observed = observed_kernel<A>(scene), context, lamps,
+           background](const TilePass& pass, Film& film) {
+            const bool is_observed = pass.guide != nullptr || pass.observer != nullptr;
+            return (is_observed ? observed : render)(context, pass, film);
           }};
 }
 
@@ -86,8 +93,7 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
   RenderOptions rounds = options;
   if (!has_default_strategy(options)) rounds.guiding = Guiding::Off;
   rounds.chooses_roulette = options.chooses_roulette && options.plan.splitting == 1 &&
-                            options.guiding == Guiding::Off && has_default_strategy(options) &&
-                            !scene.features.media;
+                            options.guiding == Guiding::Off && has_default_strategy(options);
   if (scene.features.media) {  // branches.h
     rounds.guiding = Guiding::Off;
     rounds.plan.splitting = 1;

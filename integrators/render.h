@@ -57,7 +57,7 @@ struct RenderOptions {
   // then means over the picture. Needs replicates, and enough samples (render_rounds.cpp).
   bool adaptive = false;
   PathPlan plan;  // path; scenes with media are not split
-  // path by Mis and Power, without media, splitting or guiding: walks decide on the plan's roulette
+  // path by Mis and Power, without splitting or guiding: walks decide on the plan's roulette
   // (roulette/choose_roulette.h).
   bool chooses_roulette = false;
   // path: camera rays a sample that look for lamps alone in pixels that lamps cover in part, at

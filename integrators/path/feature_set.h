@@ -22,6 +22,11 @@ struct FeatureSet {
     return features;
   }
 
+  // An observer may be told what paths do (path_observer.h).
+  [[nodiscard]] constexpr bool observed() const {
+    return guided || (media && !lanes && !strategies);
+  }
+
   [[nodiscard]] constexpr LightKindSet light_kinds() const {
     return spheres ? all_light_kinds : all_light_kinds & ~light_kind_bit(LightKind::Sphere);
   }

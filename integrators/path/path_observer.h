@@ -1,5 +1,5 @@
-// Who is told what paths do on their way, lane by lane of a block: by the kernel with guiding
-// alone.
+// Who is told what paths do on their way, lane by lane of a block, by kernels that are observed()
+// (feature_set.h).
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace candela {
 
-// How a path leaves a surface, by an event that it survived.
+// How a path leaves a surface, or a place in a medium.
 struct LeftSurface {
   const Ray& ray;
   Vec3f receiving_normal{0};

@@ -46,7 +46,7 @@ template <FeatureSet F, class A>
 inline void finish(BlockTrip<A>& trip, const PixelRect& tile, Film& film, TileCounts& counts) {
   const PathContext<A>& context = trip.context;
   PathBlock& block = trip.block;
-  if constexpr (F.guided) {
+  if constexpr (F.observed()) {
     if (context.observer != nullptr)
       for_each_lane(trip.place.lanes,
                     [&](std::uint32_t i) { context.observer->end(i, block.paths.radiance[i]); });

@@ -77,7 +77,7 @@ inline void step_lane(BlockTrip<A>& trip, std::uint32_t i) {
     after.shadow_rays |= 1u << i;
     if (picked.lacks_sky) after.sky_rays |= 1u << i;
   }
-  if constexpr (F.guided) {
+  if constexpr (F.observed()) {
     if (context.observer != nullptr && goes_on)
       context.observer->leave(
           i, {.ray = ray,
@@ -183,7 +183,7 @@ template <FeatureSet F, class A>
 inline void meet(BlockTrip<A>& trip) {
   PathBlock& block = trip.block;
   if (trip.branches.is_split() && trip.bounce == 0) block.split.hits = block.hits;
-  if constexpr (F.guided) {
+  if constexpr (F.observed()) {
     if (trip.context.observer != nullptr)
       for_each_lane(trip.alive,
                     [&](std::uint32_t i) { trip.context.observer->meet(i, block.hits.t[i]); });
@@ -199,7 +199,7 @@ inline void go_on(BlockTrip<A>& trip, PlainLanes& lanes) {
   PathBlock& block = trip.block;
   if (trip.after.shadow_rays != 0) add_direct_light<F>(trip.context, trip.after, block);
   trip.alive = trip.after.going_on;
-  if constexpr (F.guided) {
+  if constexpr (F.observed()) {
     if (trip.context.observer != nullptr)
       for_each_lane(trip.alive, [&](std::uint32_t i) {
         trip.context.observer->had(i, block.paths.radiance[i]);

@@ -12,18 +12,22 @@
 namespace candela {
 namespace {
 
-using Block = std::vector<Walk>;
+struct Block {
+  std::vector<Walk> walks;  // none where nothing but the background is seen
+  Vec3d mean{0};
+};
 
 // Walks that roulette leaves alone for long, in two blocks whose sequences know nothing of each
 // other.
 struct PixelWalks {
   std::array<Block, 2> blocks;
+  [[nodiscard]] Vec3d mean() const { return (blocks[0].mean + blocks[1].mean) / 2.0; }
 };
 constexpr std::uint32_t samples_a_pixel = 2 * whole_block;
 
 std::size_t pixels_to_ask(const RenderOptions& options) {
   constexpr double share = 1.0 / 400;
-  constexpr double fewest = 1 << 10, most = 1 << 14;
+  constexpr double fewest = 1 << 10, most = 1 << 13;
   const double samples = std::min(share * picture_samples(options), most);
   return samples < fewest ? 0 : static_cast<std::size_t>(samples) / samples_a_pixel;
 }
@@ -39,7 +43,7 @@ Block walk_block(const RenderOptions& options, const TileFunction& render_tile, 
   pass.observer = &log;
   Film film(options.width, options.height, pass.tile, 0);
   render_tile(pass, film);
-  return std::move(log.walks());
+  return {std::move(log.walks()), film.mean(0)};
 }
 
 std::vector<PixelWalks> walk_pixels(const RenderOptions& options, const TileFunction& render_tile,
@@ -55,16 +59,6 @@ std::vector<PixelWalks> walk_pixels(const RenderOptions& options, const TileFunc
   return pixels;
 }
 
-Vec3d mean_radiance(const Block& walks) {
-  Vec3d sum{0};
-  for (const Walk& walk : walks) sum += Vec3d(walk.radiance);
-  return sum / static_cast<double>(whole_block);
-}
-
-Vec3d mean_radiance(const PixelWalks& pixel) {
-  return (mean_radiance(pixel.blocks[0]) + mean_radiance(pixel.blocks[1])) / 2.0;
-}
-
 // What a sample has: variance as relMSE weighs it, and cost.
 struct Effort {
   double variance = 0;
@@ -76,19 +70,20 @@ struct Effort {
 Effort effort_of(const PixelWalks& pixel, double picture_mean, Roulette roulette) {
   const double camera_cost = static_cast<double>(cost_of({.camera = 1}));
   const double bounce_cost = static_cast<double>(cost_of({.indirect = 1, .shadow = 1}));
-  const Vec3d off = mean_radiance(pixel.blocks[0]) - mean_radiance(pixel.blocks[1]);
+  const Vec3d off = pixel.blocks[0].mean - pixel.blocks[1].mean;
   Vec3d variance = static_cast<double>(whole_block) / 2 * off * off;
   double cost = 0;
   for (const Block& block : pixel.blocks)
-    for (const Walk& walk : block) {
-      if (walk.steps.empty()) continue;  // of skies: hardly any cost, and not of all kernels
+    for (const Walk& walk : block.walks) {
+      if (walk.steps.empty())
+        continue;  // into the sky: of little cost, and skipped by some kernels
       const RouletteToll toll = toll_of(walk, roulette);
       variance += toll.variance / static_cast<double>(samples_a_pixel);
       cost += (camera_cost + bounce_cost * toll.bounces) / samples_a_pixel;
     }
-  const Vec3d mean = mean_radiance(pixel);
   double weighted = 0;
-  for (int c = 0; c < 3; ++c) weighted += variance[c] * relative_weight(mean[c], picture_mean);
+  for (int c = 0; c < 3; ++c)
+    weighted += variance[c] * relative_weight(pixel.mean()[c], picture_mean);
   return {weighted, cost};
 }
 
@@ -97,8 +92,7 @@ class Efforts {
  public:
   Efforts(std::vector<PixelWalks> pixels, Roulette usual) : pixels_(std::move(pixels)) {
     for (const PixelWalks& pixel : pixels_)
-      picture_mean_ +=
-          sum_of_components(mean_radiance(pixel)) / 3 / static_cast<double>(pixels_.size());
+      picture_mean_ += sum_of_components(pixel.mean()) / 3 / static_cast<double>(pixels_.size());
     if (!has_light()) return;
     std::vector<std::pair<double, std::size_t>> noise;
     for (std::size_t i = 0; i < pixels_.size(); ++i)

@@ -1,5 +1,5 @@
 // Where Russian roulette begins to end paths, by what it saves and what noise it adds: the more the
-// picture's noise is that of first hits, the more paths may end [Bolin & Meyer 1997; Rath22].
+// picture's noise is that of first hits, the more paths may end [Bolin97; Rath22].
 #pragma once
 
 #include "integrators/kernel.h"

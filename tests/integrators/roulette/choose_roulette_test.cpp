@@ -92,10 +92,26 @@ TEST(Agreement_ChooseRoulette, SameBitsOverThreadsTilesAndCrops) {
   expect_same_bits_however_rendered(scene, settings, result.film.to_image(true), {13, 5, 30, 40});
 }
 
+// The special kernel skips pixels that see the sky alone.
 TEST(Agreement_ChooseRoulette, SameBitsOverKernels) {
   RenderSettings settings = choosing(64, 128);
-  const Scene scene = compiled(leaves(), settings.options);
+  SceneDescription description = leaves();
+  set_camera(description, {0, 0, 6}, {0, 0, 0}, 40);
+  const Scene scene = compiled(description, settings.options);
   const RenderResult special = rendered(scene, settings);
+  EXPECT_GT(special.statistics.skipped.samples, 0u);
+  settings.options.use_general_kernel = true;
+  expect_part(special.film.to_image(true), picture(scene, settings), {0, 0, 64, 64});
+}
+
+TEST(Agreement_ChooseRoulette, SameBitsOverKernelsInFog) {
+  SceneDescription foggy = bright_box();
+  foggy.cameras[0].medium = add_medium(foggy, Vec3d(0.1), Vec3d(0.5));
+  RenderSettings settings = choosing(64, 128);
+  settings.options.max_depth = 6;
+  const Scene scene = compiled(foggy, settings.options);
+  const RenderResult special = rendered(scene, settings);
+  EXPECT_GT(special.statistics.roulette_samples, 0u);
   settings.options.use_general_kernel = true;
   expect_part(special.film.to_image(true), picture(scene, settings), {0, 0, 64, 64});
 }
