@@ -2,9 +2,9 @@
 is the time to the same error without over with."""
 
 import math
-import pathlib
 import statistics
 
+import chosen_scenes
 from chosen_scenes import safe
 from fits import error_rate, times_to_same_error
 from references import layers, reference, square
@@ -13,13 +13,12 @@ from results import write_csv
 
 ABOUT = "what adaptive sampling gains: error and CPU time with it over those without"
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 REFERENCE_FACTOR = 32  # samples over those of the largest count
 AOVS = "variance,heavy_tail"
 
 
 def add_arguments(parser):
-    parser.add_argument("scenes", nargs="*", help="names, course scenes as lab3/NAME (all)")
+    chosen_scenes.add_argument(parser)
     parser.add_argument("--seeds", type=int, default=6, help="pictures a case (6)")
     parser.add_argument("--size", type=int, default=96, help="pixels a side (96)")
     parser.add_argument("--spp", default="128,512", help="counts, by comma (128,512)")
@@ -62,7 +61,6 @@ def row_of(name, spp, found):
 
 
 def run(options):
-    from scenes import scenes_by_name
     out = options.out.resolve()
     out.mkdir(parents=True, exist_ok=True)
     candela = Candela(options.program, out / "renders")
@@ -70,9 +68,8 @@ def run(options):
     rows = []
     print("| scene | spp | relMSE off / on | time on / off | efficiency | stated / true, on |")
     print("|---|---:|---:|---:|---:|---:|")
-    for name, path in scenes_by_name(ROOT).items():
-        if options.scenes and name not in options.scenes:
-            continue
+    scenes = chosen_scenes.chosen(candela, out, options.scenes, chosen_scenes.names())
+    for name, path in scenes.items():
         spp = REFERENCE_FACTOR * max(counts)
         truth = reference(candela, f"reference_{safe(name)}_{options.size}_{spp}", path,
                           integrator="path", size=square(options.size), spp=spp, filter="box")
