@@ -92,8 +92,10 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
   const Filter filter = make_filter(options);
   RenderOptions rounds = options;
   if (!has_default_strategy(options)) rounds.guiding = Guiding::Off;
-  rounds.chooses_roulette = options.chooses_roulette && options.plan.splitting == 1 &&
-                            options.guiding == Guiding::Off && has_default_strategy(options);
+  rounds.chooses_roulette = options.chooses_roulette &&
+                            options.integrator == IntegratorKind::Path &&
+                            options.plan.splitting == 1 && options.guiding == Guiding::Off &&
+                            has_default_strategy(options);
   if (scene.features.media) {  // branches.h
     rounds.guiding = Guiding::Off;
     rounds.plan.splitting = 1;

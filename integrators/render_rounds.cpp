@@ -79,12 +79,10 @@ class Loop {
     const auto most = static_cast<std::uint32_t>(options_.samples_per_pixel);
     std::optional<StopReason> stop;
     expect({});
-    result.roulette = {options_.plan};
-    if (options_.integrator == IntegratorKind::Path) {
-      result.roulette = choose_roulette(options_, render_tile_, cancel_);
-      plan_ = result.roulette.plan;
+    result.roulette = choose_roulette(options_, render_tile_, cancel_);
+    plan_ = result.roulette.plan;
+    if (options_.integrator == IntegratorKind::Path)
       guide_ = choose_guide(options_, render_tile_, cancel_);
-    }
     result.guiding = guiding_done();
     while (!stop) {
       if (pilot_samples_ > 0 && done_ == 0)

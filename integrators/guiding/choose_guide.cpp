@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "integrators/guiding/training.h"
-#include "integrators/guiding/trial.h"
+#include "integrators/trial.h"
 #include "renderer/base/parallel.h"
 #include "renderer/sampling/hash.h"
 

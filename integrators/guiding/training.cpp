@@ -3,9 +3,8 @@
 #include <algorithm>
 
 #include "integrators/guiding/training_log.h"
-#include "integrators/guiding/trial.h"
+#include "integrators/trial.h"
 #include "renderer/base/parallel.h"
-#include "renderer/film/film.h"
 #include "renderer/sampling/hash.h"
 
 namespace candela {
@@ -27,17 +26,12 @@ Records thinned(const std::vector<Records>& groups) {
   return kept;
 }
 
-// Of block `index`: a pixel and a seed of its own.
-Records run_block(const RenderOptions& options, const TileFunction& render_tile,
-                  const TilePass& settings, std::uint32_t index) {
+// Of block `index`: a pixel and random numbers of its own.
+Records records_of_block(const RenderOptions& options, const TileFunction& render_tile,
+                         TilePass pass, std::uint32_t index) {
   TrainingLog log;
-  TilePass pass = settings;
-  pass.tile = trial_tile(options, 1, settings.seed, index);
-  pass.range = {0, whole_block};
-  pass.seed = hash_counter(settings.seed, index);
   pass.observer = &log;
-  Film film(options.width, options.height, pass.tile, 0);
-  render_tile(pass, film);
+  run_block(pass, {pass.seed, index, index}, options, render_tile);
   return std::move(log.records());
 }
 
@@ -68,7 +62,7 @@ void Training::iterate(std::uint32_t blocks) {
     const std::uint32_t first = static_cast<std::uint32_t>(group) * blocks_at_once;
     for (std::uint32_t i = first; i < std::min(first + blocks_at_once, blocks); ++i) {
       if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return;
-      const Records found = run_block(options_, render_tile_, settings_, blocks_ + i);
+      const Records found = records_of_block(options_, render_tile_, settings_, blocks_ + i);
       groups[group].insert(groups[group].end(), found.begin(), found.end());
     }
   });

@@ -33,7 +33,7 @@ struct PathContext {
   // Of the pixel: camera rays a sample that look for lamps, and where; 0: the path's own does.
   std::uint32_t lamp_rays = 0;
   FilterPart lamp_part{};
-  // Of the pass, for kernels with guiding only; null: there is none.
+  // Of the pass, for kernels with guiding and those that are observed(); null: there is none.
   const GuidingField* guide = nullptr;
   PathObserver* observer = nullptr;
 };

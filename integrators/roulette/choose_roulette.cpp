@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "integrators/guiding/trial.h"
 #include "integrators/roulette/walk_log.h"
 #include "integrators/tile_counts.h"
+#include "integrators/trial.h"
 #include "renderer/base/parallel.h"
 #include "renderer/sampling/hash.h"
 
@@ -32,18 +32,14 @@ std::size_t pixels_to_ask(const RenderOptions& options) {
   return samples < fewest ? 0 : static_cast<std::size_t>(samples) / samples_a_pixel;
 }
 
-Block walk_block(const RenderOptions& options, const TileFunction& render_tile, std::uint64_t seed,
-                 std::uint32_t pixel, std::uint32_t block) {
+Block walk_block(const RenderOptions& options, const TileFunction& render_tile,
+                 const BlockPlace& place) {
   WalkLog log;
   TilePass pass;
-  pass.tile = trial_tile(options, 1, seed, pixel);
-  pass.range = {0, whole_block};
-  pass.seed = hash_counter(seed, 2 * pixel + block);
   pass.plan.roulette_threshold = 1.0f / 16;
   pass.observer = &log;
-  Film film(options.width, options.height, pass.tile, 0);
-  render_tile(pass, film);
-  return {std::move(log.walks()), film.mean(0)};
+  const Vec3d mean = run_block(pass, place, options, render_tile);
+  return {std::move(log.walks()), mean};
 }
 
 std::vector<PixelWalks> walk_pixels(const RenderOptions& options, const TileFunction& render_tile,
@@ -52,9 +48,9 @@ std::vector<PixelWalks> walk_pixels(const RenderOptions& options, const TileFunc
   std::vector<PixelWalks> pixels(pixels_to_ask(options));
   parallel_for(pixels.size(), [&](std::size_t i) {
     if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return;
+    const auto pixel = static_cast<std::uint32_t>(i);
     for (std::uint32_t block = 0; block < 2; ++block)
-      pixels[i].blocks[block] =
-          walk_block(options, render_tile, seed, static_cast<std::uint32_t>(i), block);
+      pixels[i].blocks[block] = walk_block(options, render_tile, {seed, pixel, 2 * pixel + block});
   });
   return pixels;
 }

@@ -1,9 +1,10 @@
-#include "integrators/guiding/trial.h"
+#include "integrators/trial.h"
 
 #include <algorithm>
 #include <numeric>
 
 #include "renderer/film/film.h"
+#include "renderer/sampling/hash.h"
 #include "renderer/sampling/sampler.h"
 
 namespace candela {
@@ -41,6 +42,16 @@ PixelRect trial_tile(const RenderOptions& options, int size, std::uint64_t seed,
   const int x = static_cast<int>(place.x * static_cast<float>(options.width));
   const int y = static_cast<int>(place.y * static_cast<float>(options.height));
   return {x, y, std::min(x + size, options.width), std::min(y + size, options.height)};
+}
+
+Vec3d run_block(TilePass pass, const BlockPlace& place, const RenderOptions& options,
+                const TileFunction& render_tile) {
+  pass.tile = trial_tile(options, 1, place.seed, place.pixel);
+  pass.range = {0, whole_block};
+  pass.seed = hash_counter(place.seed, place.sequence);
+  Film film(options.width, options.height, pass.tile, 0);
+  render_tile(pass, film);
+  return film.mean(0);
 }
 
 double picture_samples(const RenderOptions& options) {

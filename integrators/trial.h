@@ -1,5 +1,5 @@
-// A few tiles of a picture, spread over all of it, rendered to learn what would be the best way to
-// render it. The same for any crop and threads.
+// A few tiles or pixels of a picture, spread over all of it, rendered to learn what would be the
+// best way to render it. The same for any crop and threads.
 #pragma once
 
 #include <cstdint>
@@ -28,6 +28,18 @@ struct Trial {
 // Square but at the picture's edges, at a place that seed and index choose.
 [[nodiscard]] PixelRect trial_tile(const RenderOptions& options, int size, std::uint64_t seed,
                                    std::uint32_t index);
+
+// One of the pixels that a seed spreads over the picture, and its random numbers.
+struct BlockPlace {
+  std::uint64_t seed = 0;
+  std::uint32_t pixel = 0;
+  std::uint32_t sequence = 0;
+};
+
+// A whole block of the samples of one pixel, of which the pass' observer is told; returns their
+// mean.
+Vec3d run_block(TilePass pass, const BlockPlace& place, const RenderOptions& options,
+                const TileFunction& render_tile);
 
 // Camera samples of the picture; where other rules than their number end it, what it has at least.
 [[nodiscard]] double picture_samples(const RenderOptions& options);
