@@ -48,6 +48,7 @@ inline constexpr float smallest_uv_shear = 1e-5f;
 [[nodiscard]] inline Vec2f height_slope(const TextureStore& textures, TextureHandle map,
                                         const TexturePoint& at, const Vec3f& dp_du,
                                         const Vec3f& dp_dv) {
+  if (const std::optional<Vec2f> slope = textures.slope(map, at.uv)) return *slope;
   const TextureInfo& info = textures.info(map);
   const auto width = static_cast<float>(info.width);
   const auto height = static_cast<float>(info.height);

@@ -1,63 +1,11 @@
 #include "renderer/texture/texel_filter.h"
 
-#include <array>
-#include <cstring>
-
-#include "renderer/image/half.h"
 #include "renderer/image/lanes_half.h"
-#include "renderer/math/colour.h"
 #include "renderer/math/lanes_power.h"
-#include "renderer/math/transcendental.h"
+#include "renderer/texture/sample_value.h"
 
 namespace candela {
 namespace {
-
-std::array<float, 256> decoded_bytes() {
-  std::array<float, 256> table{};
-  for (std::size_t i = 0; i < table.size(); ++i)
-    table[i] = static_cast<float>(srgb_to_linear(static_cast<double>(i) / 255));
-  return table;
-}
-
-const std::array<float, 256> srgb_bytes = decoded_bytes();
-
-// IEC 61966-2-1 for samples that have no table.
-float decoded_srgb(float value) {
-  return value <= 0.04045f ? value * (1 / 12.92f) : power((value + 0.055f) * (1 / 1.055f), 2.4);
-}
-
-template <class Value>
-Value value_at(const std::byte* place) {
-  Value value;
-  std::memcpy(&value, place, sizeof(Value));
-  return value;
-}
-
-// What 1 is stored as.
-template <SampleType type>
-constexpr float unit = type == SampleType::U8    ? 255.0f
-                       : type == SampleType::U16 ? 65535.0f
-                                                 : 1.0f;
-
-template <SampleType type>
-float stored(const std::byte* place) {
-  if constexpr (type == SampleType::U8)
-    return static_cast<float>(value_at<std::uint8_t>(place));
-  else if constexpr (type == SampleType::U16)
-    return static_cast<float>(value_at<std::uint16_t>(place));
-  else if constexpr (type == SampleType::Half)
-    return half_to_float(value_at<std::uint16_t>(place));
-  else
-    return value_at<float>(place);
-}
-
-template <SampleType type>
-float decoded(const std::byte* place) {
-  if constexpr (type == SampleType::U8)
-    return srgb_bytes[value_at<std::uint8_t>(place)];
-  else
-    return decoded_srgb(stored<type>(place) / unit<type>);
-}
 
 // (GCC converts vectors of four bytes one by one.)
 Float4 four_bytes(const std::byte* place) {
@@ -107,12 +55,6 @@ template <SampleType type, int channels, bool is_srgb>
   } else {
     return four_stored<type>(place);
   }
-}
-
-// Exact where both ends are equal.
-template <class Value>
-Value between(Value a, Value b, float weight) {
-  return a + weight * (b - a);
 }
 
 // Of `read(place)` at four texels; beyond a border zeros.

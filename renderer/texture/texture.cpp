@@ -13,6 +13,7 @@
 #include "renderer/math/transcendental.h"
 #include "renderer/texture/footprint_ranges.h"
 #include "renderer/texture/texel_filter.h"
+#include "renderer/texture/texel_slope.h"
 #include "renderer/texture/texels.h"
 #include "renderer/texture/uv_range.h"
 
@@ -76,6 +77,12 @@ class Texture {
             encoding_ == Encoding::LabGamma};
   }
 
+  [[nodiscard]] std::optional<Vec2f> slope(Vec2f uv) {
+    if (!is_ready_.load(std::memory_order_acquire)) prepare();
+    if (is_special_ || slope_ == nullptr) return {};
+    return slope_(view_, uv);
+  }
+
   void prefetch(Vec2f uv) const {
     if (!is_ready_.load(std::memory_order_acquire) || is_at_hand_) return;
     const auto [column, row] = footprint_of(uv, view_.width, view_.height, wrap_);
@@ -113,6 +120,7 @@ class Texture {
       view_ = {texels.samples.get(), texels.width, texels.height};
       texel_bytes_ = static_cast<std::size_t>(texels.channels) * size_of(texels.type);
       filters_ = texel_filters(texels.type, texels.channels, encoding_, wrap_ == Wrap::Black);
+      slope_ = slope_filter(texels.type, texels.channels, encoding_, wrap_);
       is_special_ = is_single_texel(texels);
       constexpr std::size_t most_at_hand = 1 << 16;  // of a processor's second cache a small part
       is_at_hand_ = is_special_ || file_->bytes() <= most_at_hand;
@@ -130,6 +138,7 @@ class Texture {
   TexelView view_;
   std::size_t texel_bytes_ = 0;
   TexelFilters filters_;
+  SlopeFilter slope_ = nullptr;
   Vec4f constant_{0};
   std::unique_ptr<const Procedural> procedural_;
   TextureInfo info_;
@@ -207,6 +216,10 @@ Vec4f TextureStore::lookup(TextureHandle texture, Vec2f uv) const {
 
 TextureStore::Stored TextureStore::lookup_stored(TextureHandle image, Vec2f uv) const {
   return textures_[image.index]->lookup_stored(uv);
+}
+
+std::optional<Vec2f> TextureStore::slope(TextureHandle texture, Vec2f uv) const {
+  return textures_[texture.index]->slope(uv);
 }
 
 void TextureStore::prefetch(TextureHandle texture, Vec2f uv) const {

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,9 @@ class TextureStore {
     bool lacks_gamma;  // power_2_2() of the colour is still to be taken
   };
   [[nodiscard]] Stored lookup_stored(TextureHandle image, Vec2f uv) const;
+  // (d/du, d/dv) of lookup().x by central differences over one texel, where texels tell it at once
+  // (texel_slope.h).
+  [[nodiscard]] std::optional<Vec2f> slope(TextureHandle texture, Vec2f uv) const;
   // Asks the memory for what lookup() of the same place will read, and waits for nothing.
   void prefetch(TextureHandle texture, Vec2f uv) const;
   // lookup().w, without the work for colour.

@@ -184,9 +184,10 @@ void expect_same_picture(const SceneDescription& description, const RenderSettin
   EXPECT_EQ(special.statistics.skipped.samples > 0, skips);
   // Some rays are of pixels beside a crop (path/shared_block.h), whose skipped samples nobody
   // counts.
-  if (!settings.options.crop)
+  if (!settings.options.crop) {
     EXPECT_EQ(special.statistics.rays.camera + special.statistics.skipped.samples,
               general.statistics.rays.camera);
+  }
   EXPECT_EQ(special.statistics.rays.indirect, general.statistics.rays.indirect);
 }
 

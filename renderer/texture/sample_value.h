@@ -1,0 +1,64 @@
+// One sample of a texel, read from where it is stored.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "renderer/image/decode.h"
+#include "renderer/image/half.h"
+#include "renderer/math/transcendental.h"
+
+namespace candela {
+
+// sRGB's bytes, linear.
+extern const std::array<float, 256> srgb_bytes;
+
+// IEC 61966-2-1 for samples that have no table.
+[[nodiscard]] inline float decoded_srgb(float value) {
+  return value <= 0.04045f ? value * (1 / 12.92f) : power((value + 0.055f) * (1 / 1.055f), 2.4);
+}
+
+template <class Value>
+[[nodiscard]] Value value_at(const std::byte* place) {
+  Value value;
+  std::memcpy(&value, place, sizeof(Value));
+  return value;
+}
+
+// What 1 is stored as.
+template <SampleType type>
+constexpr float unit = type == SampleType::U8    ? 255.0f
+                       : type == SampleType::U16 ? 65535.0f
+                                                 : 1.0f;
+
+// As a number of [0, unit] where it is an integer.
+template <SampleType type>
+[[nodiscard]] float stored(const std::byte* place) {
+  if constexpr (type == SampleType::U8)
+    return static_cast<float>(value_at<std::uint8_t>(place));
+  else if constexpr (type == SampleType::U16)
+    return static_cast<float>(value_at<std::uint16_t>(place));
+  else if constexpr (type == SampleType::Half)
+    return half_to_float(value_at<std::uint16_t>(place));
+  else
+    return value_at<float>(place);
+}
+
+// Of sRGB, linear.
+template <SampleType type>
+[[nodiscard]] float decoded(const std::byte* place) {
+  if constexpr (type == SampleType::U8)
+    return srgb_bytes[value_at<std::uint8_t>(place)];
+  else
+    return decoded_srgb(stored<type>(place) / unit<type>);
+}
+
+// Exact where both ends are equal.
+template <class Value>
+[[nodiscard]] Value between(Value a, Value b, float weight) {
+  return a + weight * (b - a);
+}
+
+}  // namespace candela
