@@ -7,12 +7,19 @@ from renders import CandelaFailed
 from scenes import pbrt_scenes, scenes_by_name
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+# Of closed forms (cycles.py): measured where they are asked for.
+ANALYTIC = {name: ROOT / f"tools/benchmarks/blender/scenes/{name}.yaml"
+            for name in ("point_lit", "sun_lit", "environment_lit")}
 GENERATED = ("attic", "door_ajar", "forest", "glass_and_mirrors", "lamps", "mis_plates", "white_room",
              "window")
 
 
 def present():
     return scenes_by_name(ROOT) | pbrt_scenes(ROOT)
+
+
+def all_names():
+    return [*names(), *ANALYTIC]
 
 
 def names():
@@ -22,13 +29,13 @@ def names():
 def add_argument(parser, default="all"):
     parser.add_argument("scenes", nargs="*", metavar="SCENE",
                         help=f"names ({default}); gen/NAME is what tools/scene_gen NAME writes: "
-                        + ", ".join(names()).replace("%", "%%"))
+                        + ", ".join(all_names()).replace("%", "%%"))
 
 
 def chosen(candela, out, wanted, default):
     """Name -> file. Of the default names those that are absent are left out, and all that candela
     cannot read with a word."""
-    found = present()
+    found = present() | ANALYTIC
     files = {}
     for name in wanted or default:
         if name.startswith("gen/") and name[4:] in GENERATED:
@@ -36,7 +43,7 @@ def chosen(candela, out, wanted, default):
         elif name in found:
             files[name] = found[name]
         elif wanted:
-            raise CandelaFailed(f"no scene '{name}'; expected one of " + ", ".join(names()))
+            raise CandelaFailed(f"no scene '{name}'; expected one of " + ", ".join(all_names()))
     return {name: file for name, file in files.items() if is_read(candela, name, file)}
 
 

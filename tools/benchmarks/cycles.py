@@ -16,11 +16,12 @@ import time
 
 import numpy
 
+import chosen_scenes
+
 ABOUT = "the same scenes by Blender's Cycles: equal pictures?"
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SCENES = {"cornell_box_diffuse": ROOT / "assets/cornell_box_diffuse/cornell_box_diffuse.yaml"} | {
-    name: ROOT / f"tools/benchmarks/blender/scenes/{name}.yaml"
-    for name in ("point_lit", "sun_lit", "environment_lit")}
+SCENES = {"cornell_box_diffuse": ROOT / "assets/cornell_box_diffuse/cornell_box_diffuse.yaml"
+          } | chosen_scenes.ANALYTIC
 SIZE = (128, 96)  # multiples of the blocks' side, and of 32
 FAILED = 6  # the exit status of comparisons
 # Blender's unit is the metre, the Cornell box's the millimetre. Where that is taken for metres,

@@ -20,7 +20,6 @@ import hashlib
 import json
 import math
 import os
-import pathlib
 import statistics
 
 import chosen_scenes
@@ -28,8 +27,6 @@ import truth
 from fits import geometric_mean, spread, x_where
 
 ABOUT = "the same scenes by Blender's Cycles: time to the same error; Embree's path tracer's speed"
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-BLENDER_SCENES = ("point_lit", "sun_lit", "environment_lit")
 # Blender's unit is the metre, the Cornell box's the millimetre.
 SCALES = {"cornell_box_diffuse": .001}
 GOALS = (1e-2, 1e-3)
@@ -41,7 +38,7 @@ MOST_ADAPTIVE = 4096
 
 
 def default_scenes():
-    return ("cornell_box_diffuse", *BLENDER_SCENES,
+    return ("cornell_box_diffuse", *chosen_scenes.ANALYTIC,
             *(f"gen/{name}" for name in chosen_scenes.GENERATED))
 
 
@@ -75,7 +72,7 @@ def run(options):
                   ladder(options.most or (16 if options.quick else 256)),
                   options.pairs or (2 if options.quick else 5), options.threads, options.all)
     points, ratios, means, shown = [], [], [], []
-    files = scene_files(candela, out, options.scenes or default_scenes())
+    files = chosen_scenes.chosen(candela, out, options.scenes or default_scenes(), ())
     scenes = described(candela, out, files, options.nearest)
     tell_approximated(results, scenes)
     for name, scene in scenes.items():
@@ -124,16 +121,6 @@ def means_of(ours, theirs):
 
 def ladder(most):
     return [4 ** power for power in range(1, 10) if 4 ** power <= most]
-
-
-def scene_files(candela, out, wanted):
-    files = {}
-    for name in wanted:
-        if name in BLENDER_SCENES:
-            files[name] = ROOT / "tools" / "benchmarks" / "blender" / "scenes" / f"{name}.yaml"
-        else:
-            files |= chosen_scenes.chosen(candela, out, [name], ())
-    return files
 
 
 def described(candela, out, files, nearest=False):

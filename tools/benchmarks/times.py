@@ -11,7 +11,6 @@ import subprocess
 import types
 
 import chosen_scenes
-import peers
 from fits import geometric_mean, spread
 from renders import CandelaFailed
 
@@ -37,8 +36,8 @@ def run(options):
     pairs = options.pairs or (2 if options.quick else 5)
     results = Results(out, "CPU time before and now", __doc__, candela.version())
     rows = []
-    wanted = options.scenes or (*peers.BLENDER_SCENES, *chosen_scenes.names())
-    for name, scene in peers.scene_files(candela, out, wanted).items():
+    wanted = options.scenes or (*chosen_scenes.ANALYTIC, *chosen_scenes.names())
+    for name, scene in chosen_scenes.chosen(candela, out, wanted, ()).items():
         words = [scene, "--size", f"{size}x{size}", "--spp", spp]
         try:
             measured = [[rendered(path.resolve(), out / f"renders/{which}.exr", words, seed)
