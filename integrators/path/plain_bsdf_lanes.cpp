@@ -9,6 +9,7 @@ namespace {
 constexpr BsdfModel bsdf_model(PlainModel model) {
   switch (model) {
     case PlainModel::CookTorrance:
+    case PlainModel::SmithCookTorrance:
       return BsdfModel::CookTorrance;
     case PlainModel::Lab:
       return BsdfModel::Lab;
@@ -50,6 +51,8 @@ template <PlainModel model>
             .eta = bsdfs.eta[i],
             .transmittance = bsdfs.transmittance[i]};
   return {.model = BsdfModel::CookTorrance,
+          .geometry = model == PlainModel::SmithCookTorrance ? GeometryTerm::Smith
+                                                             : GeometryTerm::SchlickGgx,
           .alpha = bsdfs.alpha[i],
           .diffuse = bsdfs.diffuse[i],
           .specular = bsdfs.specular[i],
@@ -151,6 +154,9 @@ CANDELA_LANES LightMasks weigh_light_by_diffuse(const RenderOptions& options, Pl
 CANDELA_LANES LightMasks weigh_light_by_glossy(const RenderOptions& options, PlainLanes& lanes) {
   return weigh_light_by<PlainModel::CookTorrance>(options, lanes);
 }
+CANDELA_LANES LightMasks weigh_light_by_smith(const RenderOptions& options, PlainLanes& lanes) {
+  return weigh_light_by<PlainModel::SmithCookTorrance>(options, lanes);
+}
 CANDELA_LANES LightMasks weigh_light_by_lab(const RenderOptions& options, PlainLanes& lanes) {
   return weigh_light_by<PlainModel::Lab>(options, lanes);
 }
@@ -165,6 +171,9 @@ CANDELA_LANES ScatterMasks scatter_by_diffuse(Roulette roulette, PlainLanes& lan
 }
 CANDELA_LANES ScatterMasks scatter_by_glossy(Roulette roulette, PlainLanes& lanes) {
   return scatter_by<PlainModel::CookTorrance>(roulette, lanes);
+}
+CANDELA_LANES ScatterMasks scatter_by_smith(Roulette roulette, PlainLanes& lanes) {
+  return scatter_by<PlainModel::SmithCookTorrance>(roulette, lanes);
 }
 CANDELA_LANES ScatterMasks scatter_by_lab(Roulette roulette, PlainLanes& lanes) {
   return scatter_by<PlainModel::Lab>(roulette, lanes);
@@ -212,6 +221,8 @@ LightMasks weigh_light(PlainModel model, const RenderOptions& options, PlainLane
       return weigh_light_by_diffuse(options, lanes);
     case PlainModel::CookTorrance:
       return weigh_light_by_glossy(options, lanes);
+    case PlainModel::SmithCookTorrance:
+      return weigh_light_by_smith(options, lanes);
     case PlainModel::Lab:
       return weigh_light_by_lab(options, lanes);
     case PlainModel::Conductor:
@@ -237,6 +248,8 @@ ScatterMasks scatter(PlainModel model, Roulette roulette, PlainLanes& lanes) {
       return scatter_by_diffuse(roulette, lanes);
     case PlainModel::CookTorrance:
       return scatter_by_glossy(roulette, lanes);
+    case PlainModel::SmithCookTorrance:
+      return scatter_by_smith(roulette, lanes);
     case PlainModel::Lab:
       return scatter_by_lab(roulette, lanes);
     case PlainModel::Conductor:

@@ -141,8 +141,9 @@ struct PlainLanes {
 }
 
 inline constexpr std::array plain_models{
-    PlainModel::Diffuse,       PlainModel::CookTorrance, PlainModel::Lab,  PlainModel::Conductor,
-    PlainModel::CoatedDiffuse, PlainModel::Mirror,       PlainModel::Glass};
+    PlainModel::Diffuse, PlainModel::CookTorrance, PlainModel::SmithCookTorrance,
+    PlainModel::Lab,     PlainModel::Conductor,    PlainModel::CoatedDiffuse,
+    PlainModel::Mirror,  PlainModel::Glass};
 
 void find_points(PlainLanes& lanes);
 void find_frames(PlainLanes& lanes);

@@ -95,6 +95,7 @@ void put_bsdfs(PlainModel model, const TextureStore& textures, PlainLanes& lanes
     case PlainModel::Mirror:
       return put_colours(textures, lanes);
     case PlainModel::CookTorrance:
+    case PlainModel::SmithCookTorrance:
       return put_highlights(
           [&](const Material& material, const TexturePoint& at) {
             return cook_torrance_at(material, textures, at);

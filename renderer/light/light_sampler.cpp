@@ -1,6 +1,7 @@
 #include "renderer/light/light_sampler.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace candela {
@@ -47,8 +48,20 @@ void LightSampler::keep_few(std::span<const double> weights) {
   for (std::uint32_t i = 0; i < steps.size(); ++i) {
     if (steps[i] == 0) continue;
     if (steps[i] < fewest_steps) return few_.clear();
-    few_.push_back({static_cast<std::uint32_t>(first), i, 1 / static_cast<float>(steps[i])});
+    few_.push_back({static_cast<std::uint32_t>(first), i, 1 / static_cast<float>(steps[i]),
+                    table_.probability(i)});
     first += steps[i];
+  }
+  make_guide();
+}
+
+void LightSampler::make_guide() {
+  const auto guide_bits = static_cast<unsigned>(std::bit_width(2 * few_.size()));
+  guide_shift_ = 32 - guide_bits;
+  std::uint16_t index = 0;
+  for (std::uint64_t cell = 0; cell <= std::uint64_t{1} << guide_bits; ++cell) {
+    while (index + 1u < few_.size() && few_[index + 1u].first <= cell << guide_shift_) ++index;
+    guide_.push_back(index);
   }
 }
 

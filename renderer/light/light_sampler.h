@@ -57,24 +57,31 @@ class LightSampler {
     std::uint32_t first;
     std::uint32_t light;
     float inverse_width;
+    float probability;
   };
 
   [[nodiscard]] LightPick pick_of_few(std::uint32_t bits) const {
-    std::size_t index = 0;
-    for (std::size_t length = few_.size(); length > 1;) {
+    const std::uint32_t cell = bits >> guide_shift_;
+    std::size_t index = guide_[cell];
+    for (std::size_t length = guide_[cell + 1] - index + 1; length > 1;) {
       const std::size_t half = length / 2;
       index += few_[index + half].first <= bits ? half : 0;
       length -= half;
     }
     const Range& range = few_[index];
     const float rest = static_cast<float>(bits - range.first) * range.inverse_width;
-    return {range.light, table_.probability(range.light), std::min(rest, one_minus_epsilon)};
+    return {range.light, range.probability, std::min(rest, one_minus_epsilon)};
   }
   void keep_few(std::span<const double> weights);
+  void make_guide();
 
   std::vector<std::uint32_t> always_;
   AliasTable table_;        // over all lights; weight 0 for those in `always`
   std::vector<Range> few_;  // of the lights in the table; empty where they are many
+  // By the leading bits of a number: where in `few_` the search for its light begins, and by the
+  // next entry where it ends [Chen74].
+  std::vector<std::uint16_t> guide_;
+  unsigned guide_shift_ = 0;
 };
 
 }  // namespace candela

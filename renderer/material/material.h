@@ -32,12 +32,13 @@ enum class MaterialModel : std::uint8_t {
   Mix,  // at each hit one of its parts: mixed_material.h
 };
 
-// See plain_model.h. CookTorrance: with Schlick's two terms. Conductor, CoatedDiffuse: rough ones.
-// Glass: smooth.
+// See plain_model.h. CookTorrance: with Schlick's two terms; SmithCookTorrance: with his Fresnel
+// term and Smith's masking. Conductor, CoatedDiffuse: rough ones. Glass: smooth.
 enum class PlainModel : std::uint8_t {
   None,
   Diffuse,
   CookTorrance,
+  SmithCookTorrance,
   Lab,
   Conductor,
   CoatedDiffuse,

@@ -1,4 +1,4 @@
-// Surfaces whose BSDF is of one of seven models, the same one whatever textures say: paths take
+// Surfaces whose BSDF is of one of eight models, the same one whatever textures say: paths take
 // their steps on such surfaces side by side (integrators/path/plain_lanes.h).
 #pragma once
 
@@ -25,10 +25,10 @@ namespace candela {
     case MaterialModel::Diffuse:
       return PlainModel::Diffuse;
     case MaterialModel::CookTorrance:
-      if (material.energy_compensation || fresnel_term(material) != FresnelTerm::Schlick ||
-          material.geometry != GeometryModel::SchlickGgx)
+      if (material.energy_compensation || fresnel_term(material) != FresnelTerm::Schlick)
         return PlainModel::None;
-      return PlainModel::CookTorrance;
+      return material.geometry == GeometryModel::Smith ? PlainModel::SmithCookTorrance
+                                                       : PlainModel::CookTorrance;
     case MaterialModel::Lab:
       return has_highlight(material) ? PlainModel::Lab : PlainModel::Diffuse;
     case MaterialModel::Conductor:

@@ -118,28 +118,39 @@ TEST(Statistical_LightSampler, FrequenciesFitTheProbabilities) {
 }
 
 // Evenly spaced numbers see each light's share, and what is left of them is even again.
-TEST(Unit_LightSampler, WhatIsLeftOfAFewLightsNumberIsUniform) {
-  const LightSampler sampler =
-      sampler_of({triangle_of(1), triangle_of(0), triangle_of(3), triangle_of(0.5)});
+void expect_even_shares(const std::vector<Light>& lights) {
+  const LightSampler sampler = sampler_of(lights);
   ASSERT_TRUE(sampler.has_few());
   constexpr std::uint32_t count = 1u << 16, parts = 4;
-  std::array<std::array<int, parts>, 4> seen{};
+  std::vector<std::array<int, parts>> seen(lights.size());
   float last = 0;
   std::uint32_t last_light = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     const LightPick pick = sampler.pick(i << 16);
-    EXPECT_EQ(pick.probability, sampler.probability(pick.light));
+    ASSERT_EQ(pick.probability, sampler.probability(pick.light));
     ASSERT_TRUE(pick.rest >= 0 && pick.rest < 1);
-    EXPECT_TRUE(pick.light > last_light || (pick.light == last_light && pick.rest >= last))
+    ASSERT_TRUE(pick.light > last_light || (pick.light == last_light && pick.rest >= last))
         << "neighbours side by side";
     ++seen[pick.light][static_cast<std::size_t>(pick.rest * parts)];
     last = pick.rest;
     last_light = pick.light;
   }
-  for (std::uint32_t light = 0; light < 4; ++light)
+  for (std::uint32_t light = 0; light < lights.size(); ++light)
     for (const int part : seen[light])
       EXPECT_NEAR(part, count * static_cast<double>(sampler.probability(light)) / parts, 1.5)
           << light;
+}
+
+TEST(Unit_LightSampler, WhatIsLeftOfAFewLightsNumberIsUniform) {
+  expect_even_shares({triangle_of(1), triangle_of(0), triangle_of(3), triangle_of(0.5)});
+}
+
+// Dim ones side by side are as many as one look into the guide may find.
+TEST(Unit_LightSampler, FindsEachOfManyUnequalLights) {
+  std::vector<Light> lights;
+  for (int i = 0; i < 60; ++i) lights.push_back(triangle_of(i / 5 % 2 == 0 ? 1.0f : 0.01f));
+  lights.push_back(triangle_of(4));
+  expect_even_shares(lights);
 }
 
 // A number that chooses among thousands has not enough left; nor has that of a light that is rarely

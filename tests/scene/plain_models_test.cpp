@@ -34,7 +34,7 @@ TEST(Unit_PlainModels, OfEachKindOfMaterial) {
   EXPECT_EQ(model_of(CookTorranceMaterial{}), PlainModel::CookTorrance);
   CookTorranceMaterial smith;
   smith.geometry = description::GeometryModel::Smith;
-  EXPECT_EQ(model_of(smith), PlainModel::None);
+  EXPECT_EQ(model_of(smith), PlainModel::SmithCookTorrance);
   CookTorranceMaterial exact;
   exact.ior = 1.5;
   exact.fresnel = description::FresnelModel::Exact;
