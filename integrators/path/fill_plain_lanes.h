@@ -35,13 +35,12 @@ class PlainMasks {
   PlainModelSet models_ = 0;                                    // that there are any of
 };
 
-// Of the hits those on plain surfaces that stand where the scene says. Model by model, of which a
-// block mostly meets one or two: lanes that were put where they belong one after the other would
-// wait for each other.
+// Of the hits those on plain surfaces. Model by model, of which a block mostly meets one or two:
+// lanes that were put where they belong one after the other would wait for each other.
 [[nodiscard]] inline PlainMasks plain_lanes_of(const Scene& scene, const HitBlock& hits,
                                                LaneMask lanes) {
   PlainMasks plain;
-  for (LaneMask left = lanes & hits.met & ~hits.instanced; left != 0;) {
+  for (LaneMask left = lanes & hits.met; left != 0;) {
     const auto model_of = [&](std::uint32_t i) { return scene.plain_models[hits.geometry[i]]; };
     const PlainModel model = model_of(static_cast<std::uint32_t>(std::countr_zero(left)));
     LaneMask same = 0;
@@ -70,17 +69,28 @@ inline void prefetch_maps(const Material& material, const TextureStore& textures
     if (map) textures.prefetch(map, uv);
 }
 
-inline void put_surface(const Scene& scene, const Geometry& geometry, std::uint32_t triangle,
-                        float u, float v, std::uint32_t slot, PlainLanes& lanes) {
-  const auto& corners = geometry.triangles[triangle];
+inline void put_instance(const Instance& instance, std::uint32_t slot, MetLanes& met) {
+  met.instance[slot] = &instance;
+  met.instanced |= 1u << slot;
+  met.corner0.set(slot, instance.point(met.corner0[slot]));
+  met.corner1.set(slot, instance.point(met.corner1[slot]));
+  met.corner2.set(slot, instance.point(met.corner2[slot]));
+}
+
+inline void put_surface(const Scene& scene, const Geometry& geometry, const Hit& hit,
+                        std::uint32_t slot, PlainLanes& lanes) {
+  const auto& corners = geometry.triangles[hit.triangle];
   MetLanes& met = lanes.met;
   met.corner0.set(slot, geometry.positions[corners[0]]);
   met.corner1.set(slot, geometry.positions[corners[1]]);
   met.corner2.set(slot, geometry.positions[corners[2]]);
+  if (hit.is_instanced()) [[unlikely]]
+    put_instance(scene.instances[hit.instance], slot, met);
   put_normals(geometry, corners, slot, met);
   const Material& material = scene.materials[geometry.material.index];
   lanes.bsdfs.material[slot] = &material;
-  lanes.bsdfs.uv[slot] = geometry.uvs.empty() ? SurfacePoint{}.uv : uv_of(geometry, corners, u, v);
+  lanes.bsdfs.uv[slot] =
+      geometry.uvs.empty() ? SurfacePoint{}.uv : uv_of(geometry, corners, hit.u, hit.v);
   if (material.reads_uv) prefetch_maps(material, scene.textures, lanes.bsdfs.uv[slot]);
 }
 
@@ -88,7 +98,7 @@ inline void put_surface(const Scene& scene, const Geometry& geometry, std::uint3
 inline void put_path(const Scene& scene, const StepNumbers& numbers, std::uint32_t bounce,
                      const Hit& hit, const Ray& ray, const PathState& path, std::uint32_t slot,
                      PlainLanes& lanes) {
-  put_surface(scene, scene.geometries[hit.geometry], hit.triangle, hit.u, hit.v, slot, lanes);
+  put_surface(scene, scene.geometries[hit.geometry], hit, slot, lanes);
   MetLanes& met = lanes.met;
   met.geometry[slot] = hit.geometry;
   met.triangle[slot] = hit.triangle;

@@ -32,18 +32,39 @@ CANDELA_LANES void find_planes(MetLanes& met) {
   }
 }
 
+[[nodiscard]] inline Vec3f interpolated_normal(const MetLanes& met, std::uint32_t i) {
+  const float u = met.u[i];
+  const float v = met.v[i];
+  return met.normal0[i] * (1 - u - v) + met.normal1[i] * u + met.normal2[i] * v;
+}
+
 CANDELA_LANES void find_front_normals(MetLanes& met) {
   for (std::uint32_t i = 0; i < block_size; ++i) {
-    const float u = met.u[i];
-    const float v = met.v[i];
     SurfacePoint point;
     point.front_normal = met.front_normal[i];
-    Vec3f n = met.normal0[i] * (1 - u - v) + met.normal1[i] * u + met.normal2[i] * v;
+    Vec3f n = interpolated_normal(met, i);
     if (met.has_normals[i] == 0) n = Vec3f(0);
     surface_point_detail::set_front_normal(n, point);
     met.front_normal.set(i, point.front_normal);
     met.is_flat[i] = flag(point.is_flat);
   }
+}
+
+// What an instance changes of a point that was found from its placed corners.
+void place_point(MetLanes& met, std::uint32_t i) {
+  const Instance& instance = *met.instance[i];
+  Vec3f outside = met.is_front[i] != 0 ? met.normal[i] : -met.normal[i];
+  met.offset[i] += instance.offset(outside);
+  if (instance.is_mirrored) outside = -outside;
+  const bool is_front = dot(outside, -met.direction[i]) > 0;
+  met.normal.set(i, is_front ? outside : -outside);
+  met.is_front[i] = flag(is_front);
+  SurfacePoint point;
+  point.front_normal = outside;
+  if (met.has_normals[i] != 0)
+    surface_point_detail::set_front_normal(instance.normal(interpolated_normal(met, i)), point);
+  met.front_normal.set(i, point.front_normal);
+  met.is_flat[i] = flag(point.is_flat);
 }
 
 CANDELA_LANES void find_bent_frames(MetLanes& met) {
@@ -98,6 +119,7 @@ void find_points(PlainLanes& lanes) {
   met.is_flat.fill(1);
   met.all_are_flat = !met.any_has_normals;
   if (met.any_has_normals) find_front_normals(met);
+  for_each_lane(met.instanced, [&](std::uint32_t i) { place_point(met, i); });
 }
 
 void find_frames(PlainLanes& lanes) {

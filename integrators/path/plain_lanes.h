@@ -21,10 +21,12 @@ struct MetLanes {
   }
 
   Lanes<std::uint32_t> geometry{}, triangle{};  // as Hit has them
-  Vec3Lanes corner0, corner1, corner2;
+  Vec3Lanes corner0, corner1, corner2;          // where they are in the world
+  LaneMask instanced = 0;                       // of instances:
+  Lanes<const Instance*> instance{};
   LaneFlags has_normals{};
   bool any_has_normals = false;         // of the lanes that are filled
-  Vec3Lanes normal0, normal1, normal2;  // of the corners
+  Vec3Lanes normal0, normal1, normal2;  // of the corners, in the object's space
   Lanes<float> u{}, v{};
   Vec3Lanes direction;            // of the rays
   Vec3Lanes throughput;           // of the paths
@@ -114,6 +116,7 @@ struct PlainLanes {
   void clear() {
     filled = 0;
     met.any_has_normals = false;
+    met.instanced = 0;
   }
 
   LaneMask filled = 0;

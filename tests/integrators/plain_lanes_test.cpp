@@ -133,7 +133,7 @@ SceneDescription room_of_maps(const TemporaryFolder& folder) {
 }
 
 // Glass and mirrors, where lights are not sampled; and what lanes leave to single steps, so that
-// paths come from there and go there: rough glass, panes, spheres and instances.
+// paths come from there and go there: rough glass, panes and spheres.
 SceneDescription room_of_strangers(const TemporaryFolder& folder) {
   SceneDescription scene = room_of_maps(folder);
   const auto glass = add_material(scene, description::DielectricMaterial{});
@@ -149,9 +149,23 @@ SceneDescription room_of_strangers(const TemporaryFolder& folder) {
   add_mesh(scene, quad({-0.98, -0.9, -0.9}, {0, 0, 1.5}, {0, 1.5, 0}), mirror);
   add_mesh(scene, exact_sphere(0.2), add_material(scene, diffuse({0.2, 0.8, 0.4})),
            at_place({-0.5, 0, 0.5}));
-  const auto box_mesh = add_mesh(scene, box({0, 0, 0}, {0.2, 0.2, 0.2}),
-                                 add_material(scene, diffuse({0.8, 0.2, 0.4})));
-  add_instance(scene, box_mesh, at_place({0.3, 0.4, 0.1}));
+  return scene;
+}
+
+// Of flat and of smooth meshes, one of them with bumps: turned, stretched and mirrored.
+SceneDescription room_of_instances(const TemporaryFolder& folder) {
+  SceneDescription scene = room_of_maps(folder);
+  const Transform turned{Mat3d({0.8, 0.3, 0}, {-0.3, 0.8, 0.2}, {0, -0.2, 0.7}), {0.4, 0.1, 0.3}};
+  const Transform mirrored{Mat3d({-0.9, 0, 0.2}, {0, 1.6, 0}, {0.2, 0, 0.5}), {-0.4, -0.3, 0.2}};
+  const auto place_twice = [&](const description::Mesh& mesh, MaterialHandle material) {
+    add_instance(scene, add_mesh(scene, mesh, material, turned), mirrored);
+  };
+  place_twice(box({0.1, 0.1, 0}, {0.3, 0.4, 0.2}), add_material(scene, diffuse({0.8, 0.2, 0.4})));
+  place_twice(sphere({-0.1, -0.2, 0.1}, 0.2, 2), add_material(scene, glossy(0.3)));
+  const MaterialHandle bumpy = add_material(scene, description::LabMaterial{});
+  scene.materials[bumpy.index].height = description::ImageHandle(2);
+  scene.materials[bumpy.index].height_scale = 0.2;
+  place_twice(quad({-0.5, 0, 0.3}, {0.4, 0, 0.1}, {0, 0.4, 0}), bumpy);
   return scene;
 }
 
@@ -206,6 +220,17 @@ TEST(Agreement_PlainLanes, AreSingleStepsWhateverMapsSay) {
     const std::string what = fmt::format("splitting {}", splitting);
     expect_general(room_of_maps(folder), settings, what);
     expect_general(room_of_strangers(folder), settings, what + ", strangers");
+  }
+}
+
+TEST(Agreement_PlainLanes, AreSingleStepsOnInstances) {
+  const TemporaryFolder folder;
+  for (const std::uint32_t splitting : {1u, 3u}) {
+    RenderSettings settings = settings_of(32, 32);
+    settings.options.plan.splitting = splitting;
+    const SceneDescription scene = room_of_instances(folder);
+    ASSERT_EQ(compiled(scene, settings.options).instances.size(), 6u);
+    expect_general(scene, settings, fmt::format("splitting {}", splitting));
   }
 }
 
