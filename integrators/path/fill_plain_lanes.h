@@ -117,9 +117,12 @@ inline void put_path(const Scene& scene, const StepNumbers& numbers, std::uint32
 }
 
 inline void put_light(const Light& light, std::uint32_t slot, LampLanes& lamps) {
-  const bool is_surface = (light_kind_bit(light.kind) & surface_light_kinds) != 0;
-  lamps.is_other[slot] = is_surface ? 0 : 1;
-  if (!is_surface) return;
+  const bool is_flat = light.kind == LightKind::Triangle || light.kind == LightKind::Quad;
+  const bool is_sphere = light.kind == LightKind::Sphere && !light.texture;
+  lamps.is_other[slot] = is_flat || is_sphere ? 0 : 1;
+  if (!is_flat && !is_sphere) return;
+  lamps.is_sphere[slot] = is_sphere ? 1 : 0;
+  lamps.faces_inwards[slot] = light.faces_inwards ? 1 : 0;
   lamps.is_triangle[slot] = light.kind == LightKind::Triangle ? 1 : 0;
   lamps.emits_both_sides[slot] = light.emits_both_sides ? 1 : 0;
   lamps.position.set(slot, light.position);

@@ -1,6 +1,8 @@
 #include "integrators/path/plain_lanes.h"
 
+#include "renderer/base/floating_point_traps.h"
 #include "renderer/base/vector_widths.h"
+#include "renderer/light/sphere_cone.h"
 
 namespace candela {
 namespace {
@@ -8,6 +10,7 @@ namespace {
 [[nodiscard]] inline Light lamp_of(const LampLanes& lamps, std::size_t i) {
   Light light;
   light.emits_both_sides = lamps.emits_both_sides[i] != 0;
+  light.faces_inwards = lamps.faces_inwards[i] != 0;
   light.position = lamps.position[i];
   light.edge1 = lamps.edge1[i];
   light.edge2 = lamps.edge2[i];
@@ -111,6 +114,31 @@ CANDELA_LANES LaneMask sample_triangles_and_quads(PlainLanes& lanes) {
   return filled_mask(left, lanes);
 }
 
+// Where the lamps are spheres; elsewhere samples stay as they are.
+CANDELA_LANES LaneMask sample_spheres(PlainLanes& lanes) {
+  const LampLanes& lamps = lanes.lamps;
+  LaneFlags left;
+  for (std::size_t i = 0; i < block_size; ++i) {
+    SurfacePoint point = point_of(lanes.met, i);
+    Light light = lamp_of(lamps, i);
+    const bool is_sphere = lamps.is_sphere[i] != 0;
+    Vec3d to_centre = Vec3d(light.position) - Vec3d(point.position);
+    const double distance2 = length_squared(to_centre);
+    left[i] = flag(is_sphere) & flag(is_within(light, distance2));
+    ConeSample cone =
+        sample_sphere_cone(radius_of(light), to_centre, distance2, {lamps.u_x[i], lamps.u_y[i]});
+    Rgb radiance = plain_sphere_radiance(light, cone.direction, -cone.wi);
+    LightSample sample{
+        .wi = cone.wi,
+        .radiance = radiance,
+        .pdf = is_black(radiance) ? 0.0f : cone.pdf,
+        .shadow_ray = shadow_segment_to_sphere(light, point, cone.direction, cone.wi)};
+    LightSample before = lanes.light_samples[i];
+    lanes.light_samples.set(i, is_sphere ? sample : before);
+  }
+  return filled_mask(left, lanes);
+}
+
 }  // namespace
 
 void find_points(PlainLanes& lanes) {
@@ -133,7 +161,12 @@ void find_frames(PlainLanes& lanes) {
 LaneMask sample_lamps(PlainLanes& lanes) {
   lanes.light_samples.choice = lanes.lamps.probability;
   const LaneMask others = filled_mask(lanes.lamps.is_other, lanes);
-  return others == lanes.filled ? others : sample_triangles_and_quads(lanes);
+  const LaneMask spheres = filled_mask(lanes.lamps.is_sphere, lanes) & ~others;
+  LaneMask left = others;
+  if ((others | spheres) != lanes.filled) left |= sample_triangles_and_quads(lanes) & ~spheres;
+  if (spheres == 0) return left;
+  const FloatingPointTraps traps(Traps::Off);  // of lamps that are no spheres
+  return left | sample_spheres(lanes);
 }
 
 bool sample_delta_light(const Light& light, PlainLanes& lanes) {

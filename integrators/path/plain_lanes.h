@@ -48,9 +48,9 @@ struct LampLanes {
 
   Lanes<std::uint32_t> light;
   Lanes<float> probability{};  // with which it was picked
-  // Neither a triangle nor a quad, of which alone there is more:
+  // Neither a triangle, a quad nor a plain sphere, of which alone there is more:
   LaneFlags is_other{};
-  LaneFlags is_triangle{}, emits_both_sides{};
+  LaneFlags is_triangle{}, is_sphere{}, emits_both_sides{}, faces_inwards{};
   Vec3Lanes position, edge1, edge2, normal, emission;
   Lanes<float> area{}, offset{}, near_distance2{};
   Lanes<float> u_x{}, u_y{};
@@ -151,8 +151,9 @@ inline constexpr std::array plain_models{
 void find_points(PlainLanes& lanes);
 void find_frames(PlainLanes& lanes);
 
-// Samples of the lamps, by area. Returns the lanes that are left to others: their lamps are no
-// triangles or quads, or want to be sampled by solid angle.
+// Samples of the lamps: of triangles and quads by area, of spheres by the cone in which they are
+// seen. Returns the lanes that are left to others: their lamps are none of these, or want to be
+// sampled in another way.
 [[nodiscard]] LaneMask sample_lamps(PlainLanes& lanes);
 
 // Samples of a point, spot or directional light, for all lanes; false of others.

@@ -32,9 +32,6 @@ constexpr LightKindSet light_kind_bit(LightKind kind) {
   return 1u << static_cast<unsigned>(kind);
 }
 inline constexpr LightKindSet all_light_kinds = 0x7ff;
-inline constexpr LightKindSet surface_light_kinds =  // without textures
-    light_kind_bit(LightKind::Triangle) | light_kind_bit(LightKind::Quad) |
-    light_kind_bit(LightKind::NearTriangle);
 
 struct Light {
   static constexpr std::uint32_t none = 0xffffffffu;

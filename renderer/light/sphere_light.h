@@ -1,6 +1,6 @@
 // Spheres that emit in each direction of a side. From outside they are sampled by the cone of
-// directions in which they are seen [Pharr23, section 6.2.4], from within, and on them, uniformly
-// by area. Out of line: most scenes have none.
+// directions in which they are seen (sphere_cone.h), from within, and on them, uniformly by area.
+// Out of line: most scenes have none.
 #pragma once
 
 #include <vector>

@@ -265,6 +265,26 @@ TEST(Agreement_PlainLanes, AreSingleStepsUnderLampsThatAreNoPlainTriangles) {
   expect_general(scene, settings_of(32, 32), "a ball and a screen");
 }
 
+// From outside and from within, by both sides, with an image; and beside flat lamps.
+TEST(Agreement_PlainLanes, AreSingleStepsUnderSpheresThatShine) {
+  const TemporaryFolder folder;
+  SceneDescription scene = room_of_maps(folder);
+  const auto add_ball = [&](const description::Mesh& ball, double emission, const Vec3d& place) {
+    const MaterialHandle lamp = add_material(scene, diffuse(Vec3d(0)), Vec3d(emission));
+    add_mesh(scene, ball, lamp, at_place(place));
+    return lamp.index;
+  };
+  add_ball(exact_sphere(0.1), 9, {-0.6, 0.3, 0.3});
+  expect_general(scene, settings_of(32, 32), "a ball");
+  add_ball(exact_sphere(5, true), 0.2, {0, 0, 0});
+  expect_general(scene, settings_of(32, 32), "all about");
+  scene.materials[add_ball(exact_sphere(0.3), 0.5, {0.5, -0.5, 0.2})].emits_both_sides = true;
+  expect_general(scene, settings_of(32, 32), "both sides");
+  scene.materials[add_ball(exact_sphere(0.1), 3, {0.4, 0.4, 0.4})].emission_map =
+      description::ImageHandle(0);
+  expect_general(scene, settings_of(32, 32), "an image");
+}
+
 TEST(Agreement_PlainLanes, AreSingleStepsUnderASky) {
   const TemporaryFolder folder;
   SceneDescription scene = room_of_maps(folder);
