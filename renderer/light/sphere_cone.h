@@ -13,8 +13,8 @@ namespace candela {
   return static_cast<double>(sphere.edge1.x);
 }
 
-// Whether a point so far from the sphere's centre is none of outside. What lies on it, to the
-// rounding of positions, sees nothing of its outside.
+// Whether a point so far from the sphere's centre lies within it or, to the rounding of positions,
+// on it: such points see nothing of its outside.
 [[nodiscard]] inline bool is_within(const Light& sphere, double distance2) {
   return distance2 <= square(radius_of(sphere) + 4 * static_cast<double>(sphere.offset));
 }

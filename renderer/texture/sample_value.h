@@ -1,4 +1,4 @@
-// One sample of a texel, read from where it is stored.
+// One sample of a texel, read from where it is stored; and what is chosen by how it is stored.
 #pragma once
 
 #include <array>
@@ -53,6 +53,35 @@ template <SampleType type>
     return srgb_bytes[value_at<std::uint8_t>(place)];
   else
     return decoded_srgb(stored<type>(place) / unit<type>);
+}
+
+// f.operator()<type, channels>(); `channels`: 1..4.
+template <SampleType type, class F>
+[[nodiscard]] auto with_channels(int channels, const F& f) {
+  switch (channels) {
+    case 1:
+      return f.template operator()<type, 1>();
+    case 2:
+      return f.template operator()<type, 2>();
+    case 3:
+      return f.template operator()<type, 3>();
+    default:
+      return f.template operator()<type, 4>();
+  }
+}
+template <class F>
+[[nodiscard]] auto with_format(SampleType type, int channels, const F& f) {
+  switch (type) {
+    case SampleType::U8:
+      return with_channels<SampleType::U8>(channels, f);
+    case SampleType::U16:
+      return with_channels<SampleType::U16>(channels, f);
+    case SampleType::Half:
+      return with_channels<SampleType::Half>(channels, f);
+    case SampleType::Float:
+      break;
+  }
+  return with_channels<SampleType::Float>(channels, f);
 }
 
 // Exact where both ends are equal.

@@ -112,40 +112,13 @@ TexelFilters chosen_encoding(Encoding encoding) {
   return {};
 }
 
-template <SampleType type, int channels>
-TexelFilters chosen_border(Encoding encoding, bool has_border) {
-  return has_border ? chosen_encoding<type, channels, true>(encoding)
-                    : chosen_encoding<type, channels, false>(encoding);
-}
-
-template <SampleType type>
-TexelFilters chosen_channels(int channels, Encoding encoding, bool has_border) {
-  switch (channels) {
-    case 1:
-      return chosen_border<type, 1>(encoding, has_border);
-    case 2:
-      return chosen_border<type, 2>(encoding, has_border);
-    case 3:
-      return chosen_border<type, 3>(encoding, has_border);
-    default:
-      return chosen_border<type, 4>(encoding, has_border);
-  }
-}
-
 }  // namespace
 
 TexelFilters texel_filters(SampleType type, int channels, Encoding encoding, bool has_border) {
-  switch (type) {
-    case SampleType::U8:
-      return chosen_channels<SampleType::U8>(channels, encoding, has_border);
-    case SampleType::U16:
-      return chosen_channels<SampleType::U16>(channels, encoding, has_border);
-    case SampleType::Half:
-      return chosen_channels<SampleType::Half>(channels, encoding, has_border);
-    case SampleType::Float:
-      return chosen_channels<SampleType::Float>(channels, encoding, has_border);
-  }
-  return {};
+  return with_format(type, channels, [&]<SampleType of_type, int of_channels>() {
+    return has_border ? chosen_encoding<of_type, of_channels, true>(encoding)
+                      : chosen_encoding<of_type, of_channels, false>(encoding);
+  });
 }
 
 }  // namespace candela

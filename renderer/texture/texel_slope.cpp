@@ -72,27 +72,10 @@ Vec2f slope(const TexelView& view, Vec2f uv) {
           -at_place(downwards, columns) * (static_cast<float>(view.height) / one)};
 }
 
-template <SampleType type, int channels>
-SlopeFilter chosen_encoding(bool is_srgb, Wrap wrap) {
-  if (wrap == Wrap::Repeat)
-    return is_srgb ? slope<type, channels, true, Wrap::Repeat>
-                   : slope<type, channels, false, Wrap::Repeat>;
-  return is_srgb ? slope<type, channels, true, Wrap::Clamp>
-                 : slope<type, channels, false, Wrap::Clamp>;
-}
-
-template <SampleType type>
-SlopeFilter chosen_channels(int channels, bool is_srgb, Wrap wrap) {
-  switch (channels) {
-    case 1:
-      return chosen_encoding<type, 1>(is_srgb, wrap);
-    case 2:
-      return chosen_encoding<type, 2>(is_srgb, wrap);
-    case 3:
-      return chosen_encoding<type, 3>(is_srgb, wrap);
-    default:
-      return chosen_encoding<type, 4>(is_srgb, wrap);
-  }
+template <SampleType type, int channels, Wrap wrap>
+SlopeFilter chosen_encoding(Encoding encoding) {
+  return encoding == Encoding::Srgb ? slope<type, channels, true, wrap>
+                                    : slope<type, channels, false, wrap>;
 }
 
 }  // namespace
@@ -100,18 +83,10 @@ SlopeFilter chosen_channels(int channels, bool is_srgb, Wrap wrap) {
 SlopeFilter slope_filter(SampleType type, int channels, Encoding encoding, Wrap wrap) {
   if (encoding == Encoding::LabGamma || (wrap != Wrap::Repeat && wrap != Wrap::Clamp))
     return nullptr;
-  const bool is_srgb = encoding == Encoding::Srgb;
-  switch (type) {
-    case SampleType::U8:
-      return chosen_channels<SampleType::U8>(channels, is_srgb, wrap);
-    case SampleType::U16:
-      return chosen_channels<SampleType::U16>(channels, is_srgb, wrap);
-    case SampleType::Half:
-      return chosen_channels<SampleType::Half>(channels, is_srgb, wrap);
-    case SampleType::Float:
-      return chosen_channels<SampleType::Float>(channels, is_srgb, wrap);
-  }
-  return nullptr;
+  return with_format(type, channels, [&]<SampleType of_type, int of_channels>() {
+    return wrap == Wrap::Repeat ? chosen_encoding<of_type, of_channels, Wrap::Repeat>(encoding)
+                                : chosen_encoding<of_type, of_channels, Wrap::Clamp>(encoding);
+  });
 }
 
 }  // namespace candela

@@ -133,7 +133,7 @@ SceneDescription room_of_maps(const TemporaryFolder& folder) {
 }
 
 // Glass and mirrors, where lights are not sampled; and what lanes leave to single steps, so that
-// paths come from there and go there: rough glass, panes and spheres.
+// paths come from there and go there: rough glass, panes and spheres. And an instance.
 SceneDescription room_of_strangers(const TemporaryFolder& folder) {
   SceneDescription scene = room_of_maps(folder);
   const auto glass = add_material(scene, description::DielectricMaterial{});
@@ -149,6 +149,9 @@ SceneDescription room_of_strangers(const TemporaryFolder& folder) {
   add_mesh(scene, quad({-0.98, -0.9, -0.9}, {0, 0, 1.5}, {0, 1.5, 0}), mirror);
   add_mesh(scene, exact_sphere(0.2), add_material(scene, diffuse({0.2, 0.8, 0.4})),
            at_place({-0.5, 0, 0.5}));
+  const auto box_mesh = add_mesh(scene, box({0, 0, 0}, {0.2, 0.2, 0.2}),
+                                 add_material(scene, diffuse({0.8, 0.2, 0.4})));
+  add_instance(scene, box_mesh, at_place({0.3, 0.4, 0.1}));
   return scene;
 }
 

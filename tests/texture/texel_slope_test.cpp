@@ -9,7 +9,7 @@
 namespace candela {
 namespace {
 
-// Samples of any bits, but floats in [0, 1).
+// Values of [0, 1), as each type stores them.
 std::vector<std::byte> random_samples(SampleType type, std::size_t count) {
   std::vector<std::byte> samples;
   for (std::uint32_t i = 0; i < count; ++i) {
