@@ -11,10 +11,10 @@
 namespace candela {
 
 // What rays cost, the steps between them included, in twentieths of a bounce: fitted to the times
-// of twelve scenes with and without splitting (docs/decisions.md).
+// of eleven scenes with and without adaptive sampling (docs/decisions.md).
 inline constexpr std::uint64_t cost_of_bounce = 20;
 [[nodiscard]] inline std::uint64_t cost_of(const RayCounts& rays) {
-  return 11 * rays.camera + cost_of_bounce * rays.indirect + 2 * (rays.shadow + rays.lamp);
+  return 6 * rays.camera + cost_of_bounce * rays.indirect + 14 * (rays.shadow + rays.lamp);
 }
 
 // Summed over tiles at the end: no shared counters.

@@ -64,7 +64,7 @@ struct Effort {
 // The two blocks tell the variance with the walks' own roulette, which knows how well Sobol points
 // are spread; the walks what another one changes.
 Effort effort_of(const PixelWalks& pixel, double picture_mean, Roulette roulette) {
-  const double camera_cost = static_cast<double>(cost_of({.camera = 1}));
+  const double camera_cost = static_cast<double>(cost_of({.camera = 1, .shadow = 1}));
   const double bounce_cost = static_cast<double>(cost_of({.indirect = 1, .shadow = 1}));
   const Vec3d off = pixel.blocks[0].mean - pixel.blocks[1].mean;
   Vec3d variance = static_cast<double>(whole_block) / 2 * off * off;

@@ -114,8 +114,8 @@ void limit_fireflies(std::vector<double>& values) {
   }
 }
 
-// The share of the samples that all pixels get alike, by what pixels of one colour say: all of them
-// where light comes in samples too rare for a pilot to know anything.
+// The share of the samples that all pixels get alike, by what pixels of one colour say: the larger
+// the more of them have their light from samples so rare that a pilot meets them by chance.
 double share_for_all(std::size_t colour, const Film& film) {
   std::size_t lit = 0;
   std::size_t dominated = 0;
@@ -127,8 +127,7 @@ double share_for_all(std::size_t colour, const Film& film) {
   if (lit == 0) return 1;
   const double rare = static_cast<double>(dominated) / static_cast<double>(lit);
   constexpr double least = 0.1;
-  constexpr double some = 0.75;  // up to here pilots know enough
-  return least + (1 - least) * std::max(rare - some, 0.0) / (1 - some);
+  return least + (1 - least) * rare;
 }
 
 // What the pixels of the other colour say that those of `colour` should get, in rows from the top,

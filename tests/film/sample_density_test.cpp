@@ -86,6 +86,11 @@ TEST(Unit_SampleDensity, FlashesDoNotDrawSamples) {
   EXPECT_LT(loss(SampleDensity(flashing_pilot(0.002, 1))), 1.2);
 }
 
+// Where a quarter of the pixels has met one, the pilot knows by three quarters only.
+TEST(Unit_SampleDensity, TheMoreHaveMetFlashesTheLessIsSaidByThem) {
+  EXPECT_LT(loss(SampleDensity(flashing_pilot(0.02, 1))), 1.055);
+}
+
 TEST(Unit_SampleDensity, WhereFlashesAreAllTheLightAllGetNearlyTheSame) {
   EXPECT_LT(loss(SampleDensity(flashing_pilot(0.002, 0))), 1.02);
 }

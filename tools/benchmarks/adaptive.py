@@ -1,5 +1,6 @@
 """What adaptive sampling gains: relMSE and time with it over those without, alternating; efficiency
-is the time to the same error without over with."""
+is the time to the same error without over with, by the rate at which the error falls from as many
+samples to twice as many: what adaptive sampling gains lies there."""
 
 import math
 import statistics
@@ -25,9 +26,9 @@ def add_arguments(parser):
 
 
 def measure(candela, path, truth, size, spp, seeds):
-    """Of adaptive sampling off, on, and off with half the samples: true relMSE, stated relMSE and
+    """Of adaptive sampling off, on, and off with twice the samples: true relMSE, stated relMSE and
     CPU seconds of each seed."""
-    ways = {"off": (spp, "off"), "on": (spp, "on"), "half": (spp // 2, "off")}
+    ways = {"off": (spp, "off"), "on": (spp, "on"), "twice": (2 * spp, "off")}
     found = {way: [] for way in ways}
     for seed in range(1, seeds + 1):
         for way, (samples, switch) in ways.items():
@@ -49,11 +50,11 @@ def mean_of_pairs(above, below):
 def row_of(name, spp, found):
     true_off, _, seconds_off = found["off"]
     true_on, stated_on, seconds_on = found["on"]
-    true_half, _, seconds_half = found["half"]
+    true_twice, _, seconds_twice = found["twice"]
     error_gain, spread = mean_of_pairs(true_off, true_on)
     time_ratio, _ = mean_of_pairs(seconds_on, seconds_off)
-    rate = error_rate(mean_of_pairs(true_half, true_off)[0],
-                      mean_of_pairs(seconds_off, seconds_half)[0])
+    rate = error_rate(mean_of_pairs(true_off, true_twice)[0],
+                      mean_of_pairs(seconds_twice, seconds_off)[0])
     return {"scene": name, "spp": spp, "error_gain": error_gain, "plus_minus": spread,
             "time_ratio": time_ratio, "rate": rate,
             "efficiency": 1 / times_to_same_error(time_ratio, 1 / error_gain, rate),
