@@ -170,7 +170,8 @@ CompileOptions compile_options(const RenderOptions& options) {
               options.samples_constant_sky || !counts_met_light(options.sampling),
           .compensates_sky = options.compensates_sky &&
                              options.integrator == IntegratorKind::Path &&
-                             options.sampling == SamplingStrategy::Mis};
+                             options.sampling == SamplingStrategy::Mis,
+          .light_cells = options.light_cells && options.integrator == IntegratorKind::Path};
 }
 
 }  // namespace candela

@@ -78,6 +78,9 @@ struct RenderOptions {
   // path by Mis: light samples leave to BSDF samples what these find as well of an environment
   // (sky_distribution.h); compile() heeds it.
   bool compensates_sky = true;
+  // path: lights are picked by what they may send to where they are asked for (light_cells.h);
+  // compile() heeds it.
+  bool light_cells = true;
   LightSampling light_sampling = LightSampling::Area;  // path; compile() heeds it
   SpecularModel specular = SpecularModel::Blinn;
   // whitted and raster: normals as the lab's code interpolates them, neither made unit nor turned

@@ -23,7 +23,7 @@ class BlockNumbers {
   void draw_hit(const Scene& scene, const SamplerBlock& samplers, std::uint32_t bounce) {
     if (scene.light_sampler.has_table()) {
       samplers.sample_2d(bounce, Dimension::LightPoint, light_point_);
-      if (scene.light_sampler.has_few())
+      if (scene.light_sampler.tells_rest())
         light_choice_ = light_point_.x;
       else
         samplers.sample_1d(bounce, Dimension::LightChoice, light_choice_);
@@ -85,7 +85,7 @@ inline void draw_hit(const Scene& scene, const Sampler& sampler, std::uint32_t b
   if (scene.light_sampler.has_table()) {
     const SobolPoint point = sampler.sample_2d_bits(bounce, Dimension::LightPoint);
     numbers.light_point = {unit_float(point.x), unit_float(point.y)};
-    numbers.light_choice = scene.light_sampler.has_few()
+    numbers.light_choice = scene.light_sampler.tells_rest()
                                ? point.x
                                : sampler.sample_1d_bits(bounce, Dimension::LightChoice);
   }

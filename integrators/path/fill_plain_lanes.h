@@ -136,12 +136,12 @@ inline void put_light(const Light& light, std::uint32_t slot, LampLanes& lamps) 
 }
 
 // Deals a light sample to the path. Where lights are few, its lane often has the light already.
-inline void put_lamp(const Scene& scene, std::uint32_t choice, Vec2f u, std::uint32_t slot,
-                     LampLanes& lamps) {
-  const LightPick pick = pick_light(scene.light_sampler, choice, u);
+inline void put_lamp(const Scene& scene, std::uint32_t cell, std::uint32_t choice, Vec2f u,
+                     std::uint32_t slot, LampLanes& lamps) {
+  const LightPick pick = pick_light(scene.light_sampler, cell, choice, u);
+  lamps.probability[slot] = pick.probability;
   if (lamps.light[slot] != pick.light) {
     lamps.light[slot] = pick.light;
-    lamps.probability[slot] = pick.probability;
     put_light(scene.lights[pick.light], slot, lamps);
   }
   lamps.u_x[slot] = u.x;

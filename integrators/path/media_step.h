@@ -61,9 +61,10 @@ template <FeatureSet F, class A>
     path.radiance +=
         path.throughput * light_on_medium_from_always<F>(context, place, medium, wo, counts);
     const LightSampler& lights = context.scene.light_sampler;
+    path.light_cell = LightCells::everywhere;  // media go on beyond all cells
     if (lights.has_table()) {
       Vec2f u = numbers.light_point;
-      LightPick pick = pick_light(lights, numbers.light_choice, u);
+      LightPick pick = pick_light(lights, path.light_cell, numbers.light_choice, u);
       picked = light_on_medium<F>(context, pick.light, u, pick.probability, place, asymmetry, wo);
       picked.contribution *= path.throughput;
     }

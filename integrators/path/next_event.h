@@ -95,24 +95,25 @@ template <FeatureSet F, class A>
   return {contribution, light.shadow_ray, is_sky};
 }
 
-// A light by power; where the number that chose is u.x, what is left of it takes its place.
-[[nodiscard]] inline LightPick pick_light(const LightSampler& lights, std::uint32_t choice,
-                                          Vec2f& u) {
-  LightPick pick = lights.pick(choice);
-  if (lights.has_few()) u.x = pick.rest;
+// A light for the points of a cell; where the number that chose is u.x, what is left of it takes
+// its place.
+[[nodiscard]] inline LightPick pick_light(const LightSampler& lights, std::uint32_t cell,
+                                          std::uint32_t choice, Vec2f& u) {
+  LightPick pick = lights.pick(choice, cell);
+  if (lights.tells_rest()) u.x = pick.rest;
   return pick;
 }
 
-// Of the light that is picked by power; `choice`: 32 random bits, where the lights are few those of
-// u.x.
+// Of the light that is picked; `choice`: 32 random bits, where the lights are few those of u.x.
 template <FeatureSet F, class A>
-[[nodiscard]] inline DirectLight picked_light(const PathContext<A>& context, std::uint32_t choice,
-                                              Vec2f u, const SurfacePoint& point, const Bsdf& bsdf,
+[[nodiscard]] inline DirectLight picked_light(const PathContext<A>& context, std::uint32_t cell,
+                                              std::uint32_t choice, Vec2f u,
+                                              const SurfacePoint& point, const Bsdf& bsdf,
                                               const Guide<F>& guide, const Vec3f& wo_local,
                                               TileCounts& counts) {
   const LightSampler& lights = context.scene.light_sampler;
   if (!lights.has_table()) return {};
-  LightPick pick = pick_light(lights, choice, u);
+  LightPick pick = pick_light(lights, cell, choice, u);
   return sample_direct_light<F>(context, pick.light, u, pick.probability, point, bsdf, guide,
                                 wo_local, counts);
 }

@@ -11,8 +11,8 @@ namespace candela {
 // PathState, by lane.
 struct PathLanes {
   [[nodiscard]] PathState operator[](std::size_t i) const {
-    return {throughput[i],     radiance[i],         bsdf_pdf[i],
-            roulette_scale[i], receiving_normal[i], is_delta[i] != 0};
+    return {throughput[i],       radiance[i],      bsdf_pdf[i],  roulette_scale[i],
+            receiving_normal[i], is_delta[i] != 0, light_cell[i]};
   }
   void set(std::size_t i, const PathState& path) {
     throughput.set(i, path.throughput);
@@ -21,6 +21,7 @@ struct PathLanes {
     roulette_scale[i] = path.roulette_scale;
     receiving_normal.set(i, path.receiving_normal);
     is_delta[i] = flag(path.is_delta);
+    light_cell[i] = path.light_cell;
   }
   void add_radiance(std::size_t i, const Rgb& more) { radiance.set(i, radiance[i] + more); }
 
@@ -28,6 +29,7 @@ struct PathLanes {
   Lanes<float> bsdf_pdf{}, roulette_scale{};
   Vec3Lanes receiving_normal;
   LaneFlags is_delta{};
+  Lanes<std::uint32_t> light_cell{};  // set where lights were picked
 };
 
 // Where paths are split: where they all come from, and what those that have ended brought.

@@ -26,7 +26,8 @@ struct PathState {
   float roulette_scale = 1;
   Vec3f receiving_normal{0};  // where it was scattered, see SurfacePoint
   bool is_delta = true;       // camera rays and delta lobes: only this strategy finds the light
-  float survival = 1;         // with which roulette let it live last
+  std::uint32_t light_cell = LightCells::everywhere;  // where it was scattered
+  float survival = 1;                                 // with which roulette let it live last
 
   [[nodiscard]] float roulette_throughput() const {
     return max_component(throughput) * roulette_scale;
@@ -44,6 +45,12 @@ struct StepNumbers {
   std::uint32_t free_flight = 0;
   float guide_choice = 0;
 };
+
+// By which lights are picked at what a ray met.
+[[nodiscard]] inline std::uint32_t light_cell_at(const Scene& scene, const Ray& ray, float t,
+                                                 std::uint32_t bounce) {
+  return scene.light_sampler.cell_of(ray.origin + t * ray.direction, bounce);
+}
 
 // Light that the path met; `light_pdf` is the light sampler's density of its direction, 0 where it
 // would not have found it.
@@ -83,7 +90,7 @@ inline void add_sphere_emission(const Scene& scene, const RenderOptions& options
   Vec3f direction = from_octahedron({hit.u, hit.v});
   const float pdf = path.is_delta ? 0.0f
                                   : sphere_light_pdf(light, direction, wi, distance) *
-                                        scene.light_sampler.probability(index);
+                                        scene.light_sampler.probability(index, path.light_cell);
   Rgb radiance = sphere_light_radiance(light, scene.geometries, scene.textures, direction, -wi);
   add_met_light<F>(options, radiance, pdf, path);
 }
@@ -96,9 +103,9 @@ inline void add_sphere_emission(const Scene& scene, const RenderOptions& options
   const std::uint32_t quad = scene.lights[triangle].quad;
   if (quad == Light::none)
     return triangle_light_pdf(scene.lights[triangle], wi, distance) *
-           scene.light_sampler.probability(triangle);
+           scene.light_sampler.probability(triangle, path.light_cell);
   return quad_light_pdf(scene.lights[quad], from, path.receiving_normal, wi, distance) *
-         scene.light_sampler.probability(quad);
+         scene.light_sampler.probability(quad, path.light_cell);
 }
 
 // Light that the surface itself sends back along the ray, which was sampled at `from`, at this
@@ -263,8 +270,8 @@ template <FeatureSet F, class A>
       (!F.strategies || samples_lights(context.options.sampling))) {
     add_light_of_always<F>(context, point, bsdf, guide, wo_local, path.throughput, media,
                            path.radiance, counts);
-    picked = picked_light<F>(context, numbers.light_choice, numbers.light_point, point, bsdf, guide,
-                             wo_local, counts);
+    picked = picked_light<F>(context, path.light_cell, numbers.light_choice, numbers.light_point,
+                             point, bsdf, guide, wo_local, counts);
     picked.contribution *= path.throughput;
   }
   return scatter_from<F>(context.options, numbers, guide, point, bsdf, wo_local, ray, path) &&
@@ -289,6 +296,7 @@ template <FeatureSet F, class A>
   if (bounce == 0 && context.options.aovs != 0)
     record_camera_hit<F>(scene, context.camera, ray, hit, material, first_hit);
   if (bounce >= context.max_depth) return false;
+  path.light_cell = light_cell_at(scene, ray, hit.t, bounce);
   return leave_surface<F>(context, numbers, bounce, point, material, wo, {}, ray, path, picked,
                           counts);
 }

@@ -82,7 +82,7 @@ class PlainSteps {
       const StepNumbers numbers = numbers_of<F>(trip, lane);
       put_path(trip.context.scene, numbers, trip.bounce, trip.block.hits[lane],
                trip.block.rays[lane], trip.block.paths[lane], slot, lanes_);
-      put_lamp_where_any(trip.context.scene, numbers.light_choice, numbers.light_point, slot);
+      put_lamp_where_any(trip, lane, numbers.light_choice, numbers.light_point, slot);
       places_[slot++] = waiting_[k];
     }
   }
@@ -98,16 +98,22 @@ class PlainSteps {
       meet_surface(trip, lane, geometry);
       if (!goes_on) return;
       put_surface(scene, geometry, hits[lane], lane, lanes_);
-      put_lamp_where_any(scene, trip.numbers.light_choice(lane), trip.numbers.light_point(lane),
-                         lane);
+      put_lamp_where_any(trip, lane, trip.numbers.light_choice(lane),
+                         trip.numbers.light_point(lane), lane);
     });
   }
 
   [[nodiscard]] static const Geometry& geometry_met(const BlockTrip<A>& trip, std::uint32_t lane) {
     return trip.context.scene.geometries[trip.block.hits.geometry[lane]];
   }
-  void put_lamp_where_any(const Scene& scene, std::uint32_t choice, Vec2f u, std::uint32_t slot) {
-    if (scene.light_sampler.has_table()) put_lamp(scene, choice, u, slot, lanes_.lamps);
+  void put_lamp_where_any(BlockTrip<A>& trip, std::uint32_t lane, std::uint32_t choice, Vec2f u,
+                          std::uint32_t slot) {
+    const Scene& scene = trip.context.scene;
+    if (!scene.light_sampler.has_table()) return;
+    const std::uint32_t cell =
+        light_cell_at(scene, trip.block.rays[lane], trip.block.hits.t[lane], trip.bounce);
+    trip.block.paths.light_cell[lane] = cell;
+    put_lamp(scene, cell, choice, u, slot, lanes_.lamps);
   }
 
   static void meet_surface(BlockTrip<A>& trip, std::uint32_t lane, const Geometry& geometry) {

@@ -1,8 +1,8 @@
 #include "renderer/light/light_sampler.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <limits>
 
 namespace candela {
 namespace {
@@ -22,47 +22,71 @@ void lift_dim_lights(std::vector<double>& weights) {
     if (weight > 0) weight = std::max(weight, 0.1 * sum / count);
 }
 
+bool is_finite_in_space(const Light& light) {
+  return light.kind != LightKind::Directional && light.kind != LightKind::Environment;
+}
+
+// Fewer are not worth asking for the place.
+constexpr std::size_t fewest_for_cells = 8;
+
 }  // namespace
 
-LightSampler::LightSampler(std::span<const Light> lights, std::span<const double> powers) {
-  std::vector<double> weights(powers.begin(), powers.end());
+LightSampler::LightSampler(std::span<const Light> lights, std::span<const double> powers)
+    : weights_(powers.begin(), powers.end()) {
   for (std::uint32_t i = 0; i < lights.size(); ++i)
     if (lights[i].is_delta() && powers[i] > 0) {
       always_.push_back(i);
       if (always_.size() > delta_limit) break;
     }
   if (always_.size() > delta_limit) always_.clear();
-  for (const std::uint32_t i : always_) weights[i] = 0;
-  lift_dim_lights(weights);
-  table_ = AliasTable(weights);
-  keep_few(weights);
+  for (const std::uint32_t i : always_) weights_[i] = 0;
+  lift_dim_lights(weights_);
+  table_ = AliasTable(weights_);
+  keep_few();
 }
 
 // The same steps as the table's, so that its probabilities hold.
-void LightSampler::keep_few(std::span<const double> weights) {
+void LightSampler::keep_few() {
   constexpr std::uint64_t all = std::uint64_t{1} << 32;
   constexpr std::uint64_t fewest_steps = 1u << 22;
   if (table_.is_empty()) return;
   std::uint64_t first = 0;
-  const std::vector<std::uint64_t> steps = proportional_steps(weights, all);
+  std::vector<LightRange> ranges;
+  const std::vector<std::uint64_t> steps = proportional_steps(weights_, all);
   for (std::uint32_t i = 0; i < steps.size(); ++i) {
     if (steps[i] == 0) continue;
-    if (steps[i] < fewest_steps) return few_.clear();
-    few_.push_back({static_cast<std::uint32_t>(first), i, 1 / static_cast<float>(steps[i]),
-                    table_.probability(i)});
+    if (steps[i] < fewest_steps) return;
+    ranges.push_back({static_cast<std::uint32_t>(first), i, 1 / static_cast<float>(steps[i]),
+                      table_.probability(i)});
     first += steps[i];
   }
-  make_guide();
+  few_ = LightRanges(std::move(ranges));
 }
 
-void LightSampler::make_guide() {
-  const auto guide_bits = static_cast<unsigned>(std::bit_width(2 * few_.size()));
-  guide_shift_ = 32 - guide_bits;
-  std::uint16_t index = 0;
-  for (std::uint64_t cell = 0; cell <= std::uint64_t{1} << guide_bits; ++cell) {
-    while (index + 1u < few_.size() && few_[index + 1u].first <= cell << guide_shift_) ++index;
-    guide_.push_back(index);
+void LightSampler::make_cells(std::span<const Light> lights, const Bounds3f& box) {
+  std::size_t picked = 0;
+  std::vector<float> probabilities(lights.size());
+  for (std::uint32_t i = 0; i < lights.size(); ++i) {
+    if (weights_[i] > 0) {
+      ++picked;
+      if (!std::isfinite(weights_[i]) || !is_finite_in_space(lights[i])) return;
+    }
+    probabilities[i] = table_.probability(i);
   }
+  const bool has_extent = !box.is_empty() && max_component(box.extent()) > 0;
+  if (picked < fewest_for_cells || !has_extent) return;
+  cells_ = LightCells(lights, weights_, probabilities, box);
+  bounces_with_cells_ = few_.is_empty() ? std::numeric_limits<std::uint32_t>::max() : 1;
+}
+
+// Of the lights that the cell's list lacks, and of the others as well: by power, with the number
+// spread again.
+LightPick LightSampler::pick_other(std::uint32_t bits, std::uint32_t cell,
+                                   const LightRange& others) const {
+  const double rest = static_cast<double>(bits - others.first) / (others.probability * 0x1p32);
+  const auto spread = static_cast<std::uint32_t>(std::min(rest * 0x1p32, 0x1p32 - 1));
+  const std::uint32_t light = table_.pick(spread);
+  return {light, probability(light, cell)};
 }
 
 }  // namespace candela

@@ -4,17 +4,17 @@
 // is picked by power among the rest (triangles, environment). With more delta lights all are picked
 // by power. Black lights are never picked, dim ones not less than every tenth of an equal share.
 //
-// Few lights are picked by inversion, neighbours side by side, and what is left of the number is
-// good for a place on the light: points that are well spread over [0, 1)^2 are then well spread
-// over all lights together, such as the two triangles of a lamp.
+// Few lights are picked by inversion (light_ranges.h). Where there are cells (light_cells.h),
+// lights are picked by what they may send to the point's cell.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "renderer/light/light.h"
+#include "renderer/light/light_cells.h"
+#include "renderer/light/light_ranges.h"
 #include "renderer/sampling/distribution.h"
 
 namespace candela {
@@ -22,7 +22,7 @@ namespace candela {
 struct LightPick {
   std::uint32_t light = 0;
   float probability = 0;  // > 0
-  float rest = 0;         // of the number that chose, in [0, 1): see has_few()
+  float rest = 0;         // of the number that chose, in [0, 1): see tells_rest()
 };
 
 class LightSampler {
@@ -39,49 +39,55 @@ class LightSampler {
   // False where only `always` has lights, or nothing has.
   [[nodiscard]] bool has_table() const { return !table_.is_empty(); }
 
+  // Lights that are picked by what they may send to a point: where all are finite, and not too few.
+  // `box`: of all points that will be asked for.
+  void make_cells(std::span<const Light> lights, const Bounds3f& box);
+
+  // By which lights are picked where a path is after `bounce` bounces; everywhere: by power. Few
+  // lights are, behind the first hit: there a pick by power is so cheap that the look into a cell
+  // costs more than it brings.
+  [[nodiscard]] std::uint32_t cell_of(const Vec3f& point, std::uint32_t bounce) const {
+    return bounce < bounces_with_cells_ ? cells_.cell_of(point) : LightCells::everywhere;
+  }
+
   // Whether pick() tells what is left of the number, 22 bits of it at least.
-  [[nodiscard]] bool has_few() const { return !few_.empty(); }
+  [[nodiscard]] bool tells_rest() const { return !few_.is_empty() && !cells_.has_others(); }
 
   // `bits`: 32 random bits (Sampler::sample_1d_bits). Only where has_table().
-  [[nodiscard]] LightPick pick(std::uint32_t bits) const {
-    if (has_few()) return pick_of_few(bits);
-    const std::uint32_t light = table_.pick(bits);
-    return {light, table_.probability(light)};
+  [[nodiscard]] LightPick pick(std::uint32_t bits,
+                               std::uint32_t cell = LightCells::everywhere) const {
+    if (cell != LightCells::everywhere) return pick_in_cell(bits, cell);
+    if (few_.is_empty()) {
+      const std::uint32_t light = table_.pick(bits);
+      return {light, table_.probability(light)};
+    }
+    return pick_of(few_.pick(bits), bits);
   }
   // With which pick() gives this light; 0 for black ones and those in `always`.
-  [[nodiscard]] float probability(std::uint32_t light) const { return table_.probability(light); }
+  [[nodiscard]] float probability(std::uint32_t light,
+                                  std::uint32_t cell = LightCells::everywhere) const {
+    const float by_power = table_.probability(light);
+    return cell == LightCells::everywhere ? by_power : cells_.probability(light, cell, by_power);
+  }
 
  private:
-  // The 32-bit numbers that pick a light: from `first` up to the next one's.
-  struct Range {
-    std::uint32_t first;
-    std::uint32_t light;
-    float inverse_width;
-    float probability;
-  };
-
-  [[nodiscard]] LightPick pick_of_few(std::uint32_t bits) const {
-    const std::uint32_t cell = bits >> guide_shift_;
-    std::size_t index = guide_[cell];
-    for (std::size_t length = guide_[cell + 1] - index + 1; length > 1;) {
-      const std::size_t half = length / 2;
-      index += few_[index + half].first <= bits ? half : 0;
-      length -= half;
-    }
-    const Range& range = few_[index];
-    const float rest = static_cast<float>(bits - range.first) * range.inverse_width;
-    return {range.light, range.probability, std::min(rest, one_minus_epsilon)};
+  static LightPick pick_of(const LightRange& range, std::uint32_t bits) {
+    return {range.light, range.probability, range.rest(bits)};
   }
-  void keep_few(std::span<const double> weights);
-  void make_guide();
+  [[nodiscard]] LightPick pick_in_cell(std::uint32_t bits, std::uint32_t cell) const {
+    const LightRange& range = cells_.pick(bits, cell);
+    return range.light == Light::none ? pick_other(bits, cell, range) : pick_of(range, bits);
+  }
+  [[nodiscard]] LightPick pick_other(std::uint32_t bits, std::uint32_t cell,
+                                     const LightRange& others) const;
+  void keep_few();
 
   std::vector<std::uint32_t> always_;
-  AliasTable table_;        // over all lights; weight 0 for those in `always`
-  std::vector<Range> few_;  // of the lights in the table; empty where they are many
-  // By the leading bits of a number: where in `few_` the search for its light begins, and by the
-  // next entry where it ends [Chen74].
-  std::vector<std::uint16_t> guide_;
-  unsigned guide_shift_ = 0;
+  std::vector<double> weights_;  // one a light; 0 for those in `always`
+  AliasTable table_;             // by weight
+  LightRanges few_;              // the same; empty where they are many
+  LightCells cells_;             // empty where the place is not asked for
+  std::uint32_t bounces_with_cells_ = 0;
 };
 
 }  // namespace candela

@@ -29,6 +29,8 @@ struct CompileOptions {
   bool samples_constant_environment = true;
   // Whether directions from BSDFs find the sky as well as light samples do (sky_distribution.h).
   bool compensates_sky = false;
+  // Whether lights are picked by what they may send to where they are asked for (light_cells.h).
+  bool light_cells = false;
 };
 
 // Validates, then compiles. Errors name the file and line of what cannot be rendered.

@@ -226,6 +226,7 @@ void compile_lights(const SceneDescription& description, const CompileOptions& o
   add_environment(description, options, scene, diagnostics);
   scene.ambient = ambient_of(description);
   scene.light_sampler = build_light_sampler(scene);
+  if (options.light_cells) scene.light_sampler.make_cells(scene.lights, scene.bounds);
 }
 
 }  // namespace candela

@@ -120,7 +120,7 @@ TEST(Statistical_LightSampler, FrequenciesFitTheProbabilities) {
 // Evenly spaced numbers see each light's share, and what is left of them is even again.
 void expect_even_shares(const std::vector<Light>& lights) {
   const LightSampler sampler = sampler_of(lights);
-  ASSERT_TRUE(sampler.has_few());
+  ASSERT_TRUE(sampler.tells_rest());
   constexpr std::uint32_t count = 1u << 16, parts = 4;
   std::vector<std::array<int, parts>> seen(lights.size());
   float last = 0;
@@ -156,13 +156,13 @@ TEST(Unit_LightSampler, FindsEachOfManyUnequalLights) {
 // A number that chooses among thousands has not enough left; nor has that of a light that is rarely
 // picked.
 TEST(Unit_LightSampler, OnlyFewLightsShareANumber) {
-  EXPECT_TRUE(sampler_of({triangle_of(1)}).has_few());
+  EXPECT_TRUE(sampler_of({triangle_of(1)}).tells_rest());
   EXPECT_EQ(sampler_of({triangle_of(1)}).pick(0x80000000u).rest, 0.5f);
-  EXPECT_TRUE(sampler_of(std::vector<Light>(1000, triangle_of(1))).has_few());
-  EXPECT_FALSE(sampler_of(std::vector<Light>(1100, triangle_of(1))).has_few());
+  EXPECT_TRUE(sampler_of(std::vector<Light>(1000, triangle_of(1))).tells_rest());
+  EXPECT_FALSE(sampler_of(std::vector<Light>(1100, triangle_of(1))).tells_rest());
   std::vector<Light> one_dim(200, triangle_of(1));
   one_dim.push_back(triangle_of(1e-3f));
-  EXPECT_FALSE(sampler_of(one_dim).has_few());
+  EXPECT_FALSE(sampler_of(one_dim).tells_rest());
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ TECHNIQUES = (  # a row is a line
     Technique("dim parts of skies left to BSDF samples", {"sky_compensation": "off"}),
     Technique("more camera rays at lamps' edges", {"lamp_rays": 0}),
     Technique("two triangles as one lamp (off: apart)", {"light_sampling": "triangles"}),
+    Technique("lights by place (off: by power)", {"light_cells": "off"}),
     Technique("near lamps by area (off: by solid angle)", {"light_sampling": "solid_angle"}),
     Technique("four replicates (off: one, no stated error)", {"replicates": 1}),
     Technique("light and BSDF samples (off: light alone)", {"sampling": "light"},

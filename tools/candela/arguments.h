@@ -68,6 +68,7 @@ struct RenderArguments {
   std::optional<bool> compensates_sky;
   std::optional<int> lamp_rays;
   std::optional<LightSampling> light_sampling;
+  std::optional<bool> light_cells;
   std::optional<SpecularModel> specular;
   bool has_lab_normals = false;
   std::optional<double> report_p_rr;

@@ -99,6 +99,7 @@ void add_options(Json& json, const RenderReport& report) {
       json["sky_compensation"] = options.compensates_sky;
       json["lamp_rays"] = options.lamp_rays;
       json["light_sampling"] = name_of(options.light_sampling, light_sampling_choices());
+      json["light_cells"] = options.light_cells;
     }
   }
   if (options.integrator == IntegratorKind::Report) json["rr"] = options.report_p_rr;

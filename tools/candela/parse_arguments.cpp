@@ -160,6 +160,8 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
              light_sampling_choices(),
              "Where on lamps: triangles apart by area, two that are one parallelogram as a quad, "
              "near lamps by solid angle [area]");
+  add_value(command, "--light-cells", "on|off", render.light_cells, parse_switch,
+            "Picks among many lights by where it is asked for one, not by power alone [on]");
   add_choice(command, "--fresnel", "Fresnel term", render.scene.load.fresnel, fresnel_choices(),
              "Of all cook_torrance materials [the scene's]");
   add_choice(command, "--geometry", "geometry term", render.scene.load.geometry, geometry_choices(),

@@ -24,11 +24,12 @@ std::string strategy_text(const RenderOptions& options) {
     case IntegratorKind::Path:
       return fmt::format(
           " sampling={} heuristic={} sampler={} sky_samples={} sky_compensation={} "
-          "lamp_rays={} light_sampling={}",
+          "lamp_rays={} light_sampling={} light_cells={}",
           sampling_name(options), name_of(options.heuristic, heuristic_choices()),
           name_of(options.sampler, sampler_choices()), options.samples_constant_sky ? "on" : "off",
           options.compensates_sky ? "on" : "off", options.lamp_rays,
-          name_of(options.light_sampling, light_sampling_choices()));
+          name_of(options.light_sampling, light_sampling_choices()),
+          options.light_cells ? "on" : "off");
     case IntegratorKind::Report:
       return fmt::format(" sampling={} rr={}", sampling_name(options), options.report_p_rr);
     case IntegratorKind::Whitted:

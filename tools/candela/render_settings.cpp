@@ -128,6 +128,7 @@ void refuse_what_only_path_does(const RenderArguments& arguments, const RenderOp
   refuse(arguments.compensates_sky.has_value(), "--sky-compensation");
   refuse(arguments.lamp_rays.has_value(), "--lamp-rays");
   refuse(arguments.light_sampling.has_value(), "--light-sampling");
+  refuse(arguments.light_cells.has_value(), "--light-cells");
 }
 
 // What draws nothing at random has no error to state, and a grid is complete or has gaps.
@@ -336,6 +337,7 @@ RenderSettings settled(const RenderArguments& arguments,
   constexpr int default_lamp_rays = 8;
   options.lamp_rays = arguments.lamp_rays.value_or(default_lamp_rays);
   options.light_sampling = arguments.light_sampling.value_or(options.light_sampling);
+  options.light_cells = arguments.light_cells.value_or(options.light_cells);
   refuse_what_does_not_fit(arguments, options);
   refuse_sampling(arguments, options);
   refuse_guiding(arguments);

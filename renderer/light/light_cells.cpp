@@ -1,0 +1,193 @@
+#include "renderer/light/light_cells.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "renderer/base/parallel.h"
+#include "renderer/sampling/distribution.h"
+
+namespace candela {
+namespace {
+
+// Of a list, with what stands for the others.
+constexpr std::size_t most_ranges = 512;
+
+// Lights by cells that are looked at, and ranges that are kept: some hundredths of a second, some
+// megabytes.
+constexpr double most_looks = 1 << 20;
+constexpr double most_kept = 1 << 19;
+
+struct Grid {
+  Vec3d lower{0};
+  Vec3d size{0};  // of a cell
+  std::array<std::uint32_t, 3> counts{1, 1, 1};
+};
+
+// Of cells that are as near to cubes as may be.
+Grid grid_over(const Bounds3f& box, double lights) {
+  const double cells =
+      std::min(most_looks / lights, most_kept / std::min(lights, static_cast<double>(most_ranges)));
+  Vec3d extent(box.extent());
+  extent = glm::max(extent, Vec3d(1e-3 * max_component(extent)));
+  const double size = std::cbrt(extent.x * extent.y * extent.z / std::max(cells, 1.0));
+  Grid grid;
+  grid.lower = Vec3d(box.lower);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double count = std::clamp(std::floor(extent[axis] / size), 1.0, 64.0);
+    grid.counts[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(count);
+    grid.size[axis] = extent[axis] / count;
+  }
+  return grid;
+}
+
+// A little more than the cell: points are rounded before they are asked for.
+Bounds3d box_of(const Grid& grid, std::uint32_t index) {
+  const std::uint32_t x = index % grid.counts[0];
+  const std::uint32_t y = index / grid.counts[0] % grid.counts[1];
+  const std::uint32_t z = index / grid.counts[0] / grid.counts[1];
+  const Vec3d lower = grid.lower + Vec3d(x, y, z) * grid.size;
+  const Vec3d margin = 1e-3 * grid.size;
+  Bounds3d box;
+  box.include(lower - margin);
+  box.include(lower + grid.size + margin);
+  return box;
+}
+
+bool is_flat(const Light& light) {
+  return !light.is_delta() && light.kind != LightKind::Sphere;
+}
+
+Vec3d middle_of(const Light& light) {
+  const Vec3d edges = Vec3d(light.edge1) + Vec3d(light.edge2);
+  if (!is_flat(light)) return Vec3d(light.position);
+  return Vec3d(light.position) + edges / (light.kind == LightKind::Quad ? 2.0 : 3.0);
+}
+
+// Whether no point of the box is in front of the light.
+bool is_behind(const Bounds3d& box, const Light& light) {
+  if (!is_flat(light) || light.emits_both_sides) return false;
+  const Vec3d normal(light.normal);
+  Vec3d farthest;
+  for (int axis = 0; axis < 3; ++axis)
+    farthest[axis] = normal[axis] > 0 ? box.upper[axis] : box.lower[axis];
+  return dot(normal, farthest - Vec3d(light.position)) <= 0;
+}
+
+// The largest cosine at the light of the directions to points of a ball [Conty18].
+double largest_cosine(const Light& light, const Vec3d& to_ball, double distance, double radius) {
+  if (!is_flat(light) || distance <= radius) return 1;
+  double cosine = dot(Vec3d(light.normal), to_ball) / distance;
+  if (light.emits_both_sides) cosine = std::abs(cosine);
+  const double ball_sine = radius / distance;
+  const double ball_cosine = std::sqrt(1 - square(ball_sine));
+  if (cosine >= ball_cosine) return 1;
+  return std::max(cosine * ball_cosine + std::sqrt(1 - square(cosine)) * ball_sine, 0.0);
+}
+
+// What a light may send to the points of a box.
+double importance_of(const Light& light, double weight, const Bounds3d& box) {
+  if (!(weight > 0) || is_behind(box, light)) return 0;
+  const Vec3d to_ball = box.centre() - middle_of(light);
+  const double distance = length(to_ball);
+  const double radius = 0.5 * length(box.extent());
+  constexpr double least_cosine = 0.01;  // of a light that is not wholly behind
+  const double cosine = std::max(largest_cosine(light, to_ball, distance, radius), least_cosine);
+  return weight * cosine / square(std::max(distance, radius));
+}
+
+// The importance below which `count` of the largest end; 0 where there are not so many.
+double threshold_of(std::vector<double> importance, std::size_t count) {
+  if (importance.size() <= count) return 0;
+  const auto nth = importance.begin() + static_cast<std::ptrdiff_t>(count);
+  std::nth_element(importance.begin(), nth, importance.end(), std::greater<>());
+  return *nth;
+}
+
+// No less than every tenth of an equal share: what is dim may be all that is not in the shade; and
+// as much as leaves 22 bits of a number that picks it.
+void lift(std::vector<double>& weights) {
+  double sum = 0;
+  double count = 0;
+  for (const double weight : weights) {
+    sum += weight;
+    count += weight > 0 ? 1 : 0;
+  }
+  const double least = sum * std::max(0.1 / count, 1.0 / (1 << 10));
+  for (double& weight : weights)
+    if (weight > 0) weight = std::max(weight, least);
+}
+
+}  // namespace
+
+LightCells::Cell LightCells::cell_with(std::vector<double> importance,
+                                       std::span<const float> probabilities) {
+  const double threshold = threshold_of(importance, most_ranges - 1);
+  std::vector<std::uint32_t> lights;
+  std::vector<double> weights;
+  double others = 0;
+  for (std::uint32_t i = 0; i < importance.size(); ++i) {
+    if (importance[i] == 0) continue;
+    if (importance[i] > threshold) {
+      lights.push_back(i);
+      weights.push_back(importance[i]);
+    } else {
+      others += importance[i];
+    }
+  }
+  if (others > 0) {
+    lights.push_back(Light::none);
+    weights.push_back(others);
+  }
+  lift(weights);
+  const std::vector<std::uint64_t> steps = proportional_steps(weights, std::uint64_t{1} << 32);
+  const auto probability_of = [](std::uint64_t n) { return static_cast<float>(n) * 0x1p-32f; };
+  Cell cell;
+  if (others > 0) cell.others = probability_of(steps.back());
+  std::vector<LightRange> ranges;
+  std::uint64_t first = 0;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    float probability = probability_of(steps[i]);
+    if (lights[i] != Light::none) probability += cell.others * probabilities[lights[i]];
+    ranges.push_back({static_cast<std::uint32_t>(first), lights[i],
+                      1 / static_cast<float>(steps[i]), probability});
+    first += steps[i];
+  }
+  cell.list = LightRanges(std::move(ranges));
+  return cell;
+}
+
+LightCells::LightCells(std::span<const Light> lights, std::span<const double> weights,
+                       std::span<const float> probabilities, const Bounds3f& box) {
+  const auto picked =
+      static_cast<double>(std::ranges::count_if(weights, [](double weight) { return weight > 0; }));
+  const Grid grid = grid_over(box, picked);
+  lower_ = Vec3f(grid.lower);
+  inverse_size_ = Vec3f(1.0 / grid.size);
+  for (int axis = 0; axis < 3; ++axis)
+    last_[axis] = static_cast<float>(grid.counts[static_cast<std::size_t>(axis)] - 1);
+  stride_y_ = grid.counts[0];
+  stride_z_ = grid.counts[0] * grid.counts[1];
+  cells_.resize(static_cast<std::size_t>(stride_z_) * grid.counts[2]);
+  parallel_for(cells_.size(), [&](std::size_t c) {
+    const Bounds3d cell = box_of(grid, static_cast<std::uint32_t>(c));
+    std::vector<double> importance(lights.size(), 0);
+    bool any = false;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      importance[i] = importance_of(lights[i], weights[i], cell);
+      any |= importance[i] > 0;
+    }
+    if (!any) importance.assign(weights.begin(), weights.end());  // something must be picked
+    cells_[c] = cell_with(std::move(importance), probabilities);
+  });
+  has_others_ = std::ranges::any_of(cells_, [](const Cell& cell) { return cell.others > 0; });
+}
+
+float LightCells::probability(std::uint32_t light, std::uint32_t cell, float by_power) const {
+  const std::span<const LightRange> ranges = cells_[cell].list.ranges();
+  const auto at = std::ranges::lower_bound(ranges, light, {}, &LightRange::light);
+  if (at != ranges.end() && at->light == light) return at->probability;
+  return cells_[cell].others * by_power;
+}
+
+}  // namespace candela
