@@ -110,9 +110,11 @@ class PlainSteps {
                           std::uint32_t slot) {
     const Scene& scene = trip.context.scene;
     if (!scene.light_sampler.has_table()) return;
-    const std::uint32_t cell =
-        light_cell_at(scene, trip.block.rays[lane], trip.block.hits.t[lane], trip.bounce);
-    trip.block.paths.light_cell[lane] = cell;
+    std::uint32_t cell = LightCells::everywhere;
+    if (scene.light_sampler.has_cells()) {
+      cell = light_cell_at(scene, trip.block.rays[lane], trip.block.hits.t[lane], trip.bounce);
+      trip.block.paths.light_cell[lane] = cell;
+    }
     put_lamp(scene, cell, choice, u, slot, lanes_.lamps);
   }
 
