@@ -87,7 +87,7 @@ double largest_cosine(const Light& light, const Vec3d& to_ball, double distance,
 
 // What a light may send to the points of a box.
 double importance_of(const Light& light, double weight, const Bounds3d& box) {
-  if (!(weight > 0) || is_behind(box, light)) return 0;
+  if (is_behind(box, light)) return 0;
   const Vec3d to_ball = box.centre() - middle_of(light);
   const double distance = length(to_ball);
   const double radius = 0.5 * length(box.extent());
@@ -96,7 +96,7 @@ double importance_of(const Light& light, double weight, const Bounds3d& box) {
   return weight * cosine / square(std::max(distance, radius));
 }
 
-// The importance below which `count` of the largest end; 0 where there are not so many.
+// The importance that `count` of the largest are above; 0 where there are not so many.
 double threshold_of(std::vector<double> importance, std::size_t count) {
   if (importance.size() <= count) return 0;
   const auto nth = importance.begin() + static_cast<std::ptrdiff_t>(count);
@@ -120,23 +120,24 @@ void lift(std::vector<double>& weights) {
 
 }  // namespace
 
-LightCells::Cell LightCells::cell_with(std::vector<double> importance,
+// `lights` may send something to the cell, in proportion to their `importance`.
+LightCells::Cell LightCells::cell_with(std::span<const std::uint32_t> lights,
+                                       const std::vector<double>& importance,
                                        std::span<const float> probabilities) {
   const double threshold = threshold_of(importance, most_ranges - 1);
-  std::vector<std::uint32_t> lights;
+  std::vector<std::uint32_t> listed;
   std::vector<double> weights;
   double others = 0;
-  for (std::uint32_t i = 0; i < importance.size(); ++i) {
-    if (importance[i] == 0) continue;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
     if (importance[i] > threshold) {
-      lights.push_back(i);
+      listed.push_back(lights[i]);
       weights.push_back(importance[i]);
     } else {
       others += importance[i];
     }
   }
   if (others > 0) {
-    lights.push_back(Light::none);
+    listed.push_back(Light::none);
     weights.push_back(others);
   }
   lift(weights);
@@ -146,10 +147,10 @@ LightCells::Cell LightCells::cell_with(std::vector<double> importance,
   if (others > 0) cell.others = probability_of(steps.back());
   std::vector<LightRange> ranges;
   std::uint64_t first = 0;
-  for (std::size_t i = 0; i < lights.size(); ++i) {
+  for (std::size_t i = 0; i < listed.size(); ++i) {
     float probability = probability_of(steps[i]);
-    if (lights[i] != Light::none) probability += cell.others * probabilities[lights[i]];
-    ranges.push_back({static_cast<std::uint32_t>(first), lights[i],
+    if (listed[i] != Light::none) probability += cell.others * probabilities[listed[i]];
+    ranges.push_back({static_cast<std::uint32_t>(first), listed[i],
                       1 / static_cast<float>(steps[i]), probability});
     first += steps[i];
   }
@@ -159,9 +160,10 @@ LightCells::Cell LightCells::cell_with(std::vector<double> importance,
 
 LightCells::LightCells(std::span<const Light> lights, std::span<const double> weights,
                        std::span<const float> probabilities, const Bounds3f& box) {
-  const auto picked =
-      static_cast<double>(std::ranges::count_if(weights, [](double weight) { return weight > 0; }));
-  const Grid grid = grid_over(box, picked);
+  std::vector<std::uint32_t> picked;
+  for (std::uint32_t i = 0; i < lights.size(); ++i)
+    if (weights[i] > 0) picked.push_back(i);
+  const Grid grid = grid_over(box, static_cast<double>(picked.size()));
   lower_ = Vec3f(grid.lower);
   inverse_size_ = Vec3f(1.0 / grid.size);
   for (int axis = 0; axis < 3; ++axis)
@@ -171,14 +173,19 @@ LightCells::LightCells(std::span<const Light> lights, std::span<const double> we
   cells_.resize(static_cast<std::size_t>(stride_z_) * grid.counts[2]);
   parallel_for(cells_.size(), [&](std::size_t c) {
     const Bounds3d cell = box_of(grid, static_cast<std::uint32_t>(c));
-    std::vector<double> importance(lights.size(), 0);
-    bool any = false;
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-      importance[i] = importance_of(lights[i], weights[i], cell);
-      any |= importance[i] > 0;
+    std::vector<std::uint32_t> reaching;
+    std::vector<double> importance;
+    for (const std::uint32_t i : picked) {
+      const double of_light = importance_of(lights[i], weights[i], cell);
+      if (of_light == 0) continue;
+      reaching.push_back(i);
+      importance.push_back(of_light);
     }
-    if (!any) importance.assign(weights.begin(), weights.end());  // something must be picked
-    cells_[c] = cell_with(std::move(importance), probabilities);
+    if (reaching.empty()) {  // something must be picked
+      reaching = picked;
+      for (const std::uint32_t i : picked) importance.push_back(weights[i]);
+    }
+    cells_[c] = cell_with(reaching, importance, probabilities);
   });
   has_others_ = std::ranges::any_of(cells_, [](const Cell& cell) { return cell.others > 0; });
 }

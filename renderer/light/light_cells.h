@@ -52,7 +52,9 @@ class LightCells {
     LightRanges list;  // by light; last, if there are any, the others
     float others = 0;  // the probability of them all
   };
-  static Cell cell_with(std::vector<double> importance, std::span<const float> probabilities);
+  static Cell cell_with(std::span<const std::uint32_t> lights,
+                        const std::vector<double>& importance,
+                        std::span<const float> probabilities);
 
   std::vector<Cell> cells_;
   Vec3f lower_{0};
