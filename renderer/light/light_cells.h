@@ -28,6 +28,7 @@ class LightCells {
   LightCells(std::span<const Light> lights, std::span<const double> weights,
              std::span<const float> probabilities, const Bounds3f& box);
 
+  [[nodiscard]] std::size_t count() const { return cells_.size(); }
   // Whether some list lacks lights that may send something to its cell.
   [[nodiscard]] bool has_others() const { return has_others_; }
 

@@ -43,6 +43,7 @@ class LightSampler {
   // `box`: of all points that will be asked for.
   void make_cells(std::span<const Light> lights, const Bounds3f& box);
 
+  [[nodiscard]] const LightCells& cells() const { return cells_; }
   [[nodiscard]] bool has_cells() const { return bounces_with_cells_ > 0; }
   // By which lights are picked where a path is after `bounce` bounces; everywhere: by power. Few
   // lights are, behind the first hit: there a pick by power is so cheap that the look into a cell

@@ -193,6 +193,7 @@ std::string to_json(const SceneInfo& info) {
   json["textures"] = Json::array();
   for (const TextureRow& row : info.textures) json["textures"].push_back(texture_json(row));
   json["lights"] = info.lights;
+  json["light_cells"] = info.light_cells;
   json["bounds"] = {{"min", vec_json(info.bounds_min)}, {"max", vec_json(info.bounds_max)}};
   json["memory_bytes"] = {{"meshes", info.mesh_bytes}, {"textures", info.texture_bytes}};
   if (info.accelerator_bytes) json["memory_bytes"][info.accelerator] = *info.accelerator_bytes;

@@ -104,6 +104,7 @@ std::string lights_text(const SceneInfo& info) {
   std::string text;
   for (const auto& [kind, count] : info.lights)
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, kind);
+  if (info.light_cells > 0) text += fmt::format("; picked by {} cells", info.light_cells);
   return text.empty() ? "none" : text;
 }
 
@@ -129,6 +130,7 @@ SceneInfo describe_scene(const description::SceneDescription& description, const
   for (const Light& light : scene.lights)
     if (light.kind != LightKind::Quad) ++info.lights[kind_name(light.kind)];
   if (scene.environment && info.lights.count("environment") == 0) info.lights["environment"] = 1;
+  info.light_cells = scene.light_sampler.cells().count();
   if (!scene.bounds.is_empty()) {
     info.bounds_min = scene.normalisation.to_file(scene.bounds.lower);
     info.bounds_max = scene.normalisation.to_file(scene.bounds.upper);

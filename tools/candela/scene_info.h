@@ -43,6 +43,7 @@ struct SceneInfo {
   std::vector<MediumRow> media;
   std::vector<TextureRow> textures;
   std::map<std::string, std::uint64_t> lights;  // by kind
+  std::uint64_t light_cells = 0;                // by which they are picked; 0: by power alone
   Vec3d bounds_min{0.0};                        // file units
   Vec3d bounds_max{0.0};
   std::size_t mesh_bytes = 0;
