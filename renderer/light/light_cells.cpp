@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "renderer/base/parallel.h"
+#include "renderer/light/dim_lights.h"
 #include "renderer/sampling/distribution.h"
 
 namespace candela {
@@ -104,20 +105,6 @@ double threshold_of(std::vector<double> importance, std::size_t count) {
   return *nth;
 }
 
-// No less than every tenth of an equal share: what is dim may be all that is not in the shade; and
-// as much as leaves 22 bits of a number that picks it.
-void lift(std::vector<double>& weights) {
-  double sum = 0;
-  double count = 0;
-  for (const double weight : weights) {
-    sum += weight;
-    count += weight > 0 ? 1 : 0;
-  }
-  const double least = sum * std::max(0.1 / count, 1.0 / (1 << 10));
-  for (double& weight : weights)
-    if (weight > 0) weight = std::max(weight, least);
-}
-
 }  // namespace
 
 // `lights` may send something to the cell, in proportion to their `importance`.
@@ -140,7 +127,8 @@ LightCells::Cell LightCells::cell_with(std::span<const std::uint32_t> lights,
     listed.push_back(Light::none);
     weights.push_back(others);
   }
-  lift(weights);
+  constexpr double least_share = 1.0 / (1 << 10);  // leaves 21 bits of the number that picks it
+  lift_dim_lights(weights, least_share);
   const std::vector<std::uint64_t> steps = proportional_steps(weights, std::uint64_t{1} << 32);
   const auto probability_of = [](std::uint64_t n) { return static_cast<float>(n) * 0x1p-32f; };
   Cell cell;

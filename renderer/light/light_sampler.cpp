@@ -4,23 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/light/dim_lights.h"
+
 namespace candela {
 namespace {
-
-// Nothing that shines is picked less often than every tenth of an equal share: what is dim may be
-// all that lights the place where it stands.
-void lift_dim_lights(std::vector<double>& weights) {
-  double sum = 0;
-  double count = 0;
-  for (const double weight : weights)
-    if (weight > 0) {
-      sum += weight;
-      ++count;
-    }
-  if (!std::isfinite(sum)) return;
-  for (double& weight : weights)
-    if (weight > 0) weight = std::max(weight, 0.1 * sum / count);
-}
 
 bool is_finite_in_space(const Light& light) {
   return light.kind != LightKind::Directional && light.kind != LightKind::Environment;

@@ -52,7 +52,7 @@ class LightSampler {
     return bounce < bounces_with_cells_ ? cells_.cell_of(point) : LightCells::everywhere;
   }
 
-  // Whether pick() tells what is left of the number, 22 bits of it at least.
+  // Whether pick() tells what is left of the number, 21 bits of it at least.
   [[nodiscard]] bool tells_rest() const { return !few_.is_empty() && !cells_.has_others(); }
 
   // `bits`: 32 random bits (Sampler::sample_1d_bits). Only where has_table().
