@@ -83,7 +83,8 @@ double largest_cosine(const Light& light, const Vec3d& to_ball, double distance,
   const double ball_sine = radius / distance;
   const double ball_cosine = std::sqrt(1 - square(ball_sine));
   if (cosine >= ball_cosine) return 1;
-  return std::max(cosine * ball_cosine + std::sqrt(1 - square(cosine)) * ball_sine, 0.0);
+  const double sine = std::sqrt(std::max(1 - square(cosine), 0.0));
+  return std::max(cosine * ball_cosine + sine * ball_sine, 0.0);
 }
 
 // What a light may send to the points of a box.
