@@ -17,7 +17,7 @@ constexpr std::size_t most_ranges = 512;
 // Lights by cells that are looked at, and ranges that are kept: some hundredths of a second, some
 // megabytes.
 constexpr double most_looks = 1 << 20;
-constexpr double most_kept = 1 << 19;
+constexpr double most_kept = 1 << 18;
 
 struct Grid {
   Vec3d lower{0};

@@ -6,7 +6,10 @@ namespace candela {
 
 LightRanges::LightRanges(std::vector<LightRange> ranges) : ranges_(std::move(ranges)) {
   if (ranges_.empty()) return;
-  const auto guide_bits = static_cast<unsigned>(std::bit_width(2 * ranges_.size()));
+  // Long lists shall stay in the cache, short ones be searched at once.
+  constexpr std::size_t is_long = 64;
+  const std::size_t cells = ranges_.size() > is_long ? ranges_.size() / 2 : 2 * ranges_.size();
+  const auto guide_bits = static_cast<unsigned>(std::bit_width(cells));
   guide_shift_ = 32 - guide_bits;
   std::uint16_t index = 0;
   for (std::uint64_t cell = 0; cell <= std::uint64_t{1} << guide_bits; ++cell) {

@@ -13,8 +13,9 @@ bool is_finite_in_space(const Light& light) {
   return light.kind != LightKind::Directional && light.kind != LightKind::Environment;
 }
 
-// Fewer are not worth asking for the place.
+// Fewer are not worth asking for the place; more are at every hit.
 constexpr std::size_t fewest_for_cells = 8;
+constexpr std::size_t most_few = 1 << 10;
 
 }  // namespace
 
@@ -63,7 +64,7 @@ void LightSampler::make_cells(std::span<const Light> lights, const Bounds3f& box
   const bool has_extent = !box.is_empty() && max_component(box.extent()) > 0;
   if (picked < fewest_for_cells || !has_extent) return;
   cells_ = LightCells(lights, weights_, probabilities, box);
-  bounces_with_cells_ = few_.is_empty() ? std::numeric_limits<std::uint32_t>::max() : 1;
+  bounces_with_cells_ = picked > most_few ? std::numeric_limits<std::uint32_t>::max() : 1;
 }
 
 // Of the lights that the cell's list lacks, and of the others as well: by power, with the number
