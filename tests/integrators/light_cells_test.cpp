@@ -1,10 +1,9 @@
 // --light-cells: whole pictures with lights by what they may send and by power.
 #include <gtest/gtest.h>
 
+#include "tests/integrators/replicated_pictures.h"
 #include "tests/scenes/description.h"
-#include "tests/scenes/render_scene.h"
 #include "tests/statistics/moments.h"
-#include "tests/statistics/replicates.h"
 
 namespace candela {
 namespace {
@@ -28,18 +27,11 @@ SceneDescription balls_that_shine(int subdivisions) {
 statistics::Replicates replicates_of(const SceneDescription& description, bool by_cells,
                                      std::uint64_t first_seed, int max_depth,
                                      SamplingStrategy strategy = SamplingStrategy::Mis) {
-  constexpr int size = 16;
-  statistics::Replicates result{by_cells ? "by cells" : "by power", size, size, {}};
-  for (std::uint64_t seed = first_seed; seed < first_seed + 16; ++seed) {
-    RenderSettings settings = settings_of(size, 64, seed);
-    settings.options.light_cells = by_cells;
-    settings.options.max_depth = max_depth;
-    settings.options.sampling = strategy;
-    const RenderResult render = rendered(description, settings);
-    EXPECT_EQ(render.statistics.invalid_samples, 0u);
-    result.images.push_back(grey(render.film.to_image(false)));
-  }
-  return result;
+  RenderSettings settings = settings_of(16, 64, first_seed);
+  settings.options.light_cells = by_cells;
+  settings.options.max_depth = max_depth;
+  settings.options.sampling = strategy;
+  return replicated_pictures(description, settings, by_cells ? "by cells" : "by power");
 }
 
 void expect_agreement(const SceneDescription& scene, SamplingStrategy strategy, const char* name) {

@@ -2,10 +2,9 @@
 // and by solid angle; the lamps being rectangles, triangles, and triangles with a texture.
 #include <gtest/gtest.h>
 
+#include "tests/integrators/replicated_pictures.h"
 #include "tests/scenes/description.h"
-#include "tests/scenes/render_scene.h"
 #include "tests/statistics/moments.h"
-#include "tests/statistics/replicates.h"
 
 namespace candela {
 namespace {
@@ -39,19 +38,12 @@ SceneDescription near_lamps(Model ball, Lamps lamps = Lamps::Rectangles) {
 statistics::Replicates replicates_of(const SceneDescription& description, LightSampling sampling,
                                      std::uint64_t first_seed, int max_depth = 4,
                                      SamplingStrategy strategy = SamplingStrategy::Mis) {
-  constexpr int size = 16;
-  statistics::Replicates result{
-      "by kind " + std::to_string(static_cast<int>(sampling)), size, size, {}};
-  for (std::uint64_t seed = first_seed; seed < first_seed + 16; ++seed) {
-    RenderSettings settings = settings_of(size, 64, seed);
-    settings.options.light_sampling = sampling;
-    settings.options.max_depth = max_depth;
-    settings.options.sampling = strategy;
-    const RenderResult render = rendered(description, settings);
-    EXPECT_EQ(render.statistics.invalid_samples, 0u);
-    result.images.push_back(grey(render.film.to_image(false)));
-  }
-  return result;
+  RenderSettings settings = settings_of(16, 64, first_seed);
+  settings.options.light_sampling = sampling;
+  settings.options.max_depth = max_depth;
+  settings.options.sampling = strategy;
+  return replicated_pictures(description, settings,
+                             "by kind " + std::to_string(static_cast<int>(sampling)));
 }
 
 void expect_agreement(const SceneDescription& scene, const char* name) {
