@@ -77,13 +77,6 @@ Kernel select_kernel(const Scene& scene, const A& accelerator, const Filter& fil
   throw std::invalid_argument("no such integrator");
 }
 
-// Effective replicates: whitted and raster draw nothing at random.
-std::uint32_t replicates_of(const RenderOptions& options) {
-  if (is_lab_shading(options.integrator)) return 1;
-  return static_cast<std::uint32_t>(
-      std::clamp(options.replicates, 1, std::max(options.samples_per_pixel, 1)));
-}
-
 }  // namespace
 
 RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
@@ -101,7 +94,7 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
     rounds.plan.splitting = 1;
   }
   RenderResult result{Film(options.width, options.height, rendered_rect(options), options.aovs,
-                           replicates_of(options), film_balance(options)),
+                           film_replicates(options), film_balance(options)),
                       {},
                       {}};
   std::visit(
@@ -150,6 +143,12 @@ std::string kernel_name(const Scene& scene, const RenderOptions& options) {
       return "report";
   }
   return "";
+}
+
+std::uint32_t film_replicates(const RenderOptions& options) {
+  if (is_lab_shading(options.integrator)) return 1;
+  return static_cast<std::uint32_t>(
+      std::clamp(options.replicates, 1, std::max(options.samples_per_pixel, 1)));
 }
 
 std::optional<Mat3d> film_balance(const RenderOptions& options) {

@@ -53,8 +53,8 @@ struct RenderOptions {
   // Independently randomised sequences a pixel, whose spread states the error; at most
   // samples_per_pixel are used. 1: none is stated. whitted and raster have no error to state.
   int replicates = 4;
-  // path: a pilot of all pixels decides which of them get how many of the samples; those above are
-  // then means over the picture. Needs replicates, and enough samples (render_rounds.cpp).
+  // path: a pilot decides which pixels get how many of the samples; those above are then means over
+  // its pixels. Needs replicates, and enough samples (pilot.h).
   bool adaptive = false;
   PathPlan plan;  // path; scenes with media are not split
   // path by Mis and Power, without splitting or guiding: walks decide on the plan's roulette
@@ -153,6 +153,10 @@ struct RenderResult {
 [[nodiscard]] RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
                                   const RenderOptions& options, ProgressSink* progress,
                                   const CancelFlag* cancel);
+
+// Of the film: those that have a sample, and for whitted and raster, which draw nothing at
+// random, 1.
+[[nodiscard]] std::uint32_t film_replicates(const RenderOptions& options);
 
 // What the radiance of samples is multiplied by where it enters a film.
 [[nodiscard]] std::optional<Mat3d> film_balance(const RenderOptions& options);

@@ -4,6 +4,7 @@
 
 #include "integrators/closer_look.h"
 #include "integrators/guiding/choose_guide.h"
+#include "integrators/pilot.h"
 #include "integrators/rounds.h"
 #include "renderer/base/parallel.h"
 #include "renderer/film/tiles.h"
@@ -43,23 +44,6 @@ class TimeBudget {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// Samples a pixel of the pilot; 0: there is none. Four a replicate are the fewest that tell noise
-// from structure; a quarter of all, where it is known how many those are, leaves enough to deal
-// out.
-std::uint32_t pilot_samples(const RenderOptions& options, const Film& film) {
-  constexpr std::uint32_t share = 4;
-  constexpr std::uint32_t most_blocks = 4;
-  const std::uint32_t replicates = film.replicates();
-  const std::uint32_t fewest =
-      std::max((whole_block + replicates - 1) / replicates, 4u) * replicates;
-  const bool is_picture = options.width > 1 && options.height > 1;
-  const std::uint32_t blocks =
-      static_cast<std::uint32_t>(options.samples_per_pixel) / (share * fewest);
-  if (!options.adaptive || replicates < 2 || !is_picture || blocks == 0) return 0;
-  const bool may_end_early = options.target_relmse || options.time_limit_seconds;
-  return may_end_early ? fewest : std::min(blocks, most_blocks) * fewest;
-}
-
 class Loop {
  public:
   Loop(const RenderOptions& options, const TileFunction& render_tile, Film& film,
@@ -71,7 +55,7 @@ class Loop {
         cancel_(cancel),
         budget_(options.time_limit_seconds),
         tiles_(tiles_of(film.crop(), options.tile_size)),
-        pilot_samples_(pilot_samples(options, film)),
+        pilot_(pilot_of(options)),
         look_(options, render_tile, [this] { return is_set(cancel_) || budget_.is_spent(); }) {}
 
   RoundsDone run() {
@@ -85,7 +69,7 @@ class Loop {
       guide_ = choose_guide(options_, render_tile_, cancel_);
     result.guiding = guiding_done();
     while (!stop) {
-      if (pilot_samples_ > 0 && done_ == 0)
+      if (pilot_.samples > 0 && done_ == 0)
         stop = render_pilot();
       else
         stop = render_round(round_end(done_, film_.replicates(), most, goal(result.error)),
@@ -109,15 +93,19 @@ class Loop {
     return {guide_.training_samples, guide_.field->cells(), guide_.field->guided_cells()};
   }
 
-  // The first samples of all pixels of the picture, whatever the crop.
+  // Into the film itself where that has all pixels of the pilot.
   std::optional<StopReason> render_pilot() {
-    const PixelRect whole{0, 0, options_.width, options_.height};
-    Film pilot(options_.width, options_.height, whole, film_.aovs(), film_.replicates(),
+    if (pilot_.rect == film_.crop()) return render_pilot(film_);
+    Film pilot(options_.width, options_.height, pilot_.rect, film_.aovs(), film_.replicates(),
                film_balance(options_));
-    const auto stop = render_passes(pilot_samples_, {}, [&](const SampleRange& range) {
-      render_pass(tiles_of(whole, options_.tile_size), pass_of(range), pilot);
+    const auto stop = render_pilot(pilot);
+    film_.take_part_of(pilot);
+    return stop;
+  }
+  std::optional<StopReason> render_pilot(Film& pilot) {
+    const auto stop = render_passes(pilot_.samples, {}, [&](const SampleRange& range) {
+      render_pass(tiles_of(pilot_.rect, options_.tile_size), pass_of(range), pilot);
     });
-    film_ = pilot.cropped(film_.crop());
     if (!stop) density_.emplace(pilot);
     return stop;
   }
@@ -207,11 +195,15 @@ class Loop {
     double samples = std::min<double>(options_.samples_per_pixel, budget_.samples_in_time(done_));
     if (error && options_.target_relmse)
       samples = std::min(samples, samples_for(*goal(error), error_samples_));
-    // A pilot renders the whole picture, whatever the crop.
-    const double beside = static_cast<double>(options_.width) * options_.height -
-                          static_cast<double>(film_.pixel_count());
     progress_->expect(static_cast<std::uint64_t>(
-        samples * static_cast<double>(film_.pixel_count()) + pilot_samples_ * beside));
+        samples * static_cast<double>(film_.pixel_count()) + samples_beside()));
+  }
+
+  // Of the pilot, which are none of the picture's.
+  [[nodiscard]] double samples_beside() const {
+    if (pilot_.samples == 0) return 0;
+    const double pixels = static_cast<double>(pilot_.rect.width()) * pilot_.rect.height();
+    return pilot_.samples * (pixels - static_cast<double>(film_.pixel_count()));
   }
 
   const RenderOptions& options_;
@@ -221,7 +213,7 @@ class Loop {
   const CancelFlag* cancel_;
   TimeBudget budget_;
   std::vector<PixelRect> tiles_;
-  std::uint32_t pilot_samples_;
+  Pilot pilot_;
   std::optional<SampleDensity> density_;  // once the pilot is there
   TileCounts counts_;
   CloserLook look_;

@@ -60,11 +60,14 @@ void Film::take_pixel(std::size_t i, const Film& other, std::size_t from) {
   if (!aov_pixels_.empty() && !other.aov_pixels_.empty()) aov_pixels_[i] = other.aov_pixels_[from];
 }
 
-Film Film::cropped(const PixelRect& crop) const {
-  Film part(full_width_, full_height_, crop, aovs_, replicates_, balance_);
-  for (int y = crop.y0; y < crop.y1; ++y)
-    for (int x = crop.x0; x < crop.x1; ++x) part.take_pixel(part.index(x, y), *this, index(x, y));
-  return part;
+void Film::take_part_of(const Film& other) {
+  for (int y = crop_.y0; y < crop_.y1; ++y)
+    for (int x = crop_.x0; x < crop_.x1; ++x) take_pixel(index(x, y), other, other.index(x, y));
+}
+
+std::size_t Film::bytes_a_pixel(AovSet aovs, std::uint32_t replicates) {
+  return sizeof(Pixel) + replicates * sizeof(Vec3d) +
+         ((aovs & first_hit_aovs) != 0 ? sizeof(AovPixel) : 0);
 }
 
 std::uint32_t Film::min_samples() const {

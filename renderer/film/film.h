@@ -73,8 +73,8 @@ class Film {
   // What the pixel's samples took, in rays or the like: sample_density.h weighs it.
   void add_cost(int x, int y, std::uint32_t cost) { pixels_[index(x, y)].cost += cost; }
 
-  // The part of this film that lies in `crop`, which it covers.
-  [[nodiscard]] Film cropped(const PixelRect& crop) const;
+  // All pixels become as those of a film that has them, too (take_pixel()).
+  void take_part_of(const Film& other);
   // Pixel i becomes as pixel `from` of a film with as many replicates; without its layers where
   // either has none.
   void take_pixel(std::size_t i, const Film& other, std::size_t from);
@@ -85,6 +85,9 @@ class Film {
   [[nodiscard]] AovSet aovs() const { return aovs_; }
   [[nodiscard]] std::uint32_t replicates() const { return replicates_; }
   [[nodiscard]] std::size_t pixel_count() const { return pixels_.size(); }
+
+  // What a film of such pixels holds for each of them.
+  [[nodiscard]] static std::size_t bytes_a_pixel(AovSet aovs, std::uint32_t replicates);
 
   // A pixel's place in the crop, in rows from the top; the others take it.
   [[nodiscard]] std::size_t index(int x, int y) const;

@@ -17,21 +17,22 @@ std::size_t colour_of(int x, int y) {
   return static_cast<std::size_t>(x + y) & 1;
 }
 
-int first_of_row(int y, std::size_t colour) {
-  return colour_of(0, y) == colour ? 0 : 1;
+int first_of_row(int y, const PixelRect& rect, std::size_t colour) {
+  return colour_of(rect.x0, y) == colour ? rect.x0 : rect.x0 + 1;
 }
 
 // How many of the colour are in the rows above row y.
-std::size_t pixels_before(int y, const Film& film, std::size_t colour) {
-  const auto all = static_cast<std::size_t>(y) * static_cast<std::size_t>(film.full_width());
-  return (all + (colour == 0 ? 1 : 0)) / 2;  // the pixel at (0, 0) is of colour 0
+std::size_t pixels_before(int y, const PixelRect& rect, std::size_t colour) {
+  const auto all = static_cast<std::size_t>(y - rect.y0) * static_cast<std::size_t>(rect.width());
+  return (all + (colour_of(rect.x0, rect.y0) == colour ? 1 : 0)) / 2;
 }
 
 // Calls f with the index of each pixel of the colour, in rows from the top.
 template <class F>
 void for_each_pixel(const Film& film, std::size_t colour, const F& f) {
-  for (int y = 0; y < film.full_height(); ++y)
-    for (int x = first_of_row(y, colour); x < film.full_width(); x += 2) f(film.index(x, y));
+  const PixelRect& rect = film.crop();
+  for (int y = rect.y0; y < rect.y1; ++y)
+    for (int x = first_of_row(y, rect, colour); x < rect.x1; x += 2) f(film.index(x, y));
 }
 
 // How much a pixel has to say about another one: by |dx| and |dy|.
@@ -81,13 +82,14 @@ std::vector<Sign> signs_of(std::size_t colour, const Film& film) {
 // Neyman's allocation for a pixel of the other colour: the weighted mean of the roots near by over
 // the root of the mean cost.
 double value_at(int x, int y, const std::vector<Sign>& signs, const Film& pilot) {
-  const int last_x = std::min(x + reach, pilot.full_width() - 1);
-  const int last_y = std::min(y + reach, pilot.full_height() - 1);
+  const PixelRect& rect = pilot.crop();
+  const int last_x = std::min(x + reach, rect.x1 - 1);
+  const int last_y = std::min(y + reach, rect.y1 - 1);
   Sign sum;
   double weights = 0;
-  for (int at_y = std::max(y - reach, 0); at_y <= last_y; ++at_y) {
+  for (int at_y = std::max(y - reach, rect.y0); at_y <= last_y; ++at_y) {
     const auto& of_row = weights_of_places[static_cast<std::size_t>(std::abs(at_y - y))];
-    int at_x = std::max(x - reach, 0);
+    int at_x = std::max(x - reach, rect.x0);
     if (colour_of(at_x, at_y) == colour_of(x, y)) ++at_x;
     for (; at_x <= last_x; at_x += 2) {
       const double weight = of_row[static_cast<std::size_t>(std::abs(at_x - x))];
@@ -134,11 +136,12 @@ double share_for_all(std::size_t colour, const Film& film) {
 // relative to a mean of 1.
 std::vector<double> density_of(std::size_t colour, const Film& pilot) {
   const std::vector<Sign> signs = signs_of(1 - colour, pilot);
-  std::vector<double> values(pixels_before(pilot.full_height(), pilot, colour));
-  parallel_for(static_cast<std::size_t>(pilot.full_height()), [&](std::size_t row) {
-    const int y = static_cast<int>(row);
-    std::size_t next = pixels_before(y, pilot, colour);
-    for (int x = first_of_row(y, colour); x < pilot.full_width(); x += 2)
+  const PixelRect& rect = pilot.crop();
+  std::vector<double> values(pixels_before(rect.y1, rect, colour));
+  parallel_for(static_cast<std::size_t>(rect.height()), [&](std::size_t row) {
+    const int y = rect.y0 + static_cast<int>(row);
+    std::size_t next = pixels_before(y, rect, colour);
+    for (int x = first_of_row(y, rect, colour); x < rect.x1; x += 2)
       values[next++] = value_at(x, y, signs, pilot);
   });
   limit_fireflies(values);
@@ -151,7 +154,7 @@ std::vector<double> density_of(std::size_t colour, const Film& pilot) {
 }  // namespace
 
 SampleDensity::SampleDensity(const Film& pilot)
-    : width_(static_cast<std::size_t>(pilot.full_width())),
+    : rect_(pilot.crop()),
       replicates_(pilot.replicates()),
       pilot_samples_(pilot.samples(0)),
       values_(pilot.pixel_count()) {

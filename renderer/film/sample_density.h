@@ -20,14 +20,19 @@ namespace candela {
 class SampleDensity {
  public:
   SampleDensity() = default;  // of no picture: not to be asked
-  // From the pilot of a whole picture, of at least two pixels a side, with at least two replicates
-  // and the same number of samples in every pixel.
+  // From a pilot of at least two pixels a side, with at least two replicates and the same number of
+  // samples in every pixel. `mean` and all that is relative to one is of the pilot's pixels, and no
+  // others may be asked for.
   explicit SampleDensity(const Film& pilot);
 
-  // Relative to the mean over the picture, which is 1 but for what the colours differ by.
+  // What making one takes for each pixel, at least, beside the pilot.
+  static constexpr std::size_t bytes_a_pixel =
+      sizeof(float) + 2 * sizeof(double) + 2 * sizeof(double);  // values, colours, what each says
+
+  // Relative to the mean over the pixels, which is 1 but for what the colours differ by.
   [[nodiscard]] float at(int x, int y) const { return values_[index(x, y)]; }
 
-  // How many samples, the pilot's first, a pixel gets where the mean over the picture is `mean`, at
+  // How many samples, the pilot's first, a pixel gets where the mean over all is `mean`, at
   // least the pilot's: a multiple of the replicates that never falls as `mean` rises.
   [[nodiscard]] std::uint32_t samples(int x, int y, std::uint32_t mean) const;
 
@@ -40,10 +45,11 @@ class SampleDensity {
     [[nodiscard]] double scale(double pilot_samples, double mean) const;
   };
   [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y - rect_.y0) * static_cast<std::size_t>(rect_.width()) +
+           static_cast<std::size_t>(x - rect_.x0);
   }
 
-  std::size_t width_ = 0;
+  PixelRect rect_;
   std::uint32_t replicates_ = 1;
   std::uint32_t pilot_samples_ = 0;
   std::vector<float> values_;

@@ -41,7 +41,8 @@ TEST(Unit_Film, ACropKeepsAllThatIsKnown) {
   film.add(2, 1, sample_of(Rgb(5), 0.5f));
   film.add(2, 1, sample_of(Rgb(7), 0.5f));
   film.add_cost(2, 1, 11);
-  const Film part = film.cropped({1, 1, 3, 4});
+  Film part(4, 4, {1, 1, 3, 4}, film.aovs(), 2);
+  part.take_part_of(film);
   ASSERT_EQ(part.crop(), (PixelRect{1, 1, 3, 4}));
   EXPECT_EQ(part.full_width(), 4);
   const std::size_t i = part.index(2, 1);

@@ -135,6 +135,32 @@ TEST(Unit_SampleDensity, HandsOutNoMoreWhereThePilotIsMuch) {
   }
 }
 
+// The part of a pilot from (0, 0) on, moved to `rect` of a larger picture.
+Film moved(const Film& pilot, const PixelRect& rect) {
+  Film part(200, 100, rect, 0, pilot.replicates());
+  for (int y = 0; y < rect.height(); ++y)
+    for (int x = 0; x < rect.width(); ++x)
+      part.take_pixel(part.index(rect.x0 + x, rect.y0 + y), pilot, pilot.index(x, y));
+  return part;
+}
+
+// Bit by bit, whatever colour the first pixel has.
+TEST(Unit_SampleDensity, OfACropIsThatOfSuchAPicture) {
+  const Film pilot =
+      pilot_of([](int x) { return 0.01 * x; }, [](int x) { return x < 9 ? 2u : 1u; });
+  for (const int width : {2, 31, 32}) {
+    const SampleDensity density(moved(pilot, {0, 0, width, 17}));
+    for (const auto& [x0, y0] : {std::pair{6, 8}, std::pair{7, 8}, std::pair{7, 9}}) {
+      const SampleDensity other(moved(pilot, {x0, y0, x0 + width, y0 + 17}));
+      for (int y = 0; y < 17; ++y)
+        for (int x = 0; x < width; ++x) {
+          ASSERT_EQ(other.at(x0 + x, y0 + y), density.at(x, y));
+          ASSERT_EQ(other.samples(x0 + x, y0 + y, 100), density.samples(x, y, 100));
+        }
+    }
+  }
+}
+
 // Or the picture would be biased: pixels that a pilot finds dark by chance would stay dark.
 TEST(Unit_SampleDensity, NoPixelHasASayInItsOwnCount) {
   for (const int width : {size, 63, 2, 3}) {

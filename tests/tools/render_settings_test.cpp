@@ -151,6 +151,33 @@ TEST(Unit_RenderSettings, WhatDoesNotFitTheSceneIsRefused) {
   expect_refused(arguments, scene_with_wishes(), ExitCode::Limit, "GB of memory");
 }
 
+// A crop has a pilot of the whole picture, but for rules that have it end when it is good itself.
+TEST(Unit_RenderSettings, AGiantsPilotCounts) {
+  RenderArguments arguments;
+  arguments.size = Size{65536, 65536};
+  arguments.crop = PixelRect{0, 0, 4, 4};
+  expect_refused(arguments, {}, ExitCode::Limit, "for its pilot");
+  expect_refused(arguments, {}, ExitCode::Limit, "--adaptive off does without");
+  arguments.adaptive = false;
+  EXPECT_TRUE(settle_settings(arguments, {}).settings);
+  arguments.adaptive.reset();
+  arguments.error_goal = 0.01;
+  EXPECT_TRUE(settle_settings(arguments, {}).settings);
+  arguments.error_goal.reset();
+  arguments.samples_per_pixel = 63;
+  EXPECT_TRUE(settle_settings(arguments, {}).settings);
+}
+
+TEST(Unit_RenderSettings, ReplicatesWithoutSamplesNeedNoMemory) {
+  RenderArguments arguments;
+  arguments.size = Size{1024, 1024};
+  arguments.replicates = 1 << 20;
+  arguments.samples_per_pixel = 1 << 20;
+  expect_refused(arguments, {}, ExitCode::Limit, "GB of memory");
+  arguments.samples_per_pixel = 1;
+  EXPECT_TRUE(settle_settings(arguments, {}).settings);
+}
+
 TEST(Unit_RenderSettings, WishesThatNobodyCanGrantAreTheScenesErrors) {
   description::SceneDescription scene;
   scene.defaults.integrator = "pth";

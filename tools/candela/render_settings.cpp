@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "integrators/pilot.h"
+#include "renderer/film/sample_density.h"
 #include "tools/candela/option_values.h"
 
 namespace candela::cli {
@@ -293,23 +295,35 @@ void refuse_what_does_not_fit(const RenderArguments& arguments, const RenderOpti
                   ExitCode::Usage};
 }
 
-// What the film and the image made of it will hold at least; refused before anything is loaded into
-// it when it cannot fit, since an overcommitting kernel would end us without a word.
+double pixels_of(const PixelRect& rect) {
+  return static_cast<double>(rect.width()) * rect.height();
+}
+
+// What the film and the image made of it, or before that a pilot, will hold at least; refused
+// before anything is loaded into it when it cannot fit, since an overcommitting kernel would end us
+// without a word.
 void refuse_giant(const RenderOptions& options) {
-  const PixelRect whole{0, 0, options.width, options.height};
-  const PixelRect crop = options.crop.value_or(whole);
-  const double pixels = static_cast<double>(crop.width()) * crop.height();
-  const double film_bytes = 16 + 24.0 * options.replicates;
-  constexpr double aov_bytes = 88;
+  const PixelRect crop = options.crop.value_or(PixelRect{0, 0, options.width, options.height});
+  const double film_bytes =
+      static_cast<double>(Film::bytes_a_pixel(options.aovs, film_replicates(options)));
   const double channel_bytes = 4.0 * (4 + 3 * std::popcount(options.aovs));
-  const double needed = pixels * (film_bytes + (options.aovs ? aov_bytes : 0) + channel_bytes);
+  const Pilot pilot = pilot_of(options);
+  const double pilot_bytes =
+      static_cast<double>(SampleDensity::bytes_a_pixel) + (pilot.rect == crop ? 0 : film_bytes);
+  const double film = pixels_of(crop) * film_bytes;
+  const double without_pilot = film + pixels_of(crop) * channel_bytes;
+  const double with_pilot = pilot.samples > 0 ? film + pixels_of(pilot.rect) * pilot_bytes : 0;
   const double present =
       static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
-  if (present > 0 && needed > present)
-    throw Refusal{fmt::format("a picture of {}x{} needs {:.1f} GB of memory, this machine has "
-                              "{:.1f}; --crop renders a part",
-                              options.width, options.height, needed * 1e-9, present * 1e-9),
-                  ExitCode::Limit};
+  const double needed = std::max(without_pilot, with_pilot);
+  if (!(present > 0) || needed <= present) return;
+  throw Refusal{
+      fmt::format(
+          "a picture of {}x{} needs {:.1f} GB of memory{}, this machine has {:.1f}; {}",
+          options.width, options.height, needed * 1e-9,
+          without_pilot <= present ? " for its pilot" : "", present * 1e-9,
+          without_pilot <= present ? "--adaptive off does without" : "--crop renders a part"),
+      ExitCode::Limit};
 }
 
 RenderSettings settled(const RenderArguments& arguments,

@@ -1,0 +1,49 @@
+#include "integrators/pilot.h"
+
+#include <algorithm>
+
+#include "integrators/path/context.h"
+#include "integrators/path/shared_block.h"
+#include "integrators/rounds.h"
+
+namespace candela {
+namespace {
+
+// --error, --relmse or --time.
+bool may_end_early(const RenderOptions& options) {
+  return options.target_relmse || options.time_limit_seconds;
+}
+
+// With all of the squares that share blocks: kernels ask for the samples of their pixels, too.
+PixelRect with_whole_squares(const PixelRect& crop, const RenderOptions& options) {
+  const auto before = [](int i) { return i - i % shared_side; };
+  const auto after = [&](int i) { return before(i + shared_side - 1); };
+  return {before(crop.x0), before(crop.y0), std::min(after(crop.x1), options.width),
+          std::min(after(crop.y1), options.height)};
+}
+
+// Four a replicate are the fewest that tell noise from structure; a quarter of all, where it is
+// known how many those are, leaves enough to deal out.
+std::uint32_t samples_of(const RenderOptions& options) {
+  constexpr std::uint32_t share = 4;
+  constexpr std::uint32_t most_blocks = 4;
+  const std::uint32_t replicates = film_replicates(options);
+  const std::uint32_t fewest =
+      std::max((whole_block + replicates - 1) / replicates, 4u) * replicates;
+  const std::uint32_t blocks =
+      static_cast<std::uint32_t>(options.samples_per_pixel) / (share * fewest);
+  if (!options.adaptive || replicates < 2 || blocks == 0) return 0;
+  return may_end_early(options) ? fewest : std::min(blocks, most_blocks) * fewest;
+}
+
+}  // namespace
+
+Pilot pilot_of(const RenderOptions& options) {
+  const PixelRect rect = may_end_early(options)
+                             ? with_whole_squares(rendered_rect(options), options)
+                             : PixelRect{0, 0, options.width, options.height};
+  const bool is_picture = rect.width() > 1 && rect.height() > 1;
+  return {rect, is_picture ? samples_of(options) : 0};
+}
+
+}  // namespace candela

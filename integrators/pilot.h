@@ -1,0 +1,18 @@
+// The first samples of a render with adaptive sampling: by them the others are dealt out
+// (renderer/film/sample_density.h).
+#pragma once
+
+#include "integrators/render.h"
+
+namespace candela {
+
+struct Pilot {
+  // Its pixels: the whole picture, so that a crop's get what they get there; where the error or the
+  // time may end the render, and a crop has counts of its own, no more than the crop needs.
+  PixelRect rect;
+  std::uint32_t samples = 0;  // a pixel; 0: there is none
+};
+
+[[nodiscard]] Pilot pilot_of(const RenderOptions& options);
+
+}  // namespace candela
