@@ -77,6 +77,10 @@ Kernel select_kernel(const Scene& scene, const A& accelerator, const Filter& fil
   throw std::invalid_argument("no such integrator");
 }
 
+bool has_light(const Scene& scene) {
+  return !scene.lights.empty() || (scene.environment && !scene.environment->is_black());
+}
+
 }  // namespace
 
 RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
@@ -100,8 +104,8 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
   std::visit(
       [&](const auto& backend) {
         const Kernel kernel = select_kernel(scene, backend, filter, options);
-        const RoundsDone done =
-            render_rounds(rounds, kernel.render_tile, result.film, progress, cancel);
+        const RoundsDone done = render_rounds(rounds, kernel.render_tile, result.film, progress,
+                                              cancel, has_light(scene));
         const TileCounts& counts = done.counts;
         result.statistics = {counts.rays,           counts.skipped, counts.invalid_samples,
                              counts.first_invalid,  kernel.name,    done.roulette.plan,

@@ -145,7 +145,9 @@ struct RenderStatistics {
 struct RenderResult {
   Film film;
   RenderStatistics statistics;
-  std::optional<ErrorEstimate> error;  // none where some pixel has no two replicates
+  // None where some pixel has no two replicates, or where no sample has met light though the scene
+  // has some.
+  std::optional<ErrorEstimate> error;
 };
 
 // Runs on the current arena's threads (base/parallel.h: with_threads). `progress` and `cancel` may

@@ -47,12 +47,13 @@ class TimeBudget {
 class Loop {
  public:
   Loop(const RenderOptions& options, const TileFunction& render_tile, Film& film,
-       ProgressSink* progress, const CancelFlag* cancel)
+       ProgressSink* progress, const CancelFlag* cancel, bool has_light)
       : options_(options),
         render_tile_(render_tile),
         film_(film),
         progress_(progress),
         cancel_(cancel),
+        has_light_(has_light),
         budget_(options.time_limit_seconds),
         tiles_(tiles_of(film.crop(), options.tile_size)),
         pilot_(pilot_of(options)),
@@ -113,12 +114,19 @@ class Loop {
   // `is_sure`: with what the picture alone does not know.
   [[nodiscard]] std::optional<ErrorEstimate> state_error(bool is_sure) {
     std::optional<PixelErrors> errors = estimate_pixel_errors(film_);
-    if (!errors) return {};
+    if (!errors || (errors->is_black() && has_light_ && !is_background())) return {};
     if (is_sure) counts_.add(look_.correct(film_, pass_of({}), *errors));
     ErrorEstimate estimate = estimate_error(film_, *errors);
     estimate.looked_at = look_.pixels();
     estimate.look_samples = look_.samples();
     return estimate;
+  }
+
+  // Whether all samples were proven to see nothing else.
+  [[nodiscard]] bool is_background() const {
+    const double samples =
+        film_.mean_samples() * static_cast<double>(film_.pixel_count()) + samples_beside();
+    return static_cast<double>(counts_.skipped.samples) >= samples;
   }
 
   // Why it did not come to its end, if it did not.
@@ -211,6 +219,7 @@ class Loop {
   Film& film_;
   ProgressSink* progress_;
   const CancelFlag* cancel_;
+  bool has_light_;
   TimeBudget budget_;
   std::vector<PixelRect> tiles_;
   Pilot pilot_;
@@ -226,8 +235,8 @@ class Loop {
 }  // namespace
 
 RoundsDone render_rounds(const RenderOptions& options, const TileFunction& render_tile, Film& film,
-                         ProgressSink* progress, const CancelFlag* cancel) {
-  return Loop(options, render_tile, film, progress, cancel).run();
+                         ProgressSink* progress, const CancelFlag* cancel, bool has_light) {
+  return Loop(options, render_tile, film, progress, cancel, has_light).run();
 }
 
 }  // namespace candela

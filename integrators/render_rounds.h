@@ -14,11 +14,14 @@ struct RoundsDone {
   StopReason stop = StopReason::Samples;
   RouletteChoice roulette;
   GuidingDone guiding;
-  std::optional<ErrorEstimate> error;  // of the film as it is now
+  std::optional<ErrorEstimate> error;  // of the film as it is now; none: RenderResult says when
 };
 
+// `has_light`: whether there is any to be met. Then a picture that has met none knows nothing of
+// its error, and states none, unless all of its samples were proven to see the background alone.
 [[nodiscard]] RoundsDone render_rounds(const RenderOptions& options,
                                        const TileFunction& render_tile, Film& film,
-                                       ProgressSink* progress, const CancelFlag* cancel);
+                                       ProgressSink* progress, const CancelFlag* cancel,
+                                       bool has_light = true);
 
 }  // namespace candela

@@ -45,7 +45,7 @@ std::vector<DoubtfulPixel> doubtful_pixels(const Film& film, const PixelErrors& 
   constexpr double rare = 1;           // below, the pixel's own samples tell
   constexpr double share = 1.0 / 256;  // of all pixels' errors: less does not matter
   std::vector<DoubtfulPixel> doubtful;
-  if (!(errors.epsilon > 0)) return doubtful;  // a black picture
+  if (errors.is_black()) return doubtful;
   const std::vector<double> greatest = greatest_errors(film, errors);
   const double sum = std::accumulate(errors.errors.begin(), errors.errors.end(), 0.0);
   for (std::size_t i = 0; i < greatest.size(); ++i)

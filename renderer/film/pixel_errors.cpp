@@ -99,7 +99,7 @@ std::optional<PixelErrors> estimate_pixel_errors(const Film& film) {
   result.errors.resize(film.pixel_count());
   const double mean = mean_radiance(film);
   result.epsilon = 1e-2 * mean * mean;
-  if (!(result.epsilon > 0)) return result;  // a black picture
+  if (result.is_black()) return result;
   constexpr int block_size = 64;
   const std::vector<PixelRect> blocks = tiles_of(film.crop(), block_size);
   parallel_for(blocks.size(), [&](std::size_t b) {

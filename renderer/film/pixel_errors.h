@@ -14,6 +14,8 @@ namespace candela {
 struct PixelErrors {
   std::vector<double> errors;
   double epsilon = 0;  // relMSE's, of this picture
+
+  [[nodiscard]] bool is_black() const { return !(epsilon > 0); }
 };
 
 // None where some pixel has no two replicates.

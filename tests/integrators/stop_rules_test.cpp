@@ -94,6 +94,41 @@ TEST(Unit_StopRules, APictureWithoutNoiseMeetsAnyError) {
   EXPECT_EQ(result.error->relmse, 0);
 }
 
+// A box with its light outside: light that no sample meets may yet be all that there is.
+description::SceneDescription box_in_light() {
+  description::SceneDescription scene = furnace_of(0);
+  test::add_light(scene, description::PointLight{{0, 5, 0}, Vec3d(10)});
+  return scene;
+}
+
+TEST(Unit_StopRules, APictureThatHasMetNoLightMeetsNoError) {
+  test::RenderSettings settings = test::settings_of(8, 64);
+  settings.options.target_relmse = 1e30;
+  for (const bool adaptive : {false, true}) {
+    settings.options.adaptive = adaptive;
+    const RenderResult result = test::rendered(box_in_light(), settings);
+    EXPECT_EQ(result.statistics.stop, StopReason::Samples);
+    EXPECT_FALSE(result.error);
+  }
+}
+
+// As of a crop beside all there is.
+TEST(Unit_StopRules, ABlackBackgroundThatIsProvenHasNoError) {
+  description::SceneDescription scene;
+  const auto white = test::add_material(scene, test::diffuse(Vec3d(0.7)));
+  test::add_mesh(scene, test::sphere({0, 0, 0}, 0.3, 2), white);
+  test::add_light(scene, description::PointLight{{0, 5, 0}, Vec3d(10)});
+  test::set_camera(scene, {0, 0, 5}, {0, 0, 0}, 50);
+  test::RenderSettings settings = test::settings_of(64, 1 << 12);
+  settings.options.adaptive = true;
+  settings.options.target_relmse = 1e-30;
+  settings.options.crop = PixelRect{1, 2, 9, 11};
+  const RenderResult result = test::rendered(scene, settings);
+  EXPECT_EQ(result.statistics.stop, StopReason::Error);
+  ASSERT_TRUE(result.error);
+  EXPECT_EQ(result.error->relmse, 0);
+}
+
 TEST(Unit_StopRules, OneReplicateStatesNothing) {
   test::RenderSettings settings = test::settings_of(8, 16);
   settings.options.replicates = 1;

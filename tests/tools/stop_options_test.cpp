@@ -91,6 +91,18 @@ TEST(Unit_StopOptions, ErrorsThatCannotBeTrustedAreWarnedOf) {
   EXPECT_EQ(even.messages.find(warning), std::string::npos) << even.messages;
 }
 
+// Lamps of which no path gets to know: bounces are forbidden, and the camera looks elsewhere.
+TEST(Unit_StopOptions, APictureWithoutAnyLightTellsThatItKnowsNothing) {
+  const StopRun run =
+      run_of({"--error", "1%", "--spp", "64", "--max-depth", "0", "--crop", "0,12,4,16"});
+  EXPECT_EQ(run.stats["stop"]["by"], "spp");
+  EXPECT_TRUE(run.stats["error"].is_null());
+  EXPECT_NE(run.messages.find("no sample has met light, though the scene has some"),
+            std::string::npos)
+      << run.messages;
+  EXPECT_EQ(run.exr.find("candela:rmse"), std::string::npos);
+}
+
 TEST(Unit_StopOptions, ReplicatesAndClampAreTold) {
   const StopRun plain = run_of({"--spp", "8"});
   EXPECT_EQ(plain.stats["replicates"], 4);

@@ -212,6 +212,9 @@ void RenderRun::rendered(const Scene& scene, const RenderResult& result, double 
 
 void RenderRun::report_reliability() {
   constexpr double negligible = 1e-2;
+  const bool has_two_replicates = std::min(report_.min_samples, report_.replicates) >= 2;
+  if (!report_.error && has_two_replicates)
+    warn("no sample has met light, though the scene has some: the picture's error is not known");
   // Fewer samples a replicate say little about tails.
   const bool is_telling = report_.min_samples >= 4 * report_.replicates;
   if (report_.error && is_telling && report_.error->heavy_tails > negligible)
