@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <string>
 #include <system_error>
 
@@ -27,6 +28,20 @@ class FileDescriptor {
  private:
   int descriptor_;
 };
+
+// 0 or the errno of the first write that failed. A short write is tried again: the next call tells
+// why.
+[[nodiscard]] inline int write_all(int descriptor, const std::string& bytes) {
+  std::size_t count = 0;
+  while (count < bytes.size()) {
+    const ssize_t put = ::write(descriptor, bytes.data() + count, bytes.size() - count);
+    if (put < 0 && errno == EINTR) continue;
+    if (put < 0) return errno;
+    if (put == 0) return EIO;
+    count += static_cast<std::size_t>(put);
+  }
+  return 0;
+}
 
 // The sentence for an errno, such as "No space left on device".
 [[nodiscard]] inline std::string system_message(int error) {

@@ -1,12 +1,8 @@
 // Bytes to a file, all or nothing: written beside the target, fsync, rename (invariant 8).
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
-#include <climits>
-#include <cstdlib>
 #include <string>
 
 #include <fmt/format.h>
@@ -15,6 +11,7 @@
 #include "renderer/image/file_descriptor.h"
 #include "renderer/image/image_io.h"
 #include "renderer/image/output_target.h"
+#include "renderer/image/temporary_file.h"
 
 namespace candela {
 namespace {
@@ -22,72 +19,6 @@ namespace {
 Diagnostics cannot_write(const std::string& path, int error) {
   return failure(fmt::format("'{}' cannot be written: {}", path, system_message(error)));
 }
-
-// 0 or the errno of the first write that failed. A short write is tried again: the next call tells
-// why.
-int write_all(int descriptor, const std::string& bytes) {
-  std::size_t count = 0;
-  while (count < bytes.size()) {
-    const ssize_t put = ::write(descriptor, bytes.data() + count, bytes.size() - count);
-    if (put < 0 && errno == EINTR) continue;
-    if (put < 0) return errno;
-    if (put == 0) return EIO;
-    count += static_cast<std::size_t>(put);
-  }
-  return 0;
-}
-
-// Some file systems have nothing to flush and say so.
-int flush_to_disk(int descriptor) {
-  if (::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS) return 0;
-  return errno;
-}
-
-// A file beside the target that is gone when this is, unless it took the target's place.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& folder)
-      : path_(unused_name(folder)),
-        file_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)),
-        error_(file_.is_open() ? 0 : errno) {}
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    if (is_present()) ::unlink(path_.c_str());
-  }
-
-  [[nodiscard]] int error() const { return error_; }
-
-  void fill(const std::string& bytes) {
-    if (error_ == 0) error_ = write_all(file_.get(), bytes);
-    if (error_ == 0) error_ = flush_to_disk(file_.get());
-    if (!file_.close() && error_ == 0) error_ = errno;
-  }
-
-  void rename_to(const std::string& target) {
-    if (error_ != 0) return;
-    if (struct stat old{}; ::stat(target.c_str(), &old) == 0)
-      ::chmod(path_.c_str(), old.st_mode & 07777);
-    if (::rename(path_.c_str(), target.c_str()) != 0)
-      error_ = errno;
-    else
-      was_renamed_ = true;
-  }
-
- private:
-  // Short whatever the target's name, which may be as long as names can be.
-  static std::string unused_name(const std::string& folder) {
-    static std::atomic<unsigned> count{0};
-    return fmt::format("{}/.candela-{}-{}.tmp", folder, ::getpid(), count.fetch_add(1));
-  }
-  [[nodiscard]] bool is_present() const { return !was_renamed_ && was_created_; }
-
-  std::string path_;
-  FileDescriptor file_;
-  int error_;
-  bool was_created_ = error_ == 0;
-  bool was_renamed_ = false;
-};
 
 // So that the new name survives a crash too. What fails here leaves the file whole.
 void flush_folder(const std::string& folder) {

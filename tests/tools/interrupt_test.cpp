@@ -1,18 +1,19 @@
 // Ctrl-C and SIGTERM at every stage of a run.
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/inotify.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "renderer/image/image_io.h"
+#include "renderer/image/temporary_file.h"
 #include "tests/tools/run_program.h"
 #include "tools/candela/interrupt.h"
-#include "tools/candela/output_files.h"
 
 namespace candela::cli_test {
 namespace {
@@ -130,12 +131,14 @@ TEST(Errors_Interrupt, ASignalThatTheParentIgnoresStaysIgnored) {
   EXPECT_EQ(result.exit_code, 0) << result.error;
 }
 
-// In a process of its own: a signal while files are written, then a second.
+// In a process of its own: a signal while a file is written, then a second.
 void signal_while_writing(const std::string& folder) {
   std::signal(SIGINT, SIG_DFL);  // an ignored one would stay ignored
   cli::install_signal_handlers();
-  const cli::WritingGuard guard({folder + "/a.exr"});
-  write_text(folder + "/" + cli::temporary_file_name(::getpid(), 0), "half");
+  cli::set_interrupt_mode(cli::InterruptMode::Finish);
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(TemporaryFile(folder).error(), 0);
+  TemporaryFile half(folder);
+  half.fill("half");
   ::raise(SIGINT);
   write_text(folder + "/still_here", "");
   ::raise(SIGINT);
@@ -149,20 +152,93 @@ TEST(Errors_Interrupt, ASecondSignalWhileWritingRemovesWhatIsHalfWritten) {
   EXPECT_EQ(file_names(folder), std::vector<std::string>{"still_here"});
 }
 
-// What the handler removes is what the writer makes: names that the folder saw while writing.
-TEST(Unit_OutputFiles, TemporaryNamesAreTheWritersOwn) {
-  const std::string folder = fresh_folder("temporary_names");
-  const int watch = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
-  ASSERT_GE(::inotify_add_watch(watch, folder.c_str(), IN_CREATE), 0);
-  ASSERT_FALSE(write_file_atomically(folder + "/a", "bytes").has_errors());
-  alignas(inotify_event) char buffer[4096];
-  ASSERT_GT(::read(watch, buffer, sizeof buffer), 0);
-  const std::string name = reinterpret_cast<const inotify_event*>(buffer)->name;
-  ::close(watch);
-  bool is_foreseen = false;
-  for (unsigned i = 0; i < 10'000 && !is_foreseen; ++i)
-    is_foreseen = name == cli::temporary_file_name(::getpid(), i);
-  EXPECT_TRUE(is_foreseen) << name;
+// A pipe that has room for `room` bytes, and then stops who writes into it until it is emptied.
+class NarrowPipe {
+ public:
+  NarrowPipe(const std::string& path, std::size_t room) {
+    EXPECT_EQ(::mkfifo(path.c_str(), 0600), 0);
+    reader_ = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    const int writer = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    const auto size = static_cast<std::size_t>(::fcntl(writer, F_SETPIPE_SZ, 4096));
+    const std::string filling(size - room, '.');
+    EXPECT_EQ(::write(writer, filling.data(), filling.size()),
+              static_cast<ssize_t>(filling.size()));
+    ::close(writer);
+  }
+  NarrowPipe(const NarrowPipe&) = delete;
+  NarrowPipe& operator=(const NarrowPipe&) = delete;
+  ~NarrowPipe() { ::close(reader_); }
+
+  [[nodiscard]] std::string empty_it() const {
+    std::string text(1 << 16, ' ');
+    const ssize_t count = ::read(reader_, text.data(), text.size());
+    return text.substr(0, static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+  }
+
+ private:
+  int reader_ = -1;
+};
+
+void wait_for_file(const std::string& path) {
+  for (int i = 0; i < 6000 && !std::filesystem::exists(path); ++i) ::usleep(10'000);
+}
+
+// The program hangs in the line that says what was written, before it writes the statistics.
+TEST(Errors_Interrupt, BetweenPictureAndStatisticsBothAreWritten) {
+  const std::string folder = fresh_folder("interrupt_stats");
+  const std::vector<std::string> words = {"render",  small_scene(),
+                                          "-o",      folder + "/a.exr",
+                                          "--stats", folder + "/a.json",
+                                          "--size",  "8x8",
+                                          "--spp",   "1",
+                                          "-t",      "1"};
+  const std::string lines = run_candela(words).error;
+  std::filesystem::remove(folder + "/a.exr");
+  std::filesystem::remove(folder + "/a.json");
+  const std::string pipe = folder + "/messages";
+  const NarrowPipe messages(pipe, lines.find('\n') + 20);  // for the first line alone
+  std::vector<std::string> in_shell = {"/bin/sh", "-c", "exec \"$0\" \"$@\" 2> " + pipe};
+  for (const std::string& word : candela_words(words)) in_shell.push_back(word);
+  Program program(in_shell, ErrorStream::File);
+  wait_for_file(folder + "/a.exr");
+  ::usleep(200'000);
+  program.send(SIGTERM);
+  ::usleep(50'000);
+  std::string text = messages.empty_it();
+  EXPECT_EQ(program.finish().exit_code, 0);
+  text += messages.empty_it();
+  EXPECT_NE(text.find("; wrote "), std::string::npos) << text;
+  EXPECT_EQ(text.find("nothing was written"), std::string::npos) << text;
+  EXPECT_EQ(file_names(folder), (std::vector<std::string>{"a.exr", "a.json", "messages"}));
+}
+
+// It hangs in the first of its files.
+TEST(Errors_Interrupt, AConversionEndsAfterTheFileThatItIsAt) {
+  const std::string folder = fresh_folder("interrupt_convert");
+  const std::vector<std::string> words = {"convert", small_scene(), folder + "/a.pbrt"};
+  ASSERT_EQ(run_candela(words).exit_code, 0);
+  ASSERT_GT(file_names(folder + "/a_files").size(), 2u);
+  std::filesystem::remove_all(folder + "/a_files");
+  std::filesystem::remove(folder + "/a.pbrt");
+  std::filesystem::create_directory(folder + "/a_files");
+  const NarrowPipe first(folder + "/a_files/room.ply", 10);
+  Program program(candela_words(words), ErrorStream::File);
+  ASSERT_TRUE(program.wait_for_handler());
+  ::usleep(1'000'000);
+  program.send(SIGINT);
+  ::usleep(50'000);
+  std::thread emptying([&] {  // what comes after the signal
+    for (int i = 0; i < 100; ++i) {
+      static_cast<void>(first.empty_it());
+      ::usleep(10'000);
+    }
+  });
+  const ProgramResult result = program.finish();
+  emptying.join();
+  EXPECT_EQ(result.exit_code, 130) << result.error;
+  EXPECT_NE(result.error.find("a.pbrt' was not written"), std::string::npos) << result.error;
+  EXPECT_EQ(file_names(folder), std::vector<std::string>{"a_files"});
+  EXPECT_EQ(file_names(folder + "/a_files"), std::vector<std::string>{"room.ply"});
 }
 
 }  // namespace

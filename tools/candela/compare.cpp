@@ -37,7 +37,7 @@ ExitCode write_heatmap(const std::string& path, const Image& image, const Image&
                        Console& console) {
   const Result<Image> heatmap = error_heatmap(image, reference);
   if (is_printed_error(heatmap, console)) return ExitCode::Scene;
-  const WritingGuard guard({path});
+  set_interrupt_mode(InterruptMode::Finish);
   const Diagnostics problems = write_image(path, *heatmap, {});
   console.print(problems);
   return problems.has_errors() ? ExitCode::Output : ExitCode::Done;

@@ -11,6 +11,7 @@
 #include "tools/candela/commands.h"
 #include "tools/candela/console.h"
 #include "tools/candela/convert_images.h"
+#include "tools/candela/interrupt.h"
 #include "tools/candela/option_values.h"
 #include "tools/candela/output_files.h"
 #include "tools/candela/read_scene.h"
@@ -83,7 +84,7 @@ class Conversion {
     const Diagnostics overwritten = check_scene_is_spared(paths, description);
     console_.print(overwritten);
     if (overwritten.has_errors()) return ExitCode::Output;
-    return write(outputs, paths, beside(stem + "_files"));
+    return write(outputs, beside(stem + "_files"));
   }
 
   [[nodiscard]] std::vector<Output> outputs_of(
@@ -99,15 +100,17 @@ class Conversion {
     return outputs;
   }
 
-  ExitCode write(const std::vector<Output>& outputs, const std::vector<std::string>& paths,
-                 const std::string& folder) {
+  ExitCode write(const std::vector<Output>& outputs, const std::string& folder) {
     std::error_code failed;
     if (outputs.size() > 1) fs::create_directories(folder, failed);
     if (failed)
       return fail(ExitCode::Output,
                   fmt::format("the folder '{}' cannot be made: {}", folder, failed.message()));
-    const WritingGuard guard(paths);
+    set_interrupt_mode(InterruptMode::Finish);
     for (const Output& output : outputs) {
+      if (was_interrupted())
+        return fail(ExitCode::Interrupted,
+                    fmt::format("interrupted; '{}' was not written", arguments_.output));
       const Result<std::string> bytes = output.bytes();
       console_.print(bytes.diagnostics);
       if (!bytes) return ExitCode::Scene;

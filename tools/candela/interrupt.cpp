@@ -1,6 +1,5 @@
 #include "tools/candela/interrupt.h"
 
-#include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
@@ -8,20 +7,16 @@
 
 #include <unistd.h>
 
+#include "renderer/image/temporary_file.h"
 #include "tools/candela/exit_code.h"
 
 namespace candela::cli {
 namespace {
 
-constexpr std::size_t max_temporary_files = 64;
-constexpr std::size_t max_path_bytes = 4096;
-
 struct State {
   CancelFlag cancel{false};
   std::atomic<int> signals{0};
   std::atomic<InterruptMode> mode{InterruptMode::EndAtOnce};
-  std::atomic<std::size_t> temporary_count{0};
-  std::array<std::array<char, max_path_bytes>, max_temporary_files> temporaries{};
 };
 static_assert(CancelFlag::is_always_lock_free && std::atomic<int>::is_always_lock_free &&
               std::atomic<InterruptMode>::is_always_lock_free);
@@ -33,8 +28,7 @@ void say(const char* text) {
 }
 
 [[noreturn]] void end_at_once() {
-  const std::size_t count = state.temporary_count.load();
-  for (std::size_t i = 0; i < count; ++i) ::unlink(state.temporaries[i].data());
+  remove_temporary_file();
   ::_exit(static_cast<int>(ExitCode::Interrupted));
 }
 
@@ -81,17 +75,6 @@ CancelFlag& cancel_flag() {
 
 bool was_interrupted() {
   return state.signals.load() > 0;
-}
-
-void set_temporary_files(const std::vector<std::string>& paths) {
-  state.temporary_count.store(0);
-  std::size_t count = 0;
-  for (const std::string& path : paths) {
-    if (count == max_temporary_files || path.size() >= max_path_bytes) continue;
-    std::memcpy(state.temporaries[count].data(), path.c_str(), path.size() + 1);
-    ++count;
-  }
-  state.temporary_count.store(count);
 }
 
 }  // namespace candela::cli

@@ -3,15 +3,12 @@
 //   EndAtOnce  the process ends with 130, nothing was written (loading, compiling, building)
 //   Cancel     the first sets the flag that render() polls, so that the image so far is written;
 //              the second ends the process at once
-//   Finish     files are being written: the first is kept for later, the second ends the process at
-//              once and takes half-written temporary files along
+//   Finish     files are being written, or were: the first is kept for later, the second ends the
+//              process at once and takes a half-written temporary file along
 //
 // The state is the process's (a signal handler can reach nothing else); everything that the handler
 // does is async-signal-safe.
 #pragma once
-
-#include <string>
-#include <vector>
 
 #include "renderer/base/progress.h"
 
@@ -27,8 +24,5 @@ void set_interrupt_mode(InterruptMode mode);
 
 [[nodiscard]] CancelFlag& cancel_flag();
 [[nodiscard]] bool was_interrupted();
-
-// Files that the handler removes when it ends the process; empty forgets them.
-void set_temporary_files(const std::vector<std::string>& paths);
 
 }  // namespace candela::cli

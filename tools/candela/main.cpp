@@ -15,7 +15,6 @@
 #include "tools/candela/console.h"
 #include "tools/candela/guarded.h"
 #include "tools/candela/interrupt.h"
-#include "tools/candela/output_files.h"
 #include "tools/candela/parse_arguments.h"
 #include "tools/candela/render_run.h"
 #include "tools/candela/render_settings.h"
@@ -61,8 +60,8 @@ ExitCode render_scene(const RenderArguments& arguments) {
   });
   run.rendered(*scene, result, scene->textures.decoding_seconds() - decoding_before);
   if (!arguments.measures_ray_limit) accelerator.reset();  // room for the encoders
+  set_interrupt_mode(InterruptMode::Finish);
   {
-    const WritingGuard guard(run.outputs());
     const Image image = result.film.to_image(arguments.is_transparent);
     for (const std::string& path : run.outputs())
       run.wrote(path, run.timed(&StageSeconds::write,

@@ -4,18 +4,12 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "renderer/image/image_io.h"
-#include "renderer/image/output_target.h"
 #include "tools/candela/interrupt.h"
 
 namespace candela::cli {
 namespace {
-
-// Each output is checked and written once, both under a temporary name of its own; twice that for
-// files written later (--stats).
-constexpr unsigned names_an_output = 4;
 
 std::string canonical(const std::string& path) {
   std::error_code error;
@@ -27,9 +21,7 @@ std::string canonical(const std::string& path) {
 
 OutputCheck check_outputs(const std::vector<std::string>& images, const std::string& stats) {
   OutputCheck check;
-  std::vector<std::string> paths = images;
-  if (!stats.empty()) paths.push_back(stats);
-  const WritingGuard guard(paths);  // a check tries to make a file
+  set_interrupt_mode(InterruptMode::Finish);  // a check tries to make a file
   std::set<std::string> seen;
   const auto is_new = [&](const std::string& path) {
     if (seen.insert(canonical(path)).second) return true;
@@ -40,6 +32,7 @@ OutputCheck check_outputs(const std::vector<std::string>& images, const std::str
   for (const std::string& path : images)
     if (is_new(path)) check.diagnostics.append(check_writable_image(path));
   if (!stats.empty() && is_new(stats)) check.diagnostics.append(check_writable_file(stats));
+  set_interrupt_mode(InterruptMode::EndAtOnce);
   if (check.exit_code == ExitCode::Done && check.diagnostics.has_errors())
     check.exit_code = ExitCode::Output;
   return check;
@@ -56,27 +49,6 @@ Diagnostics check_scene_is_spared(const std::vector<std::string>& outputs,
       diagnostics.error({},
                         fmt::format("'{}' is read by the scene and would be overwritten", path));
   return diagnostics;
-}
-
-WritingGuard::WritingGuard(const std::vector<std::string>& outputs) {
-  std::set<std::string> folders;
-  for (const std::string& path : outputs) folders.insert(find_output_target(path).folder);
-  const auto count = static_cast<unsigned>(outputs.size()) * names_an_output;
-  std::vector<std::string> names;
-  for (const std::string& folder : folders)
-    for (unsigned i = 0; i < count; ++i)
-      names.push_back(folder + "/" + temporary_file_name(::getpid(), i));
-  set_temporary_files(names);
-  set_interrupt_mode(InterruptMode::Finish);
-}
-
-WritingGuard::~WritingGuard() {
-  set_interrupt_mode(InterruptMode::EndAtOnce);
-  set_temporary_files({});
-}
-
-std::string temporary_file_name(int process, unsigned count) {
-  return fmt::format(".candela-{}-{}.tmp", process, count);
 }
 
 }  // namespace candela::cli

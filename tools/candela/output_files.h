@@ -1,4 +1,4 @@
-// The files a command is to write: checked before any work, protected while they are written.
+// The files a command is to write, checked before any work.
 #pragma once
 
 #include <string>
@@ -21,17 +21,5 @@ struct OutputCheck {
 // An error for each output that is one of the files the scene reads.
 [[nodiscard]] Diagnostics check_scene_is_spared(const std::vector<std::string>& outputs,
                                                 const description::SceneDescription& description);
-
-// While it stands a first signal lets the writing end, and a second removes what is half-written.
-class WritingGuard {
- public:
-  explicit WritingGuard(const std::vector<std::string>& outputs);
-  ~WritingGuard();
-  WritingGuard(const WritingGuard&) = delete;
-  WritingGuard& operator=(const WritingGuard&) = delete;
-};
-
-// What renderer/image calls the files that it fills beside their targets (tested against it).
-[[nodiscard]] std::string temporary_file_name(int process, unsigned count);
 
 }  // namespace candela::cli

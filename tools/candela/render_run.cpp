@@ -282,7 +282,7 @@ void RenderRun::report_samples() {
 void RenderRun::write_stats() {
   if (!arguments_.stats_path || report_.max_samples == 0) return;
   report_.peak_memory_bytes = peak_memory_bytes();
-  const WritingGuard guard(all_paths());
+  set_interrupt_mode(InterruptMode::Finish);
   const Diagnostics problems = write_file_atomically(*arguments_.stats_path, to_json(report_));
   console_.print(problems);
   if (problems.has_errors()) fail(ExitCode::Output);
