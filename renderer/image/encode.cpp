@@ -171,10 +171,7 @@ Diagnostics check_encodable(ImageFormat format, const Image& image) {
     return failure("the picture is empty");
   if (image.values.size() != image.pixel_count() * image.channel_count())
     return failure("the picture's values do not fit its size");
-  const int limit = longest_side(format);
-  if (image.width <= limit && image.height <= limit) return {};
-  return failure(fmt::format("a {} can be at most {} pixels wide and high, not {} x {}",
-                             name_of(format), limit, image.width, image.height));
+  return check_sides(format, image.width, image.height);
 }
 
 Diagnostics encoder_failure(ImageFormat format, const std::string& reason) {
@@ -208,6 +205,13 @@ std::vector<std::byte> one_channel(const DecodedImage& image, std::size_t channe
 }
 
 }  // namespace
+
+Diagnostics check_sides(ImageFormat format, int width, int height) {
+  const int limit = longest_side(format);
+  if (width <= limit && height <= limit) return {};
+  return failure(fmt::format("a {} can be at most {} pixels wide and high, not {} x {}",
+                             name_of(format), limit, width, height));
+}
 
 Result<std::string> encode_samples(const DecodedImage& image, int channel) {
   const ImageHeader& header = image.header;

@@ -9,8 +9,12 @@
 
 namespace candela {
 
+// Whether the format can hold pictures of this size: an error without the path, such as "a jpeg can
+// be at most 65500 pixels wide and high, not 70000 x 2".
+[[nodiscard]] Diagnostics check_sides(ImageFormat format, int width, int height);
+
 // What the format cannot hold (a JPEG side over 65500, no channels, ...) is an error without the
-// path, such as "a jpeg can be at most 65500 pixels wide and high, not 70000 x 2".
+// path.
 [[nodiscard]] Result<std::string> encode_image(ImageFormat format, const Image& image,
                                                const WriteOptions& options);
 

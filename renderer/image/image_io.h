@@ -53,7 +53,10 @@ struct WriteOptions {
 // Empty where all is well.
 [[nodiscard]] Diagnostics check_writable_image(const std::string& path);
 
-// The same of any output but for the extension.
+// Whether its format holds a picture of this size; empty where all is well or there is no format.
+[[nodiscard]] Diagnostics check_image_size(const std::string& path, int width, int height);
+
+// The same as check_writable_image() of any output but for the extension.
 [[nodiscard]] Diagnostics check_writable_file(const std::string& path);
 
 // Bytes to a file, all or nothing. For any output (stats, CSV, images). Symbolic links are

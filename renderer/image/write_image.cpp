@@ -15,6 +15,13 @@ Diagnostics unknown_extension(const std::string& path) {
                              writable_extensions));
 }
 
+Diagnostics cannot_write(const std::string& path, const Diagnostics& reasons) {
+  Diagnostics found;
+  for (const Diagnostic& reason : reasons.list())
+    found.error({}, fmt::format("'{}' cannot be written: {}", path, reason.message));
+  return found;
+}
+
 }  // namespace
 
 Diagnostics check_writable_image(const std::string& path) {
@@ -23,15 +30,18 @@ Diagnostics check_writable_image(const std::string& path) {
   return check_writable_file(path);
 }
 
+Diagnostics check_image_size(const std::string& path, int width, int height) {
+  const auto format = format_of_extension(path);
+  if (!format) return {};
+  return cannot_write(path, check_sides(*format, width, height));
+}
+
 Diagnostics write_image(const std::string& path, const Image& image, const WriteOptions& options) {
   const auto format = format_of_extension(path);
   if (!format || !is_writable(*format)) return unknown_extension(path);
   const Result<std::string> bytes = encode_image(*format, image, options);
   if (bytes) return write_file_atomically(path, *bytes);
-  Diagnostics found;
-  for (const Diagnostic& reason : bytes.diagnostics.list())
-    found.error({}, fmt::format("'{}' cannot be written: {}", path, reason.message));
-  return found;
+  return cannot_write(path, bytes.diagnostics);
 }
 
 }  // namespace candela

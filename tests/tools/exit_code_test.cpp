@@ -122,18 +122,20 @@ TEST(Errors_CommandLine, StrictTurnsWarningsIntoErrors) {
 TEST(Errors_CommandLine, OutputsAreCheckedByFolderExtensionAndName) {
   const std::string folder = fresh_folder("outputs");
   std::filesystem::create_directory(folder + "/folder.exr");
-  const auto check = [&](const std::vector<std::string>& images, const std::string& stats) {
+  const auto check = [&](const std::vector<std::string>& images,
+                         const std::optional<std::string>& stats) {
     const cli::OutputCheck result = cli::check_outputs(images, stats);
     EXPECT_EQ(result.diagnostics.has_errors(), result.exit_code != ExitCode::Done);
     return result.exit_code;
   };
-  EXPECT_EQ(check({folder + "/none/a.exr"}, ""), ExitCode::Output);
-  EXPECT_EQ(check({folder + "/a.xyz"}, ""), ExitCode::Output);
-  EXPECT_EQ(check({folder + "/a"}, ""), ExitCode::Output);
-  EXPECT_EQ(check({"/proc/a.exr"}, ""), ExitCode::Output);  // nobody may write there, root included
-  EXPECT_EQ(check({folder + "/folder.exr"}, ""), ExitCode::Output);
+  EXPECT_EQ(check({folder + "/none/a.exr"}, {}), ExitCode::Output);
+  EXPECT_EQ(check({folder + "/a.xyz"}, {}), ExitCode::Output);
+  EXPECT_EQ(check({folder + "/a"}, {}), ExitCode::Output);
+  EXPECT_EQ(check({"/proc/a.exr"}, {}), ExitCode::Output);  // nobody may write there, root included
+  EXPECT_EQ(check({folder + "/folder.exr"}, {}), ExitCode::Output);
   EXPECT_EQ(check({folder + "/a.exr"}, folder + "/none/s.json"), ExitCode::Output);
-  EXPECT_EQ(check({folder + "/a.exr", folder + "/./a.exr"}, ""), ExitCode::Usage);
+  EXPECT_EQ(check({folder + "/a.exr"}, ""), ExitCode::Output);
+  EXPECT_EQ(check({folder + "/a.exr", folder + "/./a.exr"}, {}), ExitCode::Usage);
   EXPECT_EQ(check({folder + "/a.exr", folder + "/a.png"}, folder + "/s"), ExitCode::Done);
   EXPECT_EQ(file_names(folder), std::vector<std::string>{"folder.exr"});
 }
@@ -174,6 +176,22 @@ TEST(Errors_CommandLine, FilesOfTheSceneAreNotOverwritten) {
                                             folder + "/leaf.png", "--size", "4x4", "--spp", "1"});
   EXPECT_EQ(result.exit_code, 4) << result.error;
   EXPECT_EQ(file_text(folder + "/leaf.png"), before);
+}
+
+// What would only be found when the picture is there.
+TEST(Errors_CommandLine, OutputsThatCannotHoldThePictureAreFoundBefore) {
+  const std::string folder = fresh_folder("late_outputs");
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"-o", folder + "/a.jpg", "--size", "65536x2"},
+        std::vector<std::string>{"-o", folder + "/a.png", "--size", "2x2", "--stats", ""}}) {
+    std::vector<std::string> arguments = {"render", small_scene(), "--spp", "1"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    const ProgramResult result = run_candela(arguments);
+    EXPECT_EQ(result.exit_code, 4) << result.error;
+    EXPECT_NE(result.error.find("cannot be written: "), std::string::npos) << result.error;
+    EXPECT_EQ(result.error.find("triangles"), std::string::npos) << result.error;
+    EXPECT_TRUE(file_names(folder).empty());
+  }
 }
 
 TEST(Errors_CommandLine, PicturesBeyondTheMemoryEndWithFive) {

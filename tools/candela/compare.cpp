@@ -60,7 +60,7 @@ ExitCode judge(const CompareArguments& arguments, const ImageComparison& compari
 ExitCode run_compare(const CompareArguments& arguments) {
   Console console(false);
   if (arguments.heatmap) {
-    const OutputCheck check = check_outputs({*arguments.heatmap}, "");
+    const OutputCheck check = check_outputs({*arguments.heatmap}, {});
     console.print(check.diagnostics);
     if (was_interrupted()) return ExitCode::Interrupted;
     if (check.exit_code != ExitCode::Done) return check.exit_code;

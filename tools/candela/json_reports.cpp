@@ -31,8 +31,7 @@ Json first_invalid_json(const std::optional<InvalidSample>& first) {
   return {{"x", first->x}, {"y", first->y}, {"sample", first->sample}};
 }
 
-Json crop_json(const RenderOptions& options) {
-  const PixelRect crop = options.crop.value_or(PixelRect{0, 0, options.width, options.height});
+Json crop_json(const PixelRect& crop) {
   return Json::array({crop.x0, crop.y0, crop.x1, crop.y1});
 }
 
@@ -69,7 +68,7 @@ void add_options(Json& json, const RenderReport& report) {
   json["integrator"] = name_of(options.integrator, integrator_choices());
   json["width"] = options.width;
   json["height"] = options.height;
-  json["crop"] = crop_json(options);
+  json["crop"] = crop_json(report.rect());
   json["camera"] = options.camera;
   json["spp"] = report.has_sample_limit() ? Json(options.samples_per_pixel) : Json(nullptr);
   json["min_samples"] = report.min_samples;

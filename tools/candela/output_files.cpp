@@ -19,7 +19,8 @@ std::string canonical(const std::string& path) {
 
 }  // namespace
 
-OutputCheck check_outputs(const std::vector<std::string>& images, const std::string& stats) {
+OutputCheck check_outputs(const std::vector<std::string>& images,
+                          const std::optional<std::string>& stats) {
   OutputCheck check;
   set_interrupt_mode(InterruptMode::Finish);  // a check tries to make a file
   std::set<std::string> seen;
@@ -31,24 +32,37 @@ OutputCheck check_outputs(const std::vector<std::string>& images, const std::str
   };
   for (const std::string& path : images)
     if (is_new(path)) check.diagnostics.append(check_writable_image(path));
-  if (!stats.empty() && is_new(stats)) check.diagnostics.append(check_writable_file(stats));
+  if (stats && is_new(*stats)) check.diagnostics.append(check_writable_file(*stats));
   set_interrupt_mode(InterruptMode::EndAtOnce);
   if (check.exit_code == ExitCode::Done && check.diagnostics.has_errors())
     check.exit_code = ExitCode::Output;
   return check;
 }
 
-Diagnostics check_scene_is_spared(const std::vector<std::string>& outputs,
-                                  const description::SceneDescription& description) {
-  std::set<std::string> inputs;
-  for (const std::string& path : description.files) inputs.insert(canonical(path));
-  for (const description::Image& image : description.images) inputs.insert(canonical(image.path));
+Diagnostics check_image_sizes(const std::vector<std::string>& images, int width, int height) {
+  Diagnostics diagnostics;
+  for (const std::string& path : images) diagnostics.append(check_image_size(path, width, height));
+  return diagnostics;
+}
+
+Diagnostics check_inputs_are_spared(const std::vector<std::string>& outputs,
+                                    const std::vector<std::string>& inputs,
+                                    std::string_view reader) {
+  std::set<std::string> read;
+  for (const std::string& path : inputs) read.insert(canonical(path));
   Diagnostics diagnostics;
   for (const std::string& path : outputs)
-    if (inputs.count(canonical(path)) > 0)
+    if (read.count(canonical(path)) > 0)
       diagnostics.error({},
-                        fmt::format("'{}' is read by the scene and would be overwritten", path));
+                        fmt::format("'{}' is read by {} and would be overwritten", path, reader));
   return diagnostics;
+}
+
+Diagnostics check_scene_is_spared(const std::vector<std::string>& outputs,
+                                  const description::SceneDescription& description) {
+  std::vector<std::string> inputs = description.files;
+  for (const description::Image& image : description.images) inputs.push_back(image.path);
+  return check_inputs_are_spared(outputs, inputs, "the scene");
 }
 
 }  // namespace candela::cli

@@ -52,8 +52,7 @@ std::string guiding_text(const RenderOptions& options) {
 // Everything that decides the pixels, in one line.
 std::string options_text(const RenderReport& report) {
   const RenderOptions& options = report.options;
-  const PixelRect whole{0, 0, options.width, options.height};
-  const PixelRect crop = options.crop.value_or(whole);
+  const PixelRect crop = report.rect();
   return fmt::format(
       "size={}x{} crop={},{},{},{} camera={} max_depth={} filter={} transparent={} accel={} "
       "robust={} replicates={} adaptive={} splitting={} roulette={}/{}{}{}{}{}",

@@ -47,6 +47,10 @@ struct RenderReport {
   std::vector<std::string> outputs;
   std::optional<RayLimit> ray_limit;
 
+  // The pixels that are rendered.
+  [[nodiscard]] PixelRect rect() const {
+    return options.crop.value_or(PixelRect{0, 0, options.width, options.height});
+  }
   [[nodiscard]] bool is_interrupted() const { return statistics.stop == StopReason::Cancelled; }
   // --error or --time alone: as many as they need.
   [[nodiscard]] bool has_sample_limit() const {

@@ -130,8 +130,7 @@ bool RenderRun::accepts(const Diagnostics& diagnostics, bool has_value) {
 }
 
 bool RenderRun::outputs_are_writable() {
-  const OutputCheck check =
-      check_outputs(output_paths(arguments_), arguments_.stats_path.value_or(""));
+  const OutputCheck check = check_outputs(output_paths(arguments_), arguments_.stats_path);
   if (was_interrupted()) return stop(ExitCode::Interrupted);
   console_.print(check.diagnostics);
   return check.exit_code == ExitCode::Done || stop(check.exit_code);
@@ -150,6 +149,11 @@ bool RenderRun::settles(const description::SceneDescription& description) {
   if (arguments_.scene.is_strict && !settled.settings->warnings.empty())
     return stop(ExitCode::Scene);
   report_.options = settled.settings->options;
+  const PixelRect rect = report_.rect();
+  const Diagnostics too_large =
+      check_image_sizes(output_paths(arguments_), rect.width(), rect.height());
+  console_.print(too_large);
+  if (too_large.has_errors()) return stop(ExitCode::Output);
   report_.display = settled.settings->display;
   if (!accepts(check_integrator(description, report_.options), true)) return false;
   report_.scene_hash = timed(&StageSeconds::load, [&] { return scene_hash(description); });
@@ -185,8 +189,7 @@ bool RenderRun::accepts_scene(const Scene& scene) {
 
 ProgressSink* RenderRun::start_rendering(const Scene& scene) {
   set_interrupt_mode(InterruptMode::Cancel);
-  const PixelRect whole{0, 0, options().width, options().height};
-  const PixelRect crop = options().crop.value_or(whole);
+  const PixelRect crop = report_.rect();
   report_.triangles = triangle_count(scene);
   console_.note(fmt::format("{}: {} triangles, {}x{}, {}, {}, {} thread{}", report_.scene,
                             report_.triangles, crop.width(), crop.height(), rules_text(report_),
