@@ -70,6 +70,16 @@ TEST_F(Errors_CompareCommand, ImagesThatDoNotFitEndWithThreeAndLateOutputsWithFo
   EXPECT_EQ(compare("/b.exr", "/a.exr", {"--heatmap", folder + "/none/heat.png"}).exit_code, 4);
 }
 
+TEST_F(Errors_CompareCommand, TheHeatmapTakesNoInputsPlace) {
+  const std::string before = file_text(folder + "/a.exr");
+  for (const char* path : {"/a.exr", "/./b.exr"}) {
+    const ProgramResult result = compare("/b.exr", "/a.exr", {"--heatmap", folder + path});
+    EXPECT_EQ(result.exit_code, 4);
+    EXPECT_NE(result.error.find("would be overwritten"), std::string::npos) << result.error;
+  }
+  EXPECT_EQ(file_text(folder + "/a.exr"), before);
+}
+
 TEST_F(Errors_CompareCommand, NotANumberPassesNoThreshold) {
   write_grey(folder + "/nan.exr", 4, std::nanf(""));
   const ProgramResult result = compare("/nan.exr", "/a.exr", {"--max-relmse", "1000"});

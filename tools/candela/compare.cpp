@@ -43,6 +43,18 @@ ExitCode write_heatmap(const std::string& path, const Image& image, const Image&
   return problems.has_errors() ? ExitCode::Output : ExitCode::Done;
 }
 
+// Before any work; Done where it can be written and is none of the images that are compared.
+ExitCode check_heatmap(const CompareArguments& arguments, Console& console) {
+  const OutputCheck check = check_outputs({*arguments.heatmap}, {});
+  if (was_interrupted()) return ExitCode::Interrupted;
+  console.print(check.diagnostics);
+  if (check.exit_code != ExitCode::Done) return check.exit_code;
+  const Diagnostics overwritten = check_inputs_are_spared(
+      {*arguments.heatmap}, {arguments.image, arguments.reference}, "this command");
+  console.print(overwritten);
+  return overwritten.has_errors() ? ExitCode::Output : ExitCode::Done;
+}
+
 ExitCode judge(const CompareArguments& arguments, const ImageComparison& comparison,
                Console& console) {
   if (comparison.invalid_values > 0)
@@ -60,10 +72,8 @@ ExitCode judge(const CompareArguments& arguments, const ImageComparison& compari
 ExitCode run_compare(const CompareArguments& arguments) {
   Console console(false);
   if (arguments.heatmap) {
-    const OutputCheck check = check_outputs({*arguments.heatmap}, {});
-    console.print(check.diagnostics);
-    if (was_interrupted()) return ExitCode::Interrupted;
-    if (check.exit_code != ExitCode::Done) return check.exit_code;
+    const ExitCode checked = check_heatmap(arguments, console);
+    if (checked != ExitCode::Done) return checked;
   }
   const Result<Image> image = read_image(arguments.image);
   const Result<Image> reference = read_image(arguments.reference);
