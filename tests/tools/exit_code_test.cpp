@@ -119,6 +119,24 @@ TEST(Errors_CommandLine, StrictTurnsWarningsIntoErrors) {
   EXPECT_EQ(run_candela({"check", scene, "--strict"}).exit_code, 3);
 }
 
+TEST(Errors_CommandLine, StrictRefusesWhatOptionsAreWarnedOf) {
+  const std::string folder = fresh_folder("strict_options");
+  const auto run = [&](const std::string& image, const std::vector<std::string>& options) {
+    std::vector<std::string> words = {"render",  small_scene(), "--size", "2x2",
+                                      "--spp",   "1",           "-o",     folder + "/" + image,
+                                      "--strict"};
+    words.insert(words.end(), options.begin(), options.end());
+    const ProgramResult result = run_candela(words);
+    if (result.exit_code != 0)
+      EXPECT_NE(result.error.find("--strict: 1 warning about"), std::string::npos) << result.error;
+    return result.exit_code;
+  };
+  EXPECT_EQ(run("a.png", {"--clamp", "1"}), 3);
+  EXPECT_EQ(run("a.png", {"--aov", "albedo"}), 3);
+  EXPECT_TRUE(file_names(folder).empty());
+  EXPECT_EQ(run("a.Exr", {"--aov", "albedo"}), 0);
+}
+
 TEST(Errors_CommandLine, OutputsAreCheckedByFolderExtensionAndName) {
   const std::string folder = fresh_folder("outputs");
   std::filesystem::create_directory(folder + "/folder.exr");

@@ -55,6 +55,7 @@ TEST(Unit_LabCommands, WhatWhittedCannotGrantIsSaid) {
       render(scene, output, {"--integrator", "raster", "--spp", "4", "--strict"});
   EXPECT_EQ(strict.exit_code, 3);
   EXPECT_NE(strict.error.find("raster sees no light"), std::string::npos) << strict.error;
+  EXPECT_NE(strict.error.find("--strict: 1 warning about"), std::string::npos) << strict.error;
   EXPECT_EQ(render(scene, output, {"--spp", "4", "--strict"}).exit_code, 0);  // path
 }
 

@@ -9,6 +9,7 @@
 
 #include "integrators/whitted/lab_lights.h"
 #include "renderer/base/parallel.h"
+#include "renderer/image/image_format.h"
 #include "tools/candela/decode_textures.h"
 #include "tools/candela/interrupt.h"
 #include "tools/candela/json_reports.h"
@@ -58,8 +59,7 @@ std::string stop_text(const RenderReport& report, std::string_view goal) {
 }
 
 bool is_exr(const std::string& path) {
-  const std::size_t dot = path.rfind('.');
-  return dot != std::string::npos && (path.substr(dot) == ".exr" || path.substr(dot) == ".EXR");
+  return format_of_extension(path) == ImageFormat::Exr;
 }
 
 std::uint64_t triangle_count(const Scene& scene) {
@@ -123,9 +123,13 @@ void RenderRun::record(const Diagnostics& diagnostics) {
 bool RenderRun::accepts(const Diagnostics& diagnostics, bool has_value) {
   record(diagnostics);
   if (diagnostics.has_errors() || !has_value) return stop(ExitCode::Scene);
-  if (!arguments_.scene.is_strict || diagnostics.warning_count() == 0) return true;
-  console_.error(fmt::format("--strict: {} warning{} about '{}'", diagnostics.warning_count(),
-                             diagnostics.warning_count() == 1 ? "" : "s", report_.scene));
+  return allows(diagnostics.warning_count());
+}
+
+bool RenderRun::allows(std::size_t warnings) {
+  if (!arguments_.scene.is_strict || warnings == 0) return true;
+  console_.error(fmt::format("--strict: {} warning{} about '{}'", warnings,
+                             warnings == 1 ? "" : "s", report_.scene));
   return stop(ExitCode::Scene);
 }
 
@@ -145,9 +149,6 @@ bool RenderRun::settles(const description::SceneDescription& description) {
     console_.error(settled.error);
     return stop(settled.exit_code);
   }
-  for (const std::string& sentence : settled.settings->warnings) warn(sentence);
-  if (arguments_.scene.is_strict && !settled.settings->warnings.empty())
-    return stop(ExitCode::Scene);
   report_.options = settled.settings->options;
   const PixelRect rect = report_.rect();
   const Diagnostics too_large =
@@ -155,16 +156,24 @@ bool RenderRun::settles(const description::SceneDescription& description) {
   console_.print(too_large);
   if (too_large.has_errors()) return stop(ExitCode::Output);
   report_.display = settled.settings->display;
+  std::vector<std::string> warnings = settled.settings->warnings;
+  for (const std::string& sentence : warnings_of_options()) warnings.push_back(sentence);
+  for (const std::string& sentence : warnings) warn(sentence);
+  if (!allows(warnings.size())) return false;
   if (!accepts(check_integrator(description, report_.options), true)) return false;
   report_.scene_hash = timed(&StageSeconds::load, [&] { return scene_hash(description); });
-  warn_of_useless_options();
   return true;
 }
 
-void RenderRun::warn_of_useless_options() {
+std::vector<std::string> RenderRun::warnings_of_options() const {
+  std::vector<std::string> warnings;
   const std::vector<std::string> paths = output_paths(arguments_);
   if (arguments_.aovs != 0 && std::none_of(paths.begin(), paths.end(), is_exr))
-    warn("--aov: only an EXR output can hold further layers, and none is asked for");
+    warnings.push_back("--aov: only an EXR output can hold further layers, and none is asked for");
+  for (const std::string& bias : biases_of(options()))
+    if (bias.starts_with("clamp"))
+      warnings.push_back(bias + ": the picture is biased, it lacks light");
+  return warnings;
 }
 
 // Such scenes are lit by an environment that only path sees.
@@ -180,7 +189,7 @@ bool RenderRun::accepts_scene(const Scene& scene) {
         fmt::format("{} sees no light in this scene: it knows point, spot and directional lights, "
                     "lamps and the ambient term",
                     name_of(options().integrator, integrator_choices())));
-    if (arguments_.scene.is_strict) return stop(ExitCode::Scene);
+    if (!allows(1)) return false;
   }
   if (!arguments_.scene.is_strict) return true;
   decode_all_textures(scene.textures);
@@ -228,8 +237,6 @@ void RenderRun::report_reliability() {
   if (report_.min_samples == 0 && report_.max_samples > 0 &&
       report_.statistics.stop == StopReason::Time)
     warn("the time did not suffice for one sample in every pixel; those without are black");
-  for (const std::string& bias : biases_of(options()))
-    if (bias.starts_with("clamp")) warn(bias + ": the picture is biased, it lacks light");
 }
 
 void RenderRun::report_invalid_samples() {

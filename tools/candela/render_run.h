@@ -69,11 +69,14 @@ class RenderRun {
   };
 
   [[nodiscard]] bool accepts(const Diagnostics& diagnostics, bool has_value);
+  // Whether so many warnings, of what is known before rendering, let it go on.
+  [[nodiscard]] bool allows(std::size_t warnings);
   [[nodiscard]] bool stop(ExitCode code);
   void fail(ExitCode code);
   void warn(const std::string& sentence);
   void record(const Diagnostics& diagnostics);
-  void warn_of_useless_options();
+  // Of those that do nothing, or harm.
+  [[nodiscard]] std::vector<std::string> warnings_of_options() const;
   [[nodiscard]] bool is_dark(const Scene& scene) const;
   void report_invalid_samples();
   void report_reliability();
