@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "integrators/seed_stream.h"
 #include "renderer/base/parallel.h"
 #include "renderer/film/variance.h"
 #include "renderer/sampling/hash.h"
@@ -97,7 +98,7 @@ void CloserLook::render_part(const Film& film, const TilePass& settings, Part& p
   pass.tile = pixel_at(film, part.index);
   pass.range = {0, part_samples};
   pass.density = nullptr;
-  const std::uint64_t seed = mix_bits(options_.seed + 6);  // none that the picture or guiding uses
+  const std::uint64_t seed = seed_of(SeedStream::CloserLook, options_.seed);
   pass.seed = hash_counter(seed, part.number);
   part.film = Film(film.full_width(), film.full_height(), pass.tile, 0, part_replicates,
                    film_balance(options_));

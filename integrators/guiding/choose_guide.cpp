@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "integrators/guiding/training.h"
+#include "integrators/seed_stream.h"
 #include "integrators/trial.h"
 #include "renderer/base/parallel.h"
 #include "renderer/sampling/hash.h"
@@ -34,7 +35,7 @@ std::vector<Pair> run_pairs(const RenderOptions& options, const TileFunction& re
   constexpr double share = 0.01;
   constexpr double most = 512;
   constexpr double samples_a_tile = 2.0 * tile_size * tile_size * trial_samples;
-  const std::uint64_t seed = mix_bits(options.seed + 5);  // none that the picture or training uses
+  const std::uint64_t seed = seed_of(SeedStream::GuideTrial, options.seed);
   std::vector<Pair> pairs(
       static_cast<std::size_t>(std::min(share * picture_samples(options) / samples_a_tile, most)));
   parallel_for(pairs.size(), [&](std::size_t i) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "integrators/guiding/training_log.h"
+#include "integrators/seed_stream.h"
 #include "integrators/trial.h"
 #include "renderer/base/parallel.h"
 #include "renderer/sampling/hash.h"
@@ -40,7 +41,7 @@ Records records_of_block(const RenderOptions& options, const TileFunction& rende
 Training::Training(const RenderOptions& options, const TileFunction& render_tile,
                    const CancelFlag* cancel)
     : options_(options), render_tile_(render_tile), cancel_(cancel) {
-  settings_.seed = mix_bits(options.seed + 4);  // none that the picture or a trial uses
+  settings_.seed = seed_of(SeedStream::GuideTraining, options.seed);
   settings_.plan.roulette_threshold = options.plan.roulette_threshold;
 }
 

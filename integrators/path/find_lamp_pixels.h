@@ -6,6 +6,7 @@
 #include "integrators/lamp_pixels.h"
 #include "integrators/path/seen_lamps.h"
 #include "integrators/pixel_cover.h"
+#include "integrators/seed_stream.h"
 #include "renderer/base/parallel.h"
 #include "renderer/sampling/hash.h"
 
@@ -62,7 +63,7 @@ template <FeatureSet F, class A>
   const RenderOptions& options = context.options;
   LampTrial trial = plan_lamp_trial(context.scene, context.filter, options);
   if (trial.blocks == 0) return {};
-  const std::uint64_t seed = mix_bits(options.seed + 3);  // none that the picture uses
+  const std::uint64_t seed = seed_of(SeedStream::LampPixels, options.seed);
   const auto width = static_cast<std::uint32_t>(options.width);
   std::vector<LampCoverage> coverage(
       static_cast<std::size_t>(width) * static_cast<std::size_t>(options.height),

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 
 #include "integrators/render_rounds.h"
+#include "integrators/seed_stream.h"
 #include "tests/film/synthetic_film.h"
 #include "tests/integrators/synthetic_tile.h"
 #include "tests/scenes/description.h"
@@ -91,6 +93,27 @@ TEST(Unit_CloserLook, LeavesThePictureAsItIs) {
   for (std::size_t i = 0; i < alone.pixel_count(); ++i)
     for (std::uint32_t r = 0; r < 4; ++r)
       EXPECT_EQ(alone.replicate_sum(i, r), result.film.replicate_sum(i, r));
+}
+
+// Of which those that choose the roulette are counters of a seed, too.
+TEST(Unit_CloserLook, HasRandomNumbersOfItsOwn) {
+  std::vector<std::uint64_t> taken;
+  for (const SeedStream stream : {SeedStream::LampPixels, SeedStream::GuideTraining,
+                                  SeedStream::GuideTrial, SeedStream::Roulette})
+    for (std::uint64_t n = 0; n < 1024; ++n) taken.push_back(hash_counter(seed_of(stream, 5), n));
+  std::mutex mutex;
+  std::vector<std::uint64_t> looks;
+  Film film(size, size, {0, 0, size, size}, 0, 4);
+  const RoundsDone done = render_rounds(
+      settings_of(size, many, 5).options,
+      [&](const TilePass& pass, Film& target) {
+        const std::lock_guard lock(mutex);
+        if (pass.seed != 5) looks.push_back(pass.seed);
+        return flashing_tile(pass, target);
+      },
+      film, nullptr, nullptr);
+  ASSERT_GT(done.error->looked_at, 0u);
+  for (const std::uint64_t seed : looks) EXPECT_EQ(std::count(taken.begin(), taken.end(), seed), 0);
 }
 
 // A pixel of a crop is looked at where it stands in the whole picture.
