@@ -199,6 +199,14 @@ RenderArguments with_integrator(IntegratorKind integrator) {
   return arguments;
 }
 
+TEST(Unit_RenderSettings, OnlyPathHasAGeneralKernel) {
+  for (const IntegratorKind integrator : {IntegratorKind::Whitted, IntegratorKind::Report}) {
+    RenderArguments arguments = with_integrator(integrator);
+    arguments.uses_general_kernel = true;
+    expect_refused(arguments, {}, ExitCode::Usage, "--kernel general is for path");
+  }
+}
+
 TEST(Unit_RenderSettings, WhittedAndRasterHaveDefaultsOfTheirOwn) {
   const RenderSettings whitted = settings(with_integrator(IntegratorKind::Whitted), {});
   EXPECT_EQ(whitted.options.samples_per_pixel, 16);

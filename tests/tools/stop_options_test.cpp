@@ -11,6 +11,9 @@ namespace {
 TEST(Errors_StopOptions, AreRefusedInSentences) {
   expect_refused({cornell_box, "--error", "0%"}, 2, "expected an error above 0 such as 1% or 0.01");
   expect_refused({cornell_box, "--error", "%"}, 2, "found '%'");
+  for (const char* extreme : {"1e-200", "1e200"})
+    expect_refused({cornell_box, "--error", extreme}, 2,
+                   "expected an error of which the square is a number");
   expect_refused({cornell_box, "--time", "5x"}, 2, "expected a time above 0 such as 60s");
   expect_refused({cornell_box, "--replicates", "0"}, 2, "expected a whole number from 1");
   expect_refused({cornell_box, "--clamp", "-1"}, 2, "expected a number above 0");

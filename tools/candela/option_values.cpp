@@ -183,8 +183,13 @@ Result<double> parse_probability(std::string_view text) {
 
 Result<double> parse_error_goal(std::string_view text) {
   const bool is_percentage = text.ends_with('%');
-  return number_in(text, text.substr(0, text.size() - (is_percentage ? 1 : 0)), is_positive,
-                   "an error above 0 such as 1% or 0.01", is_percentage ? 0.01 : 1);
+  const Result<double> goal =
+      number_in(text, text.substr(0, text.size() - (is_percentage ? 1 : 0)), is_positive,
+                "an error above 0 such as 1% or 0.01", is_percentage ? 0.01 : 1);
+  if (goal && !std::isnormal(*goal * *goal))
+    return failure(
+        fmt::format("expected an error of which the square is a number, found '{}'", text));
+  return goal;
 }
 
 Result<double> parse_duration(std::string_view text) {

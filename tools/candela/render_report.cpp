@@ -90,7 +90,7 @@ std::string_view stop_name(StopReason stop) {
 std::vector<std::string> biases_of(const RenderOptions& options) {
   std::vector<std::string> biases;
   if (std::isfinite(options.clamp)) biases.push_back(fmt::format("clamp {}", options.clamp));
-  if (options.max_depth && options.integrator == IntegratorKind::Path)
+  if (options.max_depth && !is_lab_shading(options.integrator))
     biases.push_back(fmt::format("max depth {}", *options.max_depth));
   return biases;
 }

@@ -54,7 +54,8 @@ struct RenderReport {
   [[nodiscard]] bool is_interrupted() const { return statistics.stop == StopReason::Cancelled; }
   // --error or --time alone: as many as they need.
   [[nodiscard]] bool has_sample_limit() const {
-    return options.samples_per_pixel < max_samples_per_pixel;
+    return options.samples_per_pixel < max_samples_per_pixel ||
+           !(options.target_relmse || options.time_limit_seconds);
   }
 };
 

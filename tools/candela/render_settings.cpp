@@ -122,6 +122,7 @@ void refuse_what_only_path_does(const RenderArguments& arguments, const RenderOp
                     ExitCode::Usage};
   };
   refuse(options.adaptive, "--adaptive");
+  refuse(arguments.uses_general_kernel, "--kernel general");
   refuse(arguments.splitting.has_value(), "--splitting");
   refuse(arguments.roulette.has_value(), "--roulette");
   refuse(arguments.guiding.has_value(), "--guiding");
