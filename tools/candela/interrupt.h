@@ -1,6 +1,7 @@
 // What SIGINT (Ctrl-C) and SIGTERM do at each stage of a run.
 //
-//   EndAtOnce  the process ends with 130, nothing was written (loading, compiling, building)
+//   EndAtOnce  the process ends with 130, nothing was written (loading, compiling, building); a
+//              temporary file that was there to try whether one can be is gone, too
 //   Cancel     the first sets the flag that render() polls, so that the image so far is written;
 //              the second ends the process at once
 //   Finish     files are being written, or were: the first is kept for later, the second ends the

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "renderer/image/image_io.h"
-#include "tools/candela/interrupt.h"
 
 namespace candela::cli {
 namespace {
@@ -22,7 +21,6 @@ std::string canonical(const std::string& path) {
 OutputCheck check_outputs(const std::vector<std::string>& images,
                           const std::optional<std::string>& stats) {
   OutputCheck check;
-  set_interrupt_mode(InterruptMode::Finish);  // a check tries to make a file
   std::set<std::string> seen;
   const auto is_new = [&](const std::string& path) {
     if (seen.insert(canonical(path)).second) return true;
@@ -33,7 +31,6 @@ OutputCheck check_outputs(const std::vector<std::string>& images,
   for (const std::string& path : images)
     if (is_new(path)) check.diagnostics.append(check_writable_image(path));
   if (stats && is_new(*stats)) check.diagnostics.append(check_writable_file(*stats));
-  set_interrupt_mode(InterruptMode::EndAtOnce);
   if (check.exit_code == ExitCode::Done && check.diagnostics.has_errors())
     check.exit_code = ExitCode::Output;
   return check;

@@ -135,7 +135,6 @@ bool RenderRun::allows(std::size_t warnings) {
 
 bool RenderRun::outputs_are_writable() {
   const OutputCheck check = check_outputs(output_paths(arguments_), arguments_.stats_path);
-  if (was_interrupted()) return stop(ExitCode::Interrupted);
   console_.print(check.diagnostics);
   return check.exit_code == ExitCode::Done || stop(check.exit_code);
 }
