@@ -133,6 +133,8 @@ ImageHeader header_of(const OpenImage& image, const DecodeLimits& limits) {
   ImageHeader header;
   header.width = spec.width;
   header.height = spec.height;
+  header.left = spec.x;
+  header.top = spec.y;
   header.sample_type = sample_type_of(spec.format);
   header.channels = spec.channelnames;
   header.channels.resize(std::min<std::size_t>(header.channels.size(), limits.max_channels));

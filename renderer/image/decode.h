@@ -36,6 +36,7 @@ struct ImageHeader {
   std::vector<std::string> channels;
   int alpha_channel = -1;
   bool alpha_is_straight = false;  // else colour is premultiplied by it
+  int left = 0, top = 0;  // where its first pixel lies in the picture of which it is a part (EXR)
 
   [[nodiscard]] std::size_t sample_count() const {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channels.size();

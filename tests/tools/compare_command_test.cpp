@@ -52,6 +52,17 @@ TEST_F(Unit_CompareCommand, MeasuresAndDrawsTheDifference) {
   EXPECT_GT(heatmap->pixel(1, 2)[0], heatmap->pixel(0, 0)[0]);
 }
 
+TEST_F(Unit_CompareCommand, PartsOfDifferentPlacesAreWarnedOf) {
+  const Image image(4, 4, {"R", "G", "B"});
+  WriteOptions options;
+  options.offset_x = 2;
+  options.offset_y = 3;
+  options.full_width = options.full_height = 9;
+  ASSERT_FALSE(write_image(folder + "/part.exr", image, options).has_errors());
+  EXPECT_NE(compare("/part.exr", "/a.exr").error.find("are 2,3 and 0,0"), std::string::npos);
+  EXPECT_EQ(compare("/part.exr", "/part.exr").error, "");
+}
+
 TEST_F(Unit_CompareCommand, EqualImagesPassAnyThreshold) {
   const ProgramResult result = compare("/a.exr", "/a.exr", {"--max-relmse", "0"});
   EXPECT_EQ(result.exit_code, 0) << result.error;

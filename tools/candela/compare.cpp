@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/image/decode.h"
 #include "renderer/image/image_io.h"
 #include "tools/candela/commands.h"
 #include "tools/candela/console.h"
@@ -46,13 +47,24 @@ ExitCode write_heatmap(const std::string& path, const Image& image, const Image&
 // Before any work; Done where it can be written and is none of the images that are compared.
 ExitCode check_heatmap(const CompareArguments& arguments, Console& console) {
   const OutputCheck check = check_outputs({*arguments.heatmap}, {});
-  if (was_interrupted()) return ExitCode::Interrupted;
   console.print(check.diagnostics);
   if (check.exit_code != ExitCode::Done) return check.exit_code;
   const Diagnostics overwritten = check_inputs_are_spared(
       {*arguments.heatmap}, {arguments.image, arguments.reference}, "this command");
   console.print(overwritten);
   return overwritten.has_errors() ? ExitCode::Output : ExitCode::Done;
+}
+
+// Of parts of pictures, which may be of one size and yet show other things.
+void warn_of_places(const CompareArguments& arguments, Console& console) {
+  const Result<ImageHeader> image = read_image_header(arguments.image, {});
+  const Result<ImageHeader> reference = read_image_header(arguments.reference, {});
+  if (!image || !reference) return;
+  if (image->left == reference->left && image->top == reference->top) return;
+  console.warning(
+      fmt::format("the images are parts of pictures, and of different places: their first pixels "
+                  "are {},{} and {},{}",
+                  image->left, image->top, reference->left, reference->top));
 }
 
 ExitCode judge(const CompareArguments& arguments, const ImageComparison& comparison,
@@ -82,6 +94,7 @@ ExitCode run_compare(const CompareArguments& arguments) {
   if (lacks_image || lacks_reference) return ExitCode::Scene;
   const Result<ImageComparison> comparison = compare_images(*image, *reference);
   if (is_printed_error(comparison, console)) return ExitCode::Scene;
+  warn_of_places(arguments, console);
   if (arguments.heatmap) {
     const ExitCode written = write_heatmap(*arguments.heatmap, *image, *reference, console);
     if (written != ExitCode::Done) return written;
