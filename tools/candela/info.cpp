@@ -9,7 +9,6 @@
 #include "tools/candela/json_reports.h"
 #include "tools/candela/option_values.h"
 #include "tools/candela/read_scene.h"
-#include "tools/candela/render_settings.h"
 #include "tools/candela/scene_hash.h"
 
 namespace candela::cli {
@@ -20,9 +19,7 @@ ExitCode run_info(const InfoArguments& arguments) {
   if (!read.is_usable()) return ExitCode::Scene;
   SceneInfo info = describe_scene(*read.description, *read.scene);
   info.scene_hash = scene_hash(*read.description);
-  const SettledSettings settled =
-      settle_settings(as_the_scene_asks(arguments.scene), *read.description);
-  info.kernel = kernel_name(*read.scene, settled.settings->options);
+  info.kernel = kernel_name(*read.scene, read.options);
   if (!find_few_faces(*read.scene).faces.is_empty()) {
     const EmbreeAccel accelerator(*read.scene, {.faces = true});
     info.faces = accelerator.face_count();

@@ -35,9 +35,10 @@ ReadScene read_scene(const SceneArguments& arguments, Console& console) {
   } else {
     for (const std::string& sentence : settled.settings->warnings) console.warning(sentence);
     read.warning_count += settled.settings->warnings.size();
+    read.options = settled.settings->options;
   }
-  auto scene = compile(*description, settled.settings ? compile_options(settled.settings->options)
-                                                      : CompileOptions{});
+  auto scene =
+      compile(*description, settled.settings ? compile_options(read.options) : CompileOptions{});
   report(scene.diagnostics, console, read);
   if (read.error_count > 0 || (arguments.is_strict && read.warning_count > 0)) return read;
   read.description = std::move(description.value);

@@ -14,6 +14,7 @@ namespace candela::cli {
 struct ReadScene {
   std::optional<description::SceneDescription> description;
   std::optional<Scene> scene;
+  RenderOptions options;  // as the scene itself asks to be rendered
   std::size_t error_count = 0;
   std::size_t warning_count = 0;
   [[nodiscard]] bool is_usable() const { return scene.has_value(); }
