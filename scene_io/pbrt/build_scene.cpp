@@ -33,7 +33,8 @@ struct MeshJob {
   bool needs_uvs = false;
   bool keeps_sphere = false;
   Diagnostics diagnostics;
-  MeshHandle handle;  // invalid: in error or left out
+  MeshHandle handle;      // invalid: in error or left out
+  std::size_t count = 1;  // of pbrt's shapes in it
 };
 
 struct PlacedShape {
@@ -99,13 +100,13 @@ class Meshes {
         shape, {context_.scene.path, needs_uvs, finest_segments, keeps_sphere}, context_.report);
     std::size_t job = jobs_.size();
     if (!key.empty()) job = job_of_.try_emplace(key, job).first->second;
-    if (job == jobs_.size()) jobs_.push_back({&shape, needs_uvs, keeps_sphere, {}, {}});
+    if (job == jobs_.size()) jobs_.push_back({&shape, needs_uvs, keeps_sphere, {}, {}, 1});
     shapes_.push_back({&shape, job});
   }
 
   void make() {
     const std::uint32_t segments = segments_for(curved_count_);
-    std::vector<std::optional<Mesh>> meshes(jobs_.size());
+    std::vector<std::optional<ShapeMesh>> meshes(jobs_.size());
     parallel_for(jobs_.size(), [&](std::size_t i) {
       MeshJob& job = jobs_[i];
       const Report report(job.diagnostics);
@@ -118,14 +119,19 @@ class Meshes {
       context_.report.diagnostics().append(jobs_[i].diagnostics);
       if (!meshes[i]) continue;
       jobs_[i].handle = MeshHandle(context_.scene.meshes.size());
-      note_file(*jobs_[i].shape, *meshes[i]);
-      context_.scene.meshes.push_back(std::move(*meshes[i]));
+      jobs_[i].count = meshes[i]->count;
+      note_file(*jobs_[i].shape, meshes[i]->mesh);
+      context_.scene.meshes.push_back(std::move(meshes[i]->mesh));
     }
   }
 
-  [[nodiscard]] MeshHandle of(std::size_t shape) const { return jobs_[shapes_[shape].job].handle; }
+  [[nodiscard]] MeshHandle of(std::size_t shape) const { return job(shape).handle; }
+  // How many shapes pbrt has in its place.
+  [[nodiscard]] std::size_t count_of(std::size_t shape) const { return job(shape).count; }
 
  private:
+  [[nodiscard]] const MeshJob& job(std::size_t shape) const { return jobs_[shapes_[shape].job]; }
+
   // A PLY file's mesh is named by it.
   void note_file(const ShapeStatement& shape, const Mesh& mesh) {
     auto& files = context_.scene.files;
@@ -145,7 +151,8 @@ class ShapeMaterials {
   ShapeMaterials(Context& context, Textures& textures, Materials& materials, Media& media)
       : context_(context), textures_(textures), materials_(materials), media_(media) {}
 
-  MaterialHandle of(ShapeStatement& shape, const Mesh& mesh) {
+  // `count`: of the shapes that pbrt has in the mesh's place.
+  MaterialHandle of(ShapeStatement& shape, const Mesh& mesh, std::size_t count) {
     Key key;
     key.base = &materials_.of(shape.material);
     read_alpha(shape, key);
@@ -157,7 +164,8 @@ class ShapeMaterials {
     if (shape.area_light != none || is_bumped) {
       const Areas areas = areas_of(mesh, shape.world_from_object);
       if (is_bumped) key.height_scale = height_scale(areas);
-      if (shape.area_light != none) read_emission_of(shape, areas, key);
+      if (shape.area_light != none)
+        read_emission_of(shape, areas.surface / static_cast<double>(count), key);
     }
     return of(key);
   }
@@ -194,14 +202,12 @@ class ShapeMaterials {
     key.opacity_texture = alpha->texture.index;
   }
 
-  void read_emission_of(const ShapeStatement& shape, const Areas& areas, Key& key) {
+  // `area`: of each of pbrt's shapes, which are lights of their own, in the mean.
+  void read_emission_of(const ShapeStatement& shape, double area, Key& key) {
     const auto [at, is_new] = emissions_.try_emplace(shape.area_light);
     if (is_new)
       at->second = read_emission(context_, context_.program.area_lights[shape.area_light]);
-    // pbrt's power is that of each of its lights: triangles, but curved shapes as a whole.
-    const double count =
-        is_curved(shape) ? 1 : static_cast<double>(std::max<std::size_t>(areas.triangle_count, 1));
-    const Vec3d radiance = at->second.radiance_on(areas.surface / count);
+    const Vec3d radiance = at->second.radiance_on(area);
     if (!is_finite(radiance))
       context_.report.error(shape.statement.place, "what this shape emits is not finite");
     if (key.opacity == 0 && radiance != Vec3d(0.0))
@@ -307,10 +313,11 @@ class SceneBuilder {
 
   // The next of the shapes as they were added.
   std::optional<Part> next_part(ShapeStatement& shape) {
-    const MeshHandle handle = meshes_.of(next_shape_++);
+    const std::size_t index = next_shape_++;
+    const MeshHandle handle = meshes_.of(index);
     if (!handle) return std::nullopt;
     Mesh& mesh = context_.scene.meshes[handle.index];
-    const MaterialHandle material = shape_materials_.of(shape, mesh);
+    const MaterialHandle material = shape_materials_.of(shape, mesh, meshes_.count_of(index));
     if (mesh.materials.empty()) mesh.materials = {material};
     return Part{handle, material, &shape};
   }

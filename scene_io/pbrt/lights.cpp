@@ -281,9 +281,9 @@ Emission read_emission(Context& context, Statement& statement) {
   return emission;
 }
 
-Vec3d Emission::radiance_on(double triangle_area) const {
-  if (!power || !(triangle_area > 0)) return radiance;
-  return radiance * (*power / (triangle_area * pi_double * (emits_both_sides ? 2 : 1)));
+Vec3d Emission::radiance_on(double area) const {
+  if (!power || !(area > 0)) return radiance;
+  return radiance * (*power / (area * pi_double * (emits_both_sides ? 2 : 1)));
 }
 
 }  // namespace candela::pbrt

@@ -13,12 +13,12 @@ void read_lights(Context& context);
 struct Emission {
   Vec3d radiance{0.0};
   bool emits_both_sides = false;
-  std::optional<double> power;     // of each triangle, in place of its radiance
+  std::optional<double> power;     // of each of pbrt's shapes, in place of its radiance
   description::ImageHandle map{};  // a factor of the radiance; with a power, by its mean
 
-  // `triangle_area` is that of the shape's mean triangle in the world: pbrt gives each triangle of
-  // a mesh the whole power.
-  [[nodiscard]] Vec3d radiance_on(double triangle_area) const;
+  // `area` is that of one of pbrt's shapes in the world: each triangle and each patch of a mesh has
+  // the whole power.
+  [[nodiscard]] Vec3d radiance_on(double area) const;
 };
 
 // Of an AreaLightSource.

@@ -100,22 +100,23 @@ MaybeMesh make_mesh(ShapeStatement& shape, const ShapeOptions& options, const Re
   }
   arguments.accept({"alpha"});
   arguments.ignore("shadowalpha", "shadows are those of \"alpha\"");  // pbrt-v3
-  MaybeMesh mesh = mesh_of(arguments, options);
+  MaybeMesh made = mesh_of(arguments, options);
   arguments.warn_of_unknown();
-  if (!mesh) return std::nullopt;
-  if (mesh->name.empty()) mesh->name = shape.statement.type;
-  mesh->span = shape.statement.place.span();
-  if (!is_finite_mesh(*mesh)) {
+  if (!made) return std::nullopt;
+  Mesh& mesh = made->mesh;
+  if (mesh.name.empty()) mesh.name = shape.statement.type;
+  mesh.span = shape.statement.place.span();
+  if (!is_finite_mesh(mesh)) {
     report.error(shape.statement.place, "this shape has positions that are not finite");
     return std::nullopt;
   }
-  if (mesh->sphere) {
-    mesh->sphere->faces_inwards = shape.is_reversed;
-    return mesh;
+  if (mesh.sphere) {
+    mesh.sphere->faces_inwards = shape.is_reversed;
+    return made;
   }
-  orient(*mesh, shape.is_reversed);
-  if (options.needs_uvs && mesh->uvs.empty()) add_default_uvs(*mesh);
-  return mesh;
+  orient(mesh, shape.is_reversed);
+  if (options.needs_uvs && mesh.uvs.empty()) add_default_uvs(mesh);
+  return made;
 }
 
 void orient(Mesh& mesh, bool is_reversed) {

@@ -31,15 +31,21 @@ struct ShapeOptions {
   bool keeps_spheres = false;  // whole ones stay spheres: they are placed by similarities only
 };
 
+// `count`: how many shapes pbrt makes of it, each with the whole power of its light: a mesh's
+// triangles or patches; spheres, disks and cylinders are one.
+struct ShapeMesh {
+  description::Mesh mesh;
+  std::size_t count = 1;
+};
+
 // What tells one mesh from another: shapes with equal keys have equal meshes. Empty: it is alone.
 [[nodiscard]] std::string mesh_key(const ShapeStatement& shape, const ShapeOptions& options,
                                    const Report& report);
 
 // No value: it is in error or, with a warning, no shape that candela has. `materials` is left
 // empty. Touches nothing but the shape, so several may be made in parallel.
-[[nodiscard]] std::optional<description::Mesh> make_mesh(ShapeStatement& shape,
-                                                         const ShapeOptions& options,
-                                                         const Report& report);
+[[nodiscard]] std::optional<ShapeMesh> make_mesh(ShapeStatement& shape, const ShapeOptions& options,
+                                                 const Report& report);
 
 // Reverses triangles that lie against their normals, and all with is_reversed.
 void orient(description::Mesh& mesh, bool is_reversed);

@@ -10,7 +10,7 @@
 
 namespace candela::pbrt {
 
-using MaybeMesh = std::optional<description::Mesh>;
+using MaybeMesh = std::optional<ShapeMesh>;
 
 [[nodiscard]] MaybeMesh triangle_mesh(Arguments& arguments);
 [[nodiscard]] MaybeMesh ply_mesh(Arguments& arguments, const ShapeOptions& options);
@@ -19,6 +19,9 @@ using MaybeMesh = std::optional<description::Mesh>;
 [[nodiscard]] MaybeMesh cylinder(Arguments& arguments, const ShapeOptions& options);
 [[nodiscard]] MaybeMesh bilinear_mesh(Arguments& arguments);
 [[nodiscard]] MaybeMesh loop_subdivision(Arguments& arguments);
+
+// A mesh each of whose triangles is a shape of pbrt's.
+[[nodiscard]] ShapeMesh of_triangles(description::Mesh mesh);
 
 struct SurfaceSample {
   Vec3d position{0.0};

@@ -65,6 +65,11 @@ void append_patch(const IndexedFaces& faces, const std::uint32_t* corner, Mesh& 
 
 }  // namespace
 
+ShapeMesh of_triangles(Mesh mesh) {
+  const std::size_t count = mesh.triangles.size();
+  return {std::move(mesh), count};
+}
+
 std::optional<IndexedFaces> indexed_faces(Arguments& arguments, std::size_t corners) {
   IndexedFaces faces{arguments.points3("P"), arguments.points3("N"), arguments.points2("uv"),
                      arguments.indices("indices")};
@@ -104,7 +109,7 @@ MaybeMesh triangle_mesh(Arguments& arguments) {
   mesh.triangles.reserve(faces->indices.size() / 3);
   for (std::size_t i = 0; i < faces->indices.size(); i += 3)
     mesh.triangles.push_back({faces->indices[i], faces->indices[i + 1], faces->indices[i + 2]});
-  return mesh;
+  return of_triangles(std::move(mesh));
 }
 
 MaybeMesh ply_mesh(Arguments& arguments, const ShapeOptions& options) {
@@ -118,7 +123,9 @@ MaybeMesh ply_mesh(Arguments& arguments, const ShapeOptions& options) {
   }
   const std::string path =
       resolve_file(options.scene_path, file->place, file->strings[0], arguments.report());
-  return ply::read_ply(path, {.smooth_missing_normals = false}, arguments.report().diagnostics());
+  auto mesh =
+      ply::read_ply(path, {.smooth_missing_normals = false}, arguments.report().diagnostics());
+  return mesh ? MaybeMesh(of_triangles(std::move(*mesh))) : std::nullopt;
 }
 
 MaybeMesh bilinear_mesh(Arguments& arguments) {
@@ -129,7 +136,7 @@ MaybeMesh bilinear_mesh(Arguments& arguments) {
   Mesh mesh;
   for (std::size_t i = 0; i < faces->indices.size(); i += 4)
     append_patch(*faces, &faces->indices[i], mesh);
-  return mesh;
+  return ShapeMesh{std::move(mesh), faces->indices.size() / 4};
 }
 
 }  // namespace candela::pbrt

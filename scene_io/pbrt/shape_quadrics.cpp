@@ -97,7 +97,7 @@ MaybeMesh sphere(Arguments& arguments, const ShapeOptions& options) {
   Mesh mesh;
   if (options.keeps_spheres && is_whole(arguments, r)) {
     mesh.sphere = description::Sphere{r, false};
-    return mesh;
+    return ShapeMesh{std::move(mesh)};
   }
   const double z0 = std::clamp(arguments.number("zmin").value_or(-r), -r, r);
   const double z1 = std::clamp(arguments.number("zmax").value_or(r), -r, r);
@@ -117,7 +117,7 @@ MaybeMesh sphere(Arguments& arguments, const ShapeOptions& options) {
   const double exact = phi_max * std::abs(z1 - z0) / r;
   if (area > 0)
     for (Vec3d& position : mesh.positions) position *= std::sqrt(exact / area);
-  return mesh;
+  return ShapeMesh{std::move(mesh)};
 }
 
 // u around, v from the rim inwards.
@@ -137,7 +137,7 @@ MaybeMesh disk(Arguments& arguments, const ShapeOptions& options) {
   };
   Mesh mesh;
   append_grid(columns, 1, surface, as_is, mesh);
-  return mesh;
+  return ShapeMesh{std::move(mesh)};
 }
 
 MaybeMesh cylinder(Arguments& arguments, const ShapeOptions& options) {
@@ -156,7 +156,7 @@ MaybeMesh cylinder(Arguments& arguments, const ShapeOptions& options) {
   };
   Mesh mesh;
   append_grid(columns, 1, surface, as_is, mesh);
-  return mesh;
+  return ShapeMesh{std::move(mesh)};
 }
 
 }  // namespace candela::pbrt

@@ -145,7 +145,7 @@ MaybeMesh loop_subdivision(Arguments& arguments) {
   mesh.positions = std::move(positions);
   mesh.triangles = std::move(triangles);
   mesh::compute_smooth_normals(mesh);
-  return mesh;
+  return of_triangles(std::move(mesh));
 }
 
 }  // namespace candela::pbrt

@@ -89,6 +89,21 @@ TEST(Unit_PbrtLights, CurvedShapesOfAPower) {
               Vec3d(10 / (2 * pi_double * pi_double * 3 * 2)));
 }
 
+// A patch is one light, of however many triangles it is made here.
+TEST(Unit_PbrtLights, PatchesOfAPower) {
+  const auto emission = [&](const std::string& rest) {
+    const auto scene = pbrt_world(
+        "AreaLightSource \"diffuse\" \"float power\" 100 \"bool twosided\" true "
+        "Shape \"bilinearmesh\" \"point3 P\" [ -2 -2 0  2 -2 0  -2 2 0  2 2 " +
+        rest);
+    return scene.materials.at(0).emission;
+  };
+  const Vec3d one(100 / (2 * pi_double * 16));
+  expect_near(emission("0 ]"), one);
+  EXPECT_NEAR(emission("0.01 ]").x, one.x, 1e-5);
+  expect_near(emission("0  2 6 0 -2 6 0 ] \"integer indices\" [ 0 1 2 3  2 3 5 4 ]"), one);
+}
+
 TEST(Unit_PbrtLights, ShapesOfOneMaterialAndLightShareIt) {
   const auto scene = pbrt_world(R"(Material "diffuse"
     Shape "disk"
