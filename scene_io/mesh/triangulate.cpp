@@ -77,7 +77,7 @@ void Triangulator::split_odd_quad(bool is_02_shorter) {
 
 void Triangulator::clip_ears() {
   start();
-  while (remaining_ > 3 && work_ < work_per_corner * points_.size()) {
+  while (remaining_ > 3 && !is_spent()) {
     if (round_.empty()) {
       clip_stuck();
     } else {
@@ -111,6 +111,10 @@ void Triangulator::start() {
   for (std::uint32_t i = 0; i < count; ++i) classify(i);
 }
 
+bool Triangulator::is_spent() const {
+  return work_ >= work_per_corner * points_.size();
+}
+
 std::int64_t Triangulator::turn_at(std::uint32_t corner) const {
   return orientation(points_[previous_[corner]], points_[corner], points_[next_[corner]]);
 }
@@ -132,7 +136,7 @@ void Triangulator::clip_round() {
   for (const std::uint32_t corner : round_) {
     is_queued_[corner] = false;
     if (next_[corner] == corner) continue;  // gone
-    if (remaining_ <= 3) return;
+    if (remaining_ <= 3 || is_spent()) return;
     if (touched_in_[corner] == round_number_) {
       touch(corner);  // its turn comes in the next round
     } else if (is_ear(corner, Strictness::Boundary)) {

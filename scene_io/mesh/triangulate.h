@@ -46,6 +46,8 @@ class Triangulator {
   void classify(std::uint32_t corner);
   void touch(std::uint32_t corner);
   void finish_as_fan();
+  // Whether all the work that the polygon is worth has been done.
+  [[nodiscard]] bool is_spent() const;
   [[nodiscard]] bool is_ear(std::uint32_t corner, Strictness strictness);
   [[nodiscard]] bool may_clip_stuck(std::uint32_t corner);
   [[nodiscard]] std::int64_t turn_at(std::uint32_t corner) const;

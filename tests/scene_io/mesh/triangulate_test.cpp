@@ -272,12 +272,13 @@ TEST(Stress_Triangulate, LargePolygonsEnd) {
   constexpr int corners = 200'000;
   std::mt19937 random(5);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
-  Polygon noise, pentagram, line;
+  Polygon noise, pentagram, line, again;
   for (int i = 0; i < corners; ++i) {
     if (i % 8 == 0) noise.push_back({any(random), any(random), 0.0});
     const double angle = 2 * pi * i * 0.4 / 1.00001;
     pentagram.push_back({std::cos(angle), std::sin(angle), 0.0});
     line.push_back({double(i), 0.0, 0.0});
+    again.push_back({double(i % 3 == 1), double(i % 3 == 2), 0.0});
   }
   const std::vector<std::pair<const char*, Polygon>> polygons{
       {"circle", circle(corners)},
@@ -294,6 +295,7 @@ TEST(Stress_Triangulate, LargePolygonsEnd) {
       {"pentagram", pentagram},
       {"straight", line},
       {"point", Polygon(corners, Vec3d{1.0})},
+      {"triangle again and again", again},
   };
   for (const auto& [name, polygon] : polygons) {
     const auto begin = std::chrono::steady_clock::now();
