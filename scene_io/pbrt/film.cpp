@@ -190,6 +190,7 @@ constexpr std::string_view integrators[] = {
 void read_sampler(Context& context) {
   auto& defaults = context.scene.defaults;
   defaults.samples_per_pixel = 16;
+  if (context.program.seed) defaults.seed = *context.program.seed;
   if (!context.program.sampler) return;
   Arguments sampler(*context.program.sampler, context.report);
   check_type(sampler.statement(), "sampler", samplers, context.report);

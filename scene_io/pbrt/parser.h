@@ -82,10 +82,12 @@ class Parser {
   template <std::size_t n>
   std::optional<std::array<double, n>> read_numbers();
   std::optional<double> read_number();
+  std::optional<Token> read_value(std::string_view what);
   ParameterList read_list();
   // A type and parameters: Shape "sphere" "float radius" 2.
   std::optional<Statement> read_statement(std::optional<AttributeTarget> target = std::nullopt);
   void apply(const Transform& transform);
+  void set_seed(const Token& value);
 
   bool push(Block::Kind kind);
   bool pop(Block::Kind kind);

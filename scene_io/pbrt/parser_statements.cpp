@@ -1,13 +1,40 @@
 // The directives that declare something.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "scene_io/pbrt/parser.h"
 #include "scene_io/pbrt/transforms.h"
+#include "scene_io/text/number.h"
 
 namespace candela::pbrt {
+namespace {
+
+// pbrt's; "seed" is the one that counts here.
+constexpr std::array<std::string_view, 11> options{"disablepixeljitter",
+                                                   "disabletexturefiltering",
+                                                   "disablewavelengthjitter",
+                                                   "displacementedgescale",
+                                                   "forcediffuse",
+                                                   "msereferenceimage",
+                                                   "msereferenceout",
+                                                   "pixelstats",
+                                                   "rendercoordsys",
+                                                   "seed",
+                                                   "wavefront"};
+
+// pbrt reads the names of options without regard to case, '-' and '_'.
+std::string normalized(std::string_view name) {
+  std::string plain;
+  for (const char c : name)
+    if (c != '-' && c != '_') plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return plain;
+}
+
+}  // namespace
 
 void Parser::camera() {
   auto statement = read_statement();
@@ -37,11 +64,58 @@ void Parser::pixel_filter() {
 void Parser::accelerator() {
   (void)read_statement();
 }
+
+// A name and one value: Option "seed" 5. With a type before the name, as parameters have it, it
+// counts as well.
 void Parser::option() {
-  const ParameterList options = read_list();
-  for (const Parameter& option : options)
-    warn_once("Option " + option.name, option.place,
-              fmt::format("the option {} is ignored", text::quoted(option.name)));
+  const Place place{file_, tokens_->peek().offset};
+  const auto declared = read_string("the name of an option");
+  if (!declared) return;
+  const std::string_view words = *declared;
+  const std::size_t blank = words.find_last_of(" \t");
+  const std::string name =
+      normalized(words.substr(blank == std::string_view::npos ? 0 : blank + 1));
+  const auto value = read_value(name);
+  if (!value) return;
+  if (name == "seed") return set_seed(*value);
+  const bool is_known = std::find(options.begin(), options.end(), name) != options.end();
+  warn_once("Option " + name, place,
+            is_known ? fmt::format("the option {} is ignored", text::quoted(name))
+                     : fmt::format("{} is no option of pbrt and is ignored{}", text::quoted(name),
+                                   did_you_mean(std::string_view(name).substr(0, 100),
+                                                {options.begin(), options.end()})));
+}
+
+// A number or a string; in brackets, too.
+std::optional<Token> Parser::read_value(std::string_view what) {
+  const bool is_list = tokens_->peek().kind == TokenKind::Open;
+  if (is_list) tokens_->next();
+  const Token value = tokens_->peek();
+  if (value.kind == TokenKind::Word || value.kind == TokenKind::String) {
+    tokens_->next();
+    if (!is_list) return value;
+    if (tokens_->peek().kind == TokenKind::Close) {
+      tokens_->next();
+      return value;
+    }
+  }
+  const Token token = tokens_->peek();
+  error(token.offset,
+        fmt::format("{}: found {}, expected one value of {}", directive_.text,
+                    token.kind == TokenKind::End ? "the end of the file" : text::quoted(token.text),
+                    text::quoted(what)));
+  skip_to_directive();
+  return std::nullopt;
+}
+
+void Parser::set_seed(const Token& value) {
+  const text::Number<double> number = text::parse_double(value.text);
+  if (number && number.value >= 0 && number.value < 9e15 &&
+      number.value == std::floor(number.value))
+    program_.seed = static_cast<std::uint64_t>(number.value);
+  else
+    error(value.offset, fmt::format("Option \"seed\": found {}, expected an integer of at least 0",
+                                    text::quoted(value.text)));
 }
 
 void Parser::color_space() {

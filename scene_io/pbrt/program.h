@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <map>
 #include <optional>
@@ -72,6 +73,7 @@ struct Program {
   std::optional<Statement> camera, film, sampler, integrator, filter;
   Transform camera_from_world;
   MediumUse around_camera;
+  std::optional<std::uint64_t> seed;  // Option's
   std::map<std::string, TextureStatement> float_textures, spectrum_textures;
   std::vector<MaterialStatement> materials;
   std::map<std::string, std::size_t> material_named;

@@ -150,6 +150,27 @@ TEST(Errors_PbrtFilm, WhatCannotBeHonouredIsNamed) {
             "2:8: the camera's transform is singular");
 }
 
+// A name and one value; the form with a type, which pbrt does not have, counts as well.
+TEST(Unit_PbrtFilm, OptionsAreNamesWithAValue) {
+  const auto seed = [](const std::string& text) {
+    return pbrt_scene(text + "\nWorldBegin").defaults.seed;
+  };
+  EXPECT_EQ(seed("Option \"seed\" 5"), 5u);
+  EXPECT_EQ(seed("Option \"Seed\" [ 6 ]"), 6u);
+  EXPECT_EQ(seed("Option \"integer seed\" 7"), 7u);
+  EXPECT_EQ(seed("Option \"seed\" 5 Sampler \"sobol\" \"integer seed\" 8"), 8u);
+  EXPECT_EQ(pbrt_warning("Option \"disablepixeljitter\" true\nWorldBegin"),
+            "1:8: the option 'disablepixeljitter' is ignored");
+  EXPECT_EQ(pbrt_warning("Option \"render-coord-sys\" \"world\"\nWorldBegin"),
+            "1:8: the option 'rendercoordsys' is ignored");
+  EXPECT_EQ(pbrt_warning("Option \"sed\" 5\nWorldBegin"),
+            "1:8: 'sed' is no option of pbrt and is ignored, did you mean 'seed'?");
+  EXPECT_EQ(pbrt_error("Option \"seed\" -1\nWorldBegin"),
+            "1:15: Option \"seed\": found '-1', expected an integer of at least 0");
+  EXPECT_EQ(pbrt_error("Option \"seed\" [ 1 2 ]\nWorldBegin"),
+            "1:19: Option: found '2', expected one value of 'seed'");
+}
+
 // What no version of pbrt has is no wish that cannot be honoured, but a mistake.
 TEST(Errors_PbrtFilm, TypesThatDoNotExist) {
   EXPECT_EQ(pbrt_error("Integrator \"volpth\"\nWorldBegin"),

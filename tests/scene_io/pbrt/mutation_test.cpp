@@ -9,7 +9,7 @@
 namespace candela {
 namespace {
 
-constexpr std::string_view everything = R"(Option "integer seed" 3
+constexpr std::string_view everything = R"(Option "seed" 3
 LookAt 0 1 5  0 0 0  0 1 0
 Scale -1 1 1
 Camera "perspective" "float fov" 45 "float lensradius" .1 "float focaldistance" 5
