@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -77,22 +78,22 @@ class ListReader {
     ParameterList list;
     while (tokens_.peek().kind != TokenKind::End && tokens_.peek().kind != TokenKind::Word) {
       Parameter parameter;
-      if (!read_parameter(parameter)) {
+      if (!read_parameter(parameter))
         skip_to_directive();
-      } else if (has(list, parameter.name)) {
-        report_.warning(parameter.place, fmt::format("{} is given twice; the first one counts",
-                                                     text::quoted(parameter.name)));
-      } else {
-        list.push_back(std::move(parameter));
-      }
+      else
+        add(std::move(parameter), list);
     }
     return list;
   }
 
  private:
-  static bool has(const ParameterList& list, const std::string& name) {
-    return std::any_of(list.begin(), list.end(),
-                       [&](const Parameter& other) { return other.name == name; });
+  // As in pbrt the last of several counts.
+  void add(Parameter parameter, ParameterList& list) {
+    const auto [at, is_new] = index_of_.try_emplace(parameter.name, list.size());
+    if (is_new) return list.push_back(std::move(parameter));
+    report_.warning(parameter.place, fmt::format("{} is given twice; the last one counts",
+                                                 text::quoted(parameter.name)));
+    list[at->second] = std::move(parameter);
   }
 
   bool fail(std::size_t offset, std::string message) {
@@ -196,6 +197,7 @@ class ListReader {
   Tokenizer& tokens_;
   const SourceFile& file_;
   const Report& report_;
+  std::unordered_map<std::string, std::size_t> index_of_;  // in the list, by name
 };
 
 }  // namespace

@@ -91,6 +91,17 @@ TEST(Unit_PbrtParse, AttributesOfATargetAreDefaults) {
   EXPECT_NEAR(rim(2), 1, 1e-2);
 }
 
+// As in pbrt, whose lists are searched from their end.
+TEST(Unit_PbrtParse, TheLastOfEqualParametersCounts) {
+  const std::string twice = "\"rgb reflectance\" [ .1 .1 .1 ] \"rgb reflectance\" [ .7 .7 .7 ]";
+  for (const std::string& text : {"Material \"diffuse\" " + twice,
+                                  "Attribute \"material\" " + twice + " Material \"diffuse\""}) {
+    const auto scene = pbrt_world(text + " Shape \"disk\"");
+    const auto& material = std::get<description::DiffuseMaterial>(scene.materials.at(0).model);
+    EXPECT_EQ(material.reflectance.factor, Vec3d(.7));
+  }
+}
+
 TEST(Unit_PbrtParse, IncludedFilesChangeTheStateAndImportedOnesDoNot) {
   const auto included = pbrt_world("Include \"state.pbrt\"\nShape \"sphere\"");
   ASSERT_EQ(included.instances.size(), 2u);
@@ -163,7 +174,7 @@ TEST(Errors_PbrtParse, UnknownParametersAreWarnedOf) {
             "2:14: 'raduis' is not a parameter of Shape \"disk\" and is ignored, did you mean "
             "'radius'?");
   EXPECT_EQ(pbrt_world_warning("Shape \"disk\" \"float radius\" 1 \"float radius\" 2"),
-            "2:31: 'radius' is given twice; the first one counts");
+            "2:31: 'radius' is given twice; the last one counts");
 }
 
 TEST(Errors_PbrtParse, AllErrorsAtOnce) {
