@@ -7,10 +7,19 @@ namespace {
 
 constexpr std::size_t longest_counted = 4096;
 
+// Files of old Macs end their lines by '\r' alone.
+std::string with_newlines(std::string bytes) {
+  const bool is_of_old_macs = std::find(bytes.begin(), bytes.end(), '\n') == bytes.end();
+  if (is_of_old_macs) std::replace(bytes.begin(), bytes.end(), '\r', '\n');
+  return bytes;
+}
+
 }  // namespace
 
 SourceFile::SourceFile(const std::string& path, std::string bytes)
-    : bytes_(std::move(bytes)), source_(text::make_source(path, bytes_)), line_begins_{0} {
+    : bytes_(with_newlines(std::move(bytes))),
+      source_(text::make_source(path, bytes_)),
+      line_begins_{0} {
   for (std::size_t at = bytes_.find('\n'); at != std::string::npos; at = bytes_.find('\n', at + 1))
     line_begins_.push_back(at + 1);
 }

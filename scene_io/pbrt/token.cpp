@@ -37,7 +37,7 @@ void Tokenizer::skip_to_token() {
   for (cursor_.skip_spaces(); cursor_.peek() == '#'; cursor_.skip_spaces()) {
     const std::string_view rest = cursor_.rest();
     const bool is_own = rest.starts_with(own_mark);
-    cursor_.skip(is_own ? own_mark.size() : std::min(rest.find('\n'), rest.size()));
+    cursor_.skip(is_own ? own_mark.size() : std::min(rest.find_first_of("\r\n"), rest.size()));
   }
 }
 

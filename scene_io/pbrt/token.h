@@ -1,6 +1,6 @@
 // The tokens of a pbrt file: words, quoted strings and brackets between blanks and comments (from
-// '#' to the line's end). What stands behind `#candela:` is read, while pbrt takes it for a
-// comment: parameters for what pbrt's own cannot say (docs/pbrt.md).
+// '#' to the line's end, which is '\n' or '\r'). What stands behind `#candela:` is read, while pbrt
+// takes it for a comment: parameters for what pbrt's own cannot say (docs/pbrt.md).
 #pragma once
 
 #include <cstddef>

@@ -29,6 +29,7 @@ TEST(Unit_PbrtTokens, WordsStringsAndBracketsNeedNoBlanks) {
             (std::vector<std::string>{"1Shape", "2disk", "3[", "11", "12", "4]", "13"}));
   EXPECT_EQ(tokens_of("\"a \\\" b\" \"open\n2"),
             (std::vector<std::string>{"2a \\\" b", "5open", "12"}));
+  EXPECT_EQ(tokens_of("1 # 2\r3\r\n4"), (std::vector<std::string>{"11", "13", "14"}));
   EXPECT_EQ(pbrt::unescaped("a\\n\\\\\\\"b\\"), "a\n\\\"b\\");
 }
 
@@ -167,6 +168,13 @@ TEST(Errors_PbrtParse, TheLineIsShownWithACaret) {
   const auto scene = parse_pbrt_text("WorldBegin\n  Shape \"dsik\"\n");
   ASSERT_EQ(scene.diagnostics.list().size(), 1u);
   EXPECT_EQ(scene.diagnostics.list()[0].excerpt, "  Shape \"dsik\"\n        ^");
+}
+
+// Lines of old Macs, which '\r' ends.
+TEST(Errors_PbrtParse, CarriageReturnsEndLines) {
+  EXPECT_EQ(pbrt_error("# a comment\rWorldBegin\r  Shape \"dsik\"\r"),
+            "3:9: 'dsik' is no shape, did you mean 'disk'?");
+  EXPECT_EQ(pbrt_scene("# a comment\rWorldBegin # another\rShape \"disk\"\r").meshes.size(), 1u);
 }
 
 TEST(Errors_PbrtParse, UnknownParametersAreWarnedOf) {
