@@ -96,6 +96,7 @@ class Meshes {
   void add(ShapeStatement& shape, bool keeps_sphere) {
     if (is_curved(shape) && !(keeps_sphere && is_whole_sphere(shape))) ++curved_count_;
     const bool needs_uvs = has_texture(context_.program, shape);
+    curved_patch_count_ += curved_patch_count(shape, needs_uvs);
     const std::string key = mesh_key(
         shape, {context_.scene.path, needs_uvs, finest_segments, keeps_sphere}, context_.report);
     std::size_t job = jobs_.size();
@@ -105,7 +106,7 @@ class Meshes {
   }
 
   void make() {
-    const std::uint32_t segments = segments_for(curved_count_);
+    const std::uint32_t segments = segments_for(curved_count_, curved_patch_count_);
     std::vector<std::optional<ShapeMesh>> meshes(jobs_.size());
     parallel_for(jobs_.size(), [&](std::size_t i) {
       MeshJob& job = jobs_[i];
@@ -142,7 +143,7 @@ class Meshes {
   std::vector<MeshJob> jobs_;
   std::vector<PlacedShape> shapes_;
   std::map<std::string, std::size_t> job_of_;
-  std::size_t curved_count_ = 0;
+  std::size_t curved_count_ = 0, curved_patch_count_ = 0;
 };
 
 // A material with all that its shapes add to it. Shapes that add the same share it.

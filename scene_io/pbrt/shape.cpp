@@ -23,7 +23,7 @@ MaybeMesh mesh_of(Arguments& arguments, const ShapeOptions& options) {
   if (type == "sphere") return sphere(arguments, options);
   if (type == "disk") return disk(arguments, options);
   if (type == "cylinder") return cylinder(arguments, options);
-  if (type == "bilinearmesh") return bilinear_mesh(arguments);
+  if (type == "bilinearmesh") return bilinear_mesh(arguments, options);
   if (type == "loopsubdiv") return loop_subdivision(arguments);
   return std::nullopt;
 }
@@ -67,10 +67,17 @@ bool is_whole_sphere(const ShapeStatement& shape) {
          });
 }
 
-// A sphere has the square of its segments in triangles: half as many rows, two triangles a cell.
-std::uint32_t segments_for(std::size_t curved_shapes) {
-  const double most = 8e6 / static_cast<double>(std::max<std::size_t>(curved_shapes, 1));
+// A sphere has the square of its segments in triangles: half as many rows, two triangles a cell. A
+// patch has the 32nd part of that.
+std::uint32_t segments_for(std::size_t curved_shapes, std::size_t curved_patches) {
+  const double spheres =
+      static_cast<double>(curved_shapes) + static_cast<double>(curved_patches) / 32;
+  const double most = 8e6 / std::max(spheres, 1.0);
   return static_cast<std::uint32_t>(std::clamp(std::sqrt(most), 12.0, double{finest_segments}));
+}
+
+std::uint32_t patch_cells_for(std::uint32_t segments) {
+  return std::max(segments / 8, 1u);
 }
 
 std::string mesh_key(const ShapeStatement& shape, const ShapeOptions& options,

@@ -17,9 +17,13 @@ namespace candela::pbrt {
 
 inline constexpr std::uint32_t finest_segments = 128;
 
-// Of a full circle, in a scene with so many curved shapes: they take 8 million triangles at most,
-// or 144 each.
-[[nodiscard]] std::uint32_t segments_for(std::size_t curved_shapes);
+// Of a full circle, in a scene with so many curved shapes and patches: they take 8 million
+// triangles at most, or 144 each and a patch 2.
+[[nodiscard]] std::uint32_t segments_for(std::size_t curved_shapes, std::size_t curved_patches);
+// Along each edge of a patch that two triangles do not make.
+[[nodiscard]] std::uint32_t patch_cells_for(std::uint32_t segments);
+// How many such patches it has, as far as can be seen without reading its parameters.
+[[nodiscard]] std::size_t curved_patch_count(const ShapeStatement& shape, bool needs_uvs);
 [[nodiscard]] bool is_curved(const ShapeStatement& shape);
 // Spheres of which nothing is cut off, as far as can be seen without reading their parameters.
 [[nodiscard]] bool is_whole_sphere(const ShapeStatement& shape);

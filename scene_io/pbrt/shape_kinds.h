@@ -17,7 +17,7 @@ using MaybeMesh = std::optional<ShapeMesh>;
 [[nodiscard]] MaybeMesh sphere(Arguments& arguments, const ShapeOptions& options);
 [[nodiscard]] MaybeMesh disk(Arguments& arguments, const ShapeOptions& options);
 [[nodiscard]] MaybeMesh cylinder(Arguments& arguments, const ShapeOptions& options);
-[[nodiscard]] MaybeMesh bilinear_mesh(Arguments& arguments);
+[[nodiscard]] MaybeMesh bilinear_mesh(Arguments& arguments, const ShapeOptions& options);
 [[nodiscard]] MaybeMesh loop_subdivision(Arguments& arguments);
 
 // A mesh each of whose triangles is a shape of pbrt's.

@@ -1,5 +1,6 @@
 // trianglemesh, plymesh and bilinearmesh.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -13,8 +14,7 @@ namespace {
 
 using description::Mesh;
 
-// Cells along an edge of a patch that is not flat.
-constexpr std::uint32_t patch_cells = 16;
+using Patch = std::array<Vec3d, 4>;  // at u v: 0 0, 1 0, 0 1, 1 1
 
 Vec2f to_float(const Vec2d& uv) {
   return Vec2f(glm::clamp(uv, Vec2d(-1e30), Vec2d(1e30)));
@@ -38,29 +38,58 @@ T blend(const T& p00, const T& p10, const T& p01, const T& p11, double u, double
   return (p00 * (1 - u) + p10 * u) * (1 - v) + (p01 * (1 - u) + p11 * u) * v;
 }
 
-void append_patch(const IndexedFaces& faces, const std::uint32_t* corner, Mesh& mesh) {
+// u and v are the same on its two triangles, up to rounding.
+bool is_parallelogram(const Patch& p) {
+  const double twist = length(p[3] - p[1] - p[2] + p[0]);
+  return twist <= 1e-6 * std::max(length(p[1] - p[2]), length(p[3] - p[0]));
+}
+
+// A convex quadrangle of one plane: its normals at the corners are one, where there are any.
+bool is_convex_and_flat(const Patch& p) {
+  const std::array<Vec3d, 4> normals{
+      cross(p[1] - p[0], p[2] - p[0]), cross(p[1] - p[0], p[3] - p[1]),
+      cross(p[3] - p[2], p[2] - p[0]), cross(p[3] - p[2], p[3] - p[1])};
+  Vec3d first(0.0);
+  for (const Vec3d& normal : normals) {
+    const double size = length(normal);
+    if (!(size > 0)) continue;
+    if (first == Vec3d(0.0)) first = normal / size;
+    if (length(normal / size - first) > 1e-5) return false;
+  }
+  return true;
+}
+
+bool is_of_two_triangles(const Patch& patch, bool shows_uvs) {
+  return is_parallelogram(patch) || (!shows_uvs && is_convex_and_flat(patch));
+}
+
+void append_patch(const IndexedFaces& faces, const std::uint32_t* corner, bool needs_uvs,
+                  std::uint32_t curved_cells, Mesh& mesh) {
   const auto at = [&](const auto& list, double u, double v) {
     return blend(list[corner[0]], list[corner[1]], list[corner[2]], list[corner[3]], u, v);
   };
-  const auto& p = faces.positions;
-  const Vec3d p00 = p[corner[0]];
-  const Vec3d p10 = p[corner[1]];
-  const Vec3d p01 = p[corner[2]];
-  const Vec3d p11 = p[corner[3]];
+  const auto& positions = faces.positions;
+  const Patch p{positions[corner[0]], positions[corner[1]], positions[corner[2]],
+                positions[corner[3]]};
   const auto surface = [&](double u, double v) {
-    const Vec3d du = (p10 - p00) * (1 - v) + (p11 - p01) * v;
-    const Vec3d dv = (p01 - p00) * (1 - u) + (p11 - p10) * u;
+    const Vec3d du = (p[1] - p[0]) * (1 - v) + (p[3] - p[2]) * v;
+    const Vec3d dv = (p[2] - p[0]) * (1 - u) + (p[3] - p[1]) * u;
     const Vec3d normal = faces.normals.empty() ? cross(du, dv) : at(faces.normals, u, v);
-    return SurfaceSample{at(p, u, v), normal};
+    return SurfaceSample{at(positions, u, v), normal};
   };
   const auto uv = [&](double u, double v) {
     return faces.uvs.empty() ? Vec2d(u, v) : at(faces.uvs, u, v);
   };
-  // A parallelogram, up to rounding: u and v are the same on its two triangles.
-  const double twist = length(p11 - p10 - p01 + p00);
-  const bool is_flat = twist <= 1e-6 * std::max(length(p10 - p01), length(p11 - p00));
-  const std::uint32_t cells = is_flat ? 1 : patch_cells;
+  const bool shows_uvs = needs_uvs || !faces.normals.empty();
+  const std::uint32_t cells = is_of_two_triangles(p, shows_uvs) ? 1 : curved_cells;
   append_grid(cells, cells, surface, uv, mesh);
+}
+
+const Parameter* parameter_of(const ShapeStatement& shape, std::string_view name) {
+  const ParameterList& list = shape.statement.parameters;
+  const auto found = std::find_if(
+      list.begin(), list.end(), [&](const Parameter& parameter) { return parameter.name == name; });
+  return found == list.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -128,14 +157,36 @@ MaybeMesh ply_mesh(Arguments& arguments, const ShapeOptions& options) {
   return mesh ? MaybeMesh(of_triangles(std::move(*mesh))) : std::nullopt;
 }
 
-MaybeMesh bilinear_mesh(Arguments& arguments) {
+std::size_t curved_patch_count(const ShapeStatement& shape, bool needs_uvs) {
+  const Parameter* given = parameter_of(shape, "P");
+  if (shape.statement.type != "bilinearmesh" || !given) return 0;
+  const std::vector<double>& p = given->numbers;
+  const Parameter* indices = parameter_of(shape, "indices");
+  const std::vector<double> corners = indices ? indices->numbers : std::vector<double>{0, 1, 2, 3};
+  const bool shows_uvs = needs_uvs || parameter_of(shape, "N");
+  std::size_t count = 0;
+  for (std::size_t i = 0; i + 4 <= corners.size(); i += 4) {
+    Patch patch;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double corner = corners[i + k];
+      if (!(corner >= 0 && corner < static_cast<double>(p.size() / 3))) return count;  // an error
+      const std::size_t at = 3 * static_cast<std::size_t>(corner);
+      patch[k] = {p[at], p[at + 1], p[at + 2]};
+    }
+    if (!is_of_two_triangles(patch, shows_uvs)) ++count;
+  }
+  return count;
+}
+
+MaybeMesh bilinear_mesh(Arguments& arguments, const ShapeOptions& options) {
   arguments.ignore("emissionfilename", "patches emit evenly");
   arguments.accept({"faceIndices"});
   const auto faces = indexed_faces(arguments, 4);
   if (!faces) return std::nullopt;
+  const std::uint32_t cells = patch_cells_for(options.segments);
   Mesh mesh;
   for (std::size_t i = 0; i < faces->indices.size(); i += 4)
-    append_patch(*faces, &faces->indices[i], mesh);
+    append_patch(*faces, &faces->indices[i], options.needs_uvs, cells, mesh);
   return ShapeMesh{std::move(mesh), faces->indices.size() / 4};
 }
 

@@ -195,10 +195,10 @@ TEST(Unit_PbrtShapes, EqualMaterialsAreOne) {
 }
 
 TEST(Unit_PbrtShapes, ManyCurvedShapesAreCoarser) {
-  EXPECT_EQ(pbrt::segments_for(1), 128u);
-  EXPECT_EQ(pbrt::segments_for(488), 128u);
-  EXPECT_EQ(pbrt::segments_for(2000), 63u);
-  EXPECT_EQ(pbrt::segments_for(1'000'000), 12u);
+  EXPECT_EQ(pbrt::segments_for(1, 0), 128u);
+  EXPECT_EQ(pbrt::segments_for(488, 0), 128u);
+  EXPECT_EQ(pbrt::segments_for(2000, 0), 63u);
+  EXPECT_EQ(pbrt::segments_for(1'000'000, 0), 12u);
   std::string text;
   for (int i = 0; i < 2000; ++i) text += "Shape \"sphere\" \"float zmin\" -.5\n";
   const auto scene = pbrt_world(text);
@@ -219,6 +219,39 @@ TEST(Unit_PbrtShapes, PatchesAreTheirSurface) {
     ASSERT_NEAR(p.z, p.x * p.y, 1e-12);  // z = uv
     ASSERT_LT(length(normalize(Vec3d(-p.y, -p.x, 1)) - Vec3d(saddle.normals[i])), 1e-6);
   }
+}
+
+// Two triangles where they are the surface, and u and v do not matter.
+TEST(Unit_PbrtShapes, FlatPatchesAreTwoTriangles) {
+  const std::string trapezoid =
+      "Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  4 0 0  1 2 0  2 2 0 ] ";
+  EXPECT_EQ(mesh_of(trapezoid).triangles.size(), 2u);
+  EXPECT_NEAR(area_of(mesh_of(trapezoid)), 5, 1e-12);
+  const std::string textured =
+      "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"picture.png\"\n"
+      "Material \"diffuse\" \"texture reflectance\" \"t\"\n";
+  EXPECT_EQ(mesh_of(textured + trapezoid).triangles.size(), 512u);
+  EXPECT_EQ(mesh_of(trapezoid + "\"normal N\" [ 0 0 1  0 0 1  0 0 1  0 1 1 ]").triangles.size(),
+            512u);
+  EXPECT_EQ(mesh_of("Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  4 0 0  1 2 0  .5 .5 0 ]")
+                .triangles.size(),
+            512u);  // not convex
+}
+
+TEST(Unit_PbrtShapes, ManyPatchesAreCoarser) {
+  EXPECT_EQ(pbrt::segments_for(0, 15'625), 128u);
+  EXPECT_EQ(pbrt::patch_cells_for(128), 16u);
+  EXPECT_EQ(pbrt::patch_cells_for(pbrt::segments_for(0, 100'000)), 6u);
+  EXPECT_EQ(pbrt::patch_cells_for(pbrt::segments_for(0, 10'000'000)), 1u);
+  std::string indices;
+  for (int i = 0; i < 20'000; ++i) indices += "0 1 2 3\n";
+  const std::string mesh = "Shape \"bilinearmesh\" \"integer indices\" [ " + indices + "] ";
+  const Mesh saddles = mesh_of(mesh + "\"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 1 ]");
+  EXPECT_EQ(saddles.triangles.size(), 20'000u * 2 * 14 * 14);
+  // Flat ones take nothing from the others.
+  const auto scene =
+      pbrt_world(mesh + "\"point3 P\" [ 0 0 0  1 0 0  0 1 0  1 1 0 ]\n" + "Shape \"disk\"");
+  EXPECT_EQ(scene.meshes.at(1).triangles.size(), 128u);
 }
 
 // The limit of Loop's surface at the vertices of an octahedron and of a tetrahedron is at
