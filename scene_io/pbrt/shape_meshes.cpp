@@ -8,6 +8,7 @@
 #include "scene_io/pbrt/shape_kinds.h"
 #include "scene_io/pbrt/source_files.h"
 #include "scene_io/ply/read_ply.h"
+#include "scene_io/text/file.h"
 
 namespace candela::pbrt {
 namespace {
@@ -141,6 +142,40 @@ MaybeMesh triangle_mesh(Arguments& arguments) {
   return of_triangles(std::move(mesh));
 }
 
+namespace {
+
+std::optional<ply::PolygonMesh> read_faces(Arguments& arguments, const Parameter& file,
+                                           const ShapeOptions& options) {
+  const std::string path =
+      resolve_file(options.scene_path, file.place, file.strings[0], arguments.report());
+  const Result<std::string> bytes = text::read_file(path);
+  arguments.report().diagnostics().append(bytes.diagnostics);
+  if (!bytes) return std::nullopt;
+  return ply::parse_polygons(path, *bytes, arguments.report().diagnostics());
+}
+
+// pbrt's for files without: of triangles and, as it makes patches of them, of quadrangles. It has
+// no other faces. Vertices are no longer shared.
+void add_face_uvs(ply::PolygonMesh& faces) {
+  static constexpr std::array<Vec2f, 4> corner_uvs{Vec2f(0, 0), Vec2f(1, 0), Vec2f(1, 1),
+                                                   Vec2f(0, 1)};
+  Mesh split;
+  split.name = faces.mesh.name;
+  split.span = faces.mesh.span;
+  std::size_t next = 0;
+  for (const std::uint32_t size : faces.sizes)
+    for (std::size_t k = 0; k < size; ++k) {
+      std::uint32_t& corner = faces.corners[next];
+      split.positions.push_back(faces.mesh.positions[corner]);
+      if (!faces.mesh.normals.empty()) split.normals.push_back(faces.mesh.normals[corner]);
+      split.uvs.push_back(corner_uvs[std::min<std::size_t>(k, 3)]);
+      corner = static_cast<std::uint32_t>(next++);
+    }
+  faces.mesh = std::move(split);
+}
+
+}  // namespace
+
 MaybeMesh ply_mesh(Arguments& arguments, const ShapeOptions& options) {
   arguments.ignore("displacement", "meshes are not displaced");
   arguments.accept({"edgelength"});
@@ -150,11 +185,11 @@ MaybeMesh ply_mesh(Arguments& arguments, const ShapeOptions& options) {
                              "a plymesh without its file: expected \"string filename\"");
     return std::nullopt;
   }
-  const std::string path =
-      resolve_file(options.scene_path, file->place, file->strings[0], arguments.report());
-  auto mesh =
-      ply::read_ply(path, {.smooth_missing_normals = false}, arguments.report().diagnostics());
-  return mesh ? MaybeMesh(of_triangles(std::move(*mesh))) : std::nullopt;
+  std::optional<ply::PolygonMesh> faces = read_faces(arguments, *file, options);
+  if (!faces) return std::nullopt;
+  if (options.needs_uvs && faces->mesh.uvs.empty()) add_face_uvs(*faces);
+  const std::size_t count = faces->sizes.size();
+  return ShapeMesh{ply::triangulated(std::move(*faces)), count};
 }
 
 std::size_t curved_patch_count(const ShapeStatement& shape, bool needs_uvs) {

@@ -51,12 +51,6 @@ bool is_index_list(const Property& property) {
          (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
-// Polygons as read, one after another.
-struct Polygons {
-  std::vector<std::uint32_t> corners;
-  std::vector<std::uint32_t> sizes;
-};
-
 template <class Values>
 class BodyReader {
  public:
@@ -65,7 +59,8 @@ class BodyReader {
       : source_(source), header_(header), values_(values), diagnostics_(diagnostics) {}
 
   // False after an error.
-  bool read(Mesh& mesh) {
+  bool read(PolygonMesh& polygons) {
+    Mesh& mesh = polygons.mesh;
     bool has_vertices = false;
     for (const Element& element : header_.elements) {
       if (element.name != "vertex") continue;
@@ -74,11 +69,10 @@ class BodyReader {
       vertex_count_ = element.count;
     }
     for (const Element& element : header_.elements) {
-      if (!has_bytes_for(element) || !read_element(element, mesh)) return false;
+      if (!has_bytes_for(element) || !read_element(element, polygons)) return false;
     }
     if (mesh.positions.empty()) return fail("holds no vertices");
-    if (polygons_.sizes.empty() && mesh.triangles.empty()) return fail("holds no faces");
-    triangulate(mesh);
+    if (polygons.sizes.empty()) return fail("holds no faces");
     warn_of_replaced();
     return true;
   }
@@ -121,15 +115,16 @@ class BodyReader {
                               element.count, text::quoted(element.name), values_.bytes_left()));
   }
 
-  bool read_element(const Element& element, Mesh& mesh) {
+  bool read_element(const Element& element, PolygonMesh& polygons) {
     if (element.properties.empty()) return true;
-    if (element.name == "vertex") return read_vertices(element, mesh);
+    if (element.name == "vertex") return read_vertices(element, polygons.mesh);
     const bool is_face = element.name == "face";
     const bool is_strip = element.name == "tristrips";
     for (std::uint64_t i = 0; i < element.count; ++i) {
       for (const Property& property : element.properties) {
         const bool is_indices = (is_face || is_strip) && is_index_list(property);
-        if (is_indices ? !read_indices(element, property, i, is_strip, mesh) : !skip(property)) {
+        if (is_indices ? !read_indices(element, property, i, is_strip, polygons)
+                       : !skip(property)) {
           return fail_unless_said(element, i);
         }
       }
@@ -226,7 +221,7 @@ class BodyReader {
   }
 
   bool read_indices(const Element& element, const Property& property, std::uint64_t index,
-                    bool is_strip, Mesh& mesh) {
+                    bool is_strip, PolygonMesh& polygons) {
     const std::optional<double> count = values_.next(*property.count_type);
     if (!count) return false;
     const std::uint64_t least = Values::least_bytes(property.type);
@@ -250,17 +245,21 @@ class BodyReader {
       }
       list_.push_back(is_restart ? restart : static_cast<std::uint32_t>(*corner));
     }
-    if (is_strip) return add_strip(mesh);
+    if (is_strip) return add_strip(polygons);
     if (list_.size() < 3) {
       return say(fmt::format("face {} has {} corners; expected 3 or more", index, list_.size()));
     }
-    polygons_.corners.insert(polygons_.corners.end(), list_.begin(), list_.end());
-    polygons_.sizes.push_back(static_cast<std::uint32_t>(list_.size()));
+    add_face(list_, polygons);
     return true;
   }
 
+  static void add_face(std::span<const std::uint32_t> corners, PolygonMesh& polygons) {
+    polygons.corners.insert(polygons.corners.end(), corners.begin(), corners.end());
+    polygons.sizes.push_back(static_cast<std::uint32_t>(corners.size()));
+  }
+
   // Every other triangle of a strip runs the other way round.
-  bool add_strip(Mesh& mesh) {
+  bool add_strip(PolygonMesh& polygons) {
     std::size_t begin = 0;
     for (std::size_t i = 0; i < list_.size(); ++i) {
       if (list_[i] == restart) {
@@ -269,30 +268,10 @@ class BodyReader {
         const bool is_odd = (i - begin) % 2 == 1;
         const std::uint32_t a = list_[i - 2];
         const std::uint32_t b = list_[i - 1];
-        mesh.triangles.push_back({is_odd ? b : a, is_odd ? a : b, list_[i]});
+        add_face(std::array{is_odd ? b : a, is_odd ? a : b, list_[i]}, polygons);
       }
     }
     return true;
-  }
-
-  void triangulate(Mesh& mesh) {
-    mesh::Triangulator triangulator;
-    std::vector<Vec3d> polygon;
-    mesh.triangles.reserve(mesh.triangles.size() + polygons_.corners.size() -
-                           2 * polygons_.sizes.size());
-    const std::uint32_t* corner = polygons_.corners.data();
-    for (const std::uint32_t size : polygons_.sizes) {
-      if (size == 3) {
-        mesh.triangles.push_back({corner[0], corner[1], corner[2]});
-      } else {
-        polygon.clear();
-        for (std::uint32_t k = 0; k < size; ++k) polygon.push_back(mesh.positions[corner[k]]);
-        for (const mesh::IndexTriangle& t : triangulator.triangulate(polygon)) {
-          mesh.triangles.push_back({corner[t[0]], corner[t[1]], corner[t[2]]});
-        }
-      }
-      corner += size;
-    }
   }
 
   void warn_of_replaced() {
@@ -313,30 +292,57 @@ class BodyReader {
   std::uint64_t replaced_count_ = 0;
   bool was_said_ = false;
   std::vector<std::uint32_t> list_;  // the one being read
-  Polygons polygons_;
 };
 
-bool read_body(const text::Source& source, const Header& header, Mesh& mesh,
+bool read_body(const text::Source& source, const Header& header, PolygonMesh& polygons,
                Diagnostics& diagnostics) {
   if (header.form == Form::Ascii) {
     const AsciiValues values(source.text, header.body);
-    return BodyReader(source, header, values, diagnostics).read(mesh);
+    return BodyReader(source, header, values, diagnostics).read(polygons);
   }
   const BinaryValues values(source.text, header.body, header.form == Form::LittleEndian);
-  return BodyReader(source, header, values, diagnostics).read(mesh);
+  return BodyReader(source, header, values, diagnostics).read(polygons);
 }
 
 }  // namespace
 
-std::optional<Mesh> parse_ply(const std::string& path, std::string_view bytes,
-                              const PlyOptions& options, Diagnostics& diagnostics) {
+std::optional<PolygonMesh> parse_polygons(const std::string& path, std::string_view bytes,
+                                          Diagnostics& diagnostics) {
   const text::Source source = text::make_source(path, bytes);
   const std::optional<Header> header = parse_header(source, diagnostics);
   if (!header) return std::nullopt;
-  Mesh mesh;
-  if (!read_body(source, *header, mesh, diagnostics)) return std::nullopt;
-  mesh.name = path;
-  mesh.span = {source.name, 1, 1};
+  PolygonMesh polygons;
+  if (!read_body(source, *header, polygons, diagnostics)) return std::nullopt;
+  polygons.mesh.name = path;
+  polygons.mesh.span = {source.name, 1, 1};
+  return polygons;
+}
+
+Mesh triangulated(PolygonMesh polygons) {
+  Mesh mesh = std::move(polygons.mesh);
+  mesh::Triangulator triangulator;
+  std::vector<Vec3d> polygon;
+  mesh.triangles.reserve(polygons.corners.size() - 2 * polygons.sizes.size());
+  const std::uint32_t* corner = polygons.corners.data();
+  for (const std::uint32_t size : polygons.sizes) {
+    if (size == 3) {
+      mesh.triangles.push_back({corner[0], corner[1], corner[2]});
+    } else {
+      polygon.clear();
+      for (std::uint32_t k = 0; k < size; ++k) polygon.push_back(mesh.positions[corner[k]]);
+      for (const mesh::IndexTriangle& t : triangulator.triangulate(polygon))
+        mesh.triangles.push_back({corner[t[0]], corner[t[1]], corner[t[2]]});
+    }
+    corner += size;
+  }
+  return mesh;
+}
+
+std::optional<Mesh> parse_ply(const std::string& path, std::string_view bytes,
+                              const PlyOptions& options, Diagnostics& diagnostics) {
+  std::optional<PolygonMesh> polygons = parse_polygons(path, bytes, diagnostics);
+  if (!polygons) return std::nullopt;
+  Mesh mesh = triangulated(std::move(*polygons));
   if (mesh.normals.empty() && options.smooth_missing_normals && mesh::shares_vertices(mesh))
     mesh::compute_smooth_normals(mesh);
   return mesh;

@@ -6,9 +6,11 @@
 // the image's bottom row. Counts of the header are believed only as far as the file has bytes.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "renderer/base/diagnostic.h"
 #include "renderer/description/scene_description.h"
@@ -18,6 +20,21 @@ namespace candela::ply {
 struct PlyOptions {
   bool smooth_missing_normals = true;  // false: a file without normals gives a mesh without
 };
+
+// A file's vertices, as a mesh without triangles, and its faces: the corners of one after another.
+// Strips are their triangles.
+struct PolygonMesh {
+  description::Mesh mesh;
+  std::vector<std::uint32_t> corners;  // vertices
+  std::vector<std::uint32_t> sizes;    // of each face, 3 or more
+};
+
+// `bytes` are those of the file `path`. No value: the diagnostics have errors.
+[[nodiscard]] std::optional<PolygonMesh> parse_polygons(const std::string& path,
+                                                        std::string_view bytes,
+                                                        Diagnostics& diagnostics);
+// With all faces as triangles, in their order.
+[[nodiscard]] description::Mesh triangulated(PolygonMesh polygons);
 
 // Reads `path`. Touches no scene, so several files may be read in parallel. No value: the
 // diagnostics have errors. `materials` is left empty.

@@ -31,6 +31,10 @@ std::string make_folder() {
     std::ofstream(folder / name, std::ios::binary) << text;
   };
   write("triangle.ply", triangle_ply);
+  write("quad.ply",
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+        "float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n-2 -2 0\n2 "
+        "-2 0\n2 2 0\n-2 2 0\n4 0 1 2 3\n");
   write("broken.ply",
         "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n");
   write("white.spd", "# constant\n300 1\n900 1\n");

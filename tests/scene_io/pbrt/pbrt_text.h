@@ -1,6 +1,6 @@
-// pbrt texts in memory, beside a folder of small files that they may name: triangle.ply (without
-// normals and uvs), picture.png, picture.exr, white.spd, world.pbrt (a shape), self.pbrt (includes
-// itself), folder/, a FIFO "pipe".
+// pbrt texts in memory, beside a folder of small files that they may name: triangle.ply and
+// quad.ply (4 x 4; both without normals and uvs), picture.png, picture.exr, white.spd, world.pbrt
+// (a shape), self.pbrt (includes itself), folder/, a FIFO "pipe".
 #pragma once
 
 #include <string>

@@ -102,6 +102,10 @@ TEST(Unit_PbrtLights, PatchesOfAPower) {
   expect_near(emission("0 ]"), one);
   EXPECT_NEAR(emission("0.01 ]").x, one.x, 1e-5);
   expect_near(emission("0  2 6 0 -2 6 0 ] \"integer indices\" [ 0 1 2 3  2 3 5 4 ]"), one);
+  const auto quad = pbrt_world(
+      "AreaLightSource \"diffuse\" \"float power\" 100 \"bool twosided\" true "
+      "Shape \"plymesh\" \"string filename\" \"quad.ply\"");
+  expect_near(quad.materials.at(0).emission, one);
 }
 
 TEST(Unit_PbrtLights, ShapesOfOneMaterialAndLightShareIt) {

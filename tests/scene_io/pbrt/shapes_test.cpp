@@ -167,6 +167,18 @@ TEST(Unit_PbrtShapes, TexturedTrianglesWithoutCoordinatesGetThem) {
   EXPECT_EQ(textured.uvs[2], Vec2f(1, 1));
 }
 
+// pbrt makes patches of them.
+TEST(Unit_PbrtShapes, TexturedQuadsOfFilesGetThePatchsCoordinates) {
+  const Mesh mesh = mesh_of(
+      "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"picture.png\"\n"
+      "Material \"diffuse\" \"texture reflectance\" \"t\"\n"
+      "Shape \"plymesh\" \"string filename\" \"quad.ply\"");
+  ASSERT_EQ(mesh.triangles.size(), 2u);
+  ASSERT_EQ(mesh.uvs.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_EQ(mesh.uvs[i], Vec2f(mesh.positions[i].x > 0, mesh.positions[i].y > 0));
+}
+
 TEST(Unit_PbrtShapes, EqualShapesShareAMesh) {
   const auto scene = pbrt_world(R"(
     Shape "plymesh" "string filename" "triangle.ply"
