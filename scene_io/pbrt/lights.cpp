@@ -19,6 +19,14 @@ Vec3d unit_or(const Vec3d& v, const Vec3d& otherwise) {
   return largest > 0 && std::isfinite(largest) ? normalize(v / largest) : otherwise;
 }
 
+// Whether it stands behind candela's own mark on its line.
+bool is_own(const Place& place) {
+  const std::string_view before = place.file->source().text.substr(0, place.offset);
+  const std::size_t begin = before.find_last_of("\r\n");
+  return before.substr(begin == std::string_view::npos ? 0 : begin).find(own_mark) !=
+         std::string_view::npos;
+}
+
 // One light being read.
 class LightReader {
  public:
@@ -181,6 +189,9 @@ class LightReader {
       if (illuminance)
         arguments_.warning(*arguments_.find("illuminance"),
                            "is ignored: the image's own radiance counts");
+      const Parameter* L = arguments_.find("L");
+      if (file && L && !is_own(L->place))
+        arguments_.warning(*L, "multiplies the image, as in pbrt-v3; pbrt-v4 takes one of them");
       return v3_file ? add_map<description::LatLongEnvironment>(*v3_file, colour_and_scale)
                      : add_map<description::EqualAreaEnvironment>(*file, colour_and_scale);
     }

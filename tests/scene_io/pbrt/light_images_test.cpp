@@ -67,6 +67,22 @@ TEST(Unit_PbrtLightImages, SurfacesThatEmitAnImage) {
   EXPECT_TRUE(material("\"float power\" 10 ").emission_is_maps_mean);
 }
 
+TEST(Errors_PbrtLightImages, SkiesOfAnImageAndMore) {
+  const std::string sky = "LightSource \"infinite\" \"string filename\" \"picture.exr\" ";
+  const std::string old_sky = "LightSource \"infinite\" \"string mapname\" \"picture.exr\" ";
+  const auto scale = [](const std::string& text) {
+    return std::get<EqualAreaEnvironment>(pbrt_world(text).lights.at(0).kind).scale;
+  };
+  EXPECT_EQ(pbrt_world_warning(sky + "\"float illuminance\" 10"),
+            "2:56: 'illuminance' is ignored: the image's own radiance counts");
+  EXPECT_EQ(pbrt_world_warning(sky + "\"rgb L\" [ 3 3 3 ]"),
+            "2:56: 'L' multiplies the image, as in pbrt-v3; pbrt-v4 takes one of them");
+  EXPECT_EQ(scale(sky + "\"rgb L\" [ 3 3 3 ]"), Vec3d(3.0));
+  // No word of what pbrt does not read, and where pbrt-v3 has it.
+  EXPECT_EQ(pbrt_world_warning(sky + "\n#candela: \"rgb L\" [ 3 3 3 ]"), "0 of them: ");
+  EXPECT_EQ(pbrt_world_warning(old_sky + "\"rgb L\" [ 3 3 3 ]"), "0 of them: ");
+}
+
 TEST(Errors_PbrtLightImages, WhatIsWrongWithThem) {
   EXPECT_EQ(pbrt_world_error("LightSource \"projection\""),
             "2:13: a projection without its image: expected \"string filename\"");
