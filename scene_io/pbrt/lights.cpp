@@ -215,14 +215,14 @@ class LightReader {
     for (std::size_t i = 0; i < 6; ++i) {
       Parameter face = faces;
       face.strings = {faces.strings[i]};
-      environment.faces[i] = add_image(context_, face, encoding, description::Wrap::Clamp);
+      environment.faces[i] = add_light_image(context_, face, encoding);
       if (!environment.faces[i]) return;
     }
     add(environment);
   }
 
   description::ImageHandle light_image(const Parameter& file) {
-    return add_image(context_, file, encoding_of_light(file), description::Wrap::Clamp);
+    return add_light_image(context_, file, encoding_of_light(file));
   }
 
   // The axes of a map in the world, unit.
@@ -279,7 +279,7 @@ Emission read_emission(Context& context, Statement& statement) {
       emission.radiance = Vec3d(1.0);
     }
     const std::string name = file->strings.size() == 1 ? file->strings[0] : "";
-    emission.map = add_image(context, *file, encoding_of_file(name), description::Wrap::Clamp);
+    emission.map = add_light_image(context, *file, encoding_of_file(name));
   }
   emission.radiance *= std::max(arguments.number("scale").value_or(1), 0.0) * context.imaging_ratio;
   emission.power = arguments.number("power");

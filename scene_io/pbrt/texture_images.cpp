@@ -75,7 +75,12 @@ Encoding encoding_of_file(std::string_view name) {
   return is_linear ? Encoding::Linear : Encoding::Srgb;
 }
 
-ImageHandle add_image(Context& context, const Parameter& file, Encoding encoding, Wrap wrap) {
+namespace {
+
+enum class Need : std::uint8_t { MayBeMissing, MustExist };
+
+ImageHandle add_image(Context& context, const Parameter& file, Encoding encoding, Wrap wrap,
+                      Need need) {
   if (file.strings.size() != 1) {
     context.report.error(file.place, "expected the name of one image file");
     return {};
@@ -89,6 +94,11 @@ ImageHandle add_image(Context& context, const Parameter& file, Encoding encoding
                                                  text::quoted_path(path)));
     return {};
   }
+  if (need == Need::MustExist && !std::filesystem::exists(status)) {
+    context.report.error(file.place,
+                         fmt::format("{}: no such file for an image", text::quoted_path(path)));
+    return {};
+  }
   auto& images = context.scene.images;
   const auto same = std::find_if(images.begin(), images.end(), [&](const auto& image) {
     return image.path == path && image.encoding == encoding && image.wrap == wrap;
@@ -96,6 +106,16 @@ ImageHandle add_image(Context& context, const Parameter& file, Encoding encoding
   if (same != images.end()) return ImageHandle(static_cast<std::size_t>(same - images.begin()));
   images.push_back({path, encoding, wrap, file.place.span()});
   return ImageHandle(images.size() - 1);
+}
+
+}  // namespace
+
+ImageHandle add_image(Context& context, const Parameter& file, Encoding encoding, Wrap wrap) {
+  return add_image(context, file, encoding, wrap, Need::MayBeMissing);
+}
+
+ImageHandle add_light_image(Context& context, const Parameter& file, Encoding encoding) {
+  return add_image(context, file, encoding, Wrap::Clamp, Need::MustExist);
 }
 
 void Textures::set_heights(Arguments& arguments, description::Material& material) {

@@ -91,5 +91,8 @@ description::ColourInput Textures::add(Texture kind, const std::string& name, co
 [[nodiscard]] description::ImageHandle add_image(Context& context, const Parameter& file,
                                                  description::Encoding encoding,
                                                  description::Wrap wrap);
+// The same of what shines: a file that is not there is an error, where textures are magenta.
+[[nodiscard]] description::ImageHandle add_light_image(Context& context, const Parameter& file,
+                                                       description::Encoding encoding);
 
 }  // namespace candela::pbrt

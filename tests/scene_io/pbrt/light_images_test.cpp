@@ -67,6 +67,22 @@ TEST(Unit_PbrtLightImages, SurfacesThatEmitAnImage) {
   EXPECT_TRUE(material("\"float power\" 10 ").emission_is_maps_mean);
 }
 
+// Magenta light would be a picture that looks finished.
+TEST(Errors_PbrtLightImages, FilesThatAreNotThere) {
+  const std::string file = "\"string filename\" \"none.exr\" ";
+  for (const std::string& text :
+       {"LightSource \"infinite\" " + file, "LightSource \"goniometric\" " + file,
+        "LightSource \"projection\" " + file,
+        "AreaLightSource \"diffuse\" " + file + "Shape \"disk\""}) {
+    const std::string error = pbrt_world_error(text);
+    EXPECT_TRUE(error.ends_with("none.exr': no such file for an image")) << error;
+  }
+  EXPECT_EQ(pbrt_world("Texture \"t\" \"spectrum\" \"imagemap\" " + file +
+                       "Material \"diffuse\" \"texture reflectance\" \"t\" Shape \"disk\"")
+                .images.size(),
+            1u);
+}
+
 TEST(Errors_PbrtLightImages, SkiesOfAnImageAndMore) {
   const std::string sky = "LightSource \"infinite\" \"string filename\" \"picture.exr\" ";
   const std::string old_sky = "LightSource \"infinite\" \"string mapname\" \"picture.exr\" ";
