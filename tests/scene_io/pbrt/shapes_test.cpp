@@ -291,6 +291,9 @@ TEST(Unit_PbrtShapes, SubdivisionGoesToLoopsLimit) {
 TEST(Errors_PbrtShapes, WhatAMeshLacks) {
   EXPECT_EQ(pbrt_world_error("Shape \"trianglemesh\""),
             "2:7: a mesh without positions: expected \"point3 P\"");
+  EXPECT_EQ(
+      pbrt_world_error("Shape \"trianglemesh\" \"point3 P\" [ ] \"integer indices\" [ 0 1 2 ]"),
+      "2:7: a mesh without positions: expected \"point3 P\"");
   EXPECT_EQ(pbrt_world_error("Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 ]"),
             "2:22: 'P' has 4 values, expected triples");
   const std::string p = "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ] ";
