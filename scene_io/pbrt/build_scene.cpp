@@ -97,8 +97,8 @@ class Meshes {
     if (is_curved(shape) && !(keeps_sphere && is_whole_sphere(shape))) ++curved_count_;
     const bool needs_uvs = has_texture(context_.program, shape);
     curved_patch_count_ += curved_patch_count(shape, needs_uvs);
-    const std::string key = mesh_key(
-        shape, {context_.scene.path, needs_uvs, finest_segments, keeps_sphere}, context_.report);
+    const std::string key =
+        mesh_key(shape, {context_.scene.path, needs_uvs, finest_segments, keeps_sphere});
     std::size_t job = jobs_.size();
     if (!key.empty()) job = job_of_.try_emplace(key, job).first->second;
     if (job == jobs_.size()) jobs_.push_back({&shape, needs_uvs, keeps_sphere, {}, {}, 1});

@@ -80,8 +80,9 @@ std::uint32_t patch_cells_for(std::uint32_t segments) {
   return std::max(segments / 8, 1u);
 }
 
-std::string mesh_key(const ShapeStatement& shape, const ShapeOptions& options,
-                     const Report& report) {
+std::string mesh_key(const ShapeStatement& shape, const ShapeOptions& options) {
+  Diagnostics unsaid;  // what there is to say of a file is said as it is read
+  const Report report(unsaid);
   const Statement& statement = shape.statement;
   const bool keeps_sphere = statement.type == "sphere" && options.keeps_spheres;
   std::string key = fmt::format("{} {} {} {}", statement.type, shape.is_reversed, options.needs_uvs,

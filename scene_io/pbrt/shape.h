@@ -43,8 +43,7 @@ struct ShapeMesh {
 };
 
 // What tells one mesh from another: shapes with equal keys have equal meshes. Empty: it is alone.
-[[nodiscard]] std::string mesh_key(const ShapeStatement& shape, const ShapeOptions& options,
-                                   const Report& report);
+[[nodiscard]] std::string mesh_key(const ShapeStatement& shape, const ShapeOptions& options);
 
 // No value: it is in error or, with a warning, no shape that candela has. `materials` is left
 // empty. Touches nothing but the shape, so several may be made in parallel.

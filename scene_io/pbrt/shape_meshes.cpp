@@ -151,8 +151,12 @@ std::optional<ply::PolygonMesh> read_faces(Arguments& arguments, const Parameter
   const std::string path =
       resolve_file(options.scene_path, file.place, file.strings[0], arguments.report());
   const Result<std::string> bytes = text::read_file(path);
-  arguments.report().diagnostics().append(bytes.diagnostics);
-  if (!bytes) return std::nullopt;
+  if (!bytes) {
+    for (const Diagnostic& reason : bytes.diagnostics.list())
+      arguments.report().error(file.place,
+                               fmt::format("{} {}", text::quoted_path(path), reason.message));
+    return std::nullopt;
+  }
   return ply::parse_polygons(path, *bytes, arguments.report().diagnostics());
 }
 

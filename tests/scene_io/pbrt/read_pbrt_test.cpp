@@ -49,12 +49,25 @@ TEST(Errors_PbrtFiles, FilesThatAreNotThereOrNoFiles) {
     return scene.diagnostics.list().empty() ? "" : to_string(scene.diagnostics.list()[0]);
   };
   EXPECT_NE(
-      error_of("Shape \"plymesh\" \"string filename\" \"none.ply\"").find("none.ply: error: "),
+      error_of("Shape \"plymesh\" \"string filename\" \"none.ply\"").find("a.pbrt:2:17: error: '"),
       std::string::npos);
+  EXPECT_NE(error_of("Shape \"plymesh\" \"string filename\" \"\"").find("a.pbrt:2:17: error: '"),
+            std::string::npos);
   EXPECT_NE(error_of("Include \"none.pbrt\"").find("a.pbrt:2:9: error: '"), std::string::npos);
   EXPECT_NE(
       error_of("LightSource \"infinite\" \"string filename\" \"/\"").find("is no regular file"),
       std::string::npos);
+}
+
+TEST(Errors_PbrtFiles, LetterCaseIsSpokenOfOnce) {
+  const TemporaryFolder folder;
+  folder.put("triangle.ply", std::string(triangle_ply));
+  const auto scene = load(
+      folder.put("a.pbrt",
+                 std::string("WorldBegin\nShape \"plymesh\" \"string filename\" \"Triangle.ply\"")),
+      {});
+  ASSERT_TRUE(scene);
+  EXPECT_EQ(scene.diagnostics.warning_count(), 1u);
 }
 
 }  // namespace
