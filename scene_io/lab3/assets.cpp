@@ -106,31 +106,19 @@ ImageHandle read_image(Reader& reader, const Entry* entry, Encoding encoding, Wr
                  fmt::format("{}: {} where an image was expected", text::quoted(name), problem));
     return {};
   }
-  return add_image(reader.scene, {path, encoding, wrap, reader.span(entry->value->offset)});
+  return reader.images.add({path, encoding, wrap, reader.span(entry->value->offset)}, reader.scene);
 }
 
 ImageHandle read_required_image(Reader& reader, const Entry& entry, Encoding encoding, Wrap wrap) {
   const std::string path = required_file(reader, entry, "an image");
   if (path.empty()) return {};
-  return add_image(reader.scene, {path, encoding, wrap, reader.span(entry.value->offset)});
+  return reader.images.add({path, encoding, wrap, reader.span(entry.value->offset)}, reader.scene);
 }
 
 Encoding colour_encoding(const std::string& file_name) {
   const std::string extension = extension_of(file_name);
   const bool is_linear = extension == ".exr" || extension == ".hdr" || extension == ".pfm";
   return is_linear ? Encoding::Linear : Encoding::Srgb;
-}
-
-ImageHandle add_image(description::SceneDescription& scene, description::Image image) {
-  const auto same =
-      std::find_if(scene.images.begin(), scene.images.end(), [&](const description::Image& other) {
-        return other.path == image.path && other.encoding == image.encoding &&
-               other.wrap == image.wrap;
-      });
-  if (same != scene.images.end())
-    return ImageHandle(static_cast<std::size_t>(same - scene.images.begin()));
-  scene.images.push_back(std::move(image));
-  return ImageHandle(scene.images.size() - 1);
 }
 
 }  // namespace candela::lab3

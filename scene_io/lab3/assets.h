@@ -32,8 +32,4 @@ namespace candela::lab3 {
 // Encoding of a colour picture in the extension: by its kind of file, EXR, HDR and PFM are linear.
 [[nodiscard]] description::Encoding colour_encoding(const std::string& file_name);
 
-// Adds an image, or finds the equal one that is there.
-[[nodiscard]] description::ImageHandle add_image(description::SceneDescription& scene,
-                                                 description::Image image);
-
 }  // namespace candela::lab3

@@ -57,8 +57,8 @@ void add_ground(Reader& reader) {
   }
   description::SceneDescription& scene = reader.scene;
   description::LabMaterial picture;
-  picture.diffuse.map =
-      add_image(scene, {image, description::Encoding::LabGamma, description::Wrap::Repeat, {}});
+  picture.diffuse.map = reader.images.add(
+      {image, description::Encoding::LabGamma, description::Wrap::Repeat, {}}, scene);
   description::Material material;
   material.name = "lab3 ground";
   material.model = picture;

@@ -10,6 +10,7 @@
 
 #include "renderer/base/diagnostic.h"
 #include "renderer/description/scene_description.h"
+#include "scene_io/image_index.h"
 #include "scene_io/load.h"
 #include "scene_io/text/source.h"
 
@@ -27,6 +28,7 @@ class Reader {
 
   // Found on the way, needed further on.
   std::unordered_map<std::string, description::MaterialHandle> materials_by_name;
+  ImageIndex images;
   Vec3d ambient{0.1};            // AmbientIntensity
   bool has_ambient = false;      // the file gives it
   bool has_environment = false;  // a skybox or an Environment

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "renderer/description/scene_description.h"
+#include "scene_io/image_index.h"
 #include "scene_io/pbrt/program.h"
 
 namespace candela::pbrt {
@@ -15,6 +16,7 @@ struct Context {
   const Report& report;
   double imaging_ratio = 1;  // of the film: all light is multiplied by it
   std::set<std::string> warned = {};
+  ImageIndex images = {};
 
   // Of several like it the first is enough.
   void warn_once(const std::string& key, const Place& place, std::string message) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -212,6 +213,13 @@ std::string_view name_of(ParameterType type) {
   return std::find_if(named_types.begin(), named_types.end(),
                       [&](const NamedType& named) { return named.type == type; })
       ->name;
+}
+
+void append_missing(const ParameterList& defaults, ParameterList& list) {
+  std::unordered_set<std::string> names;
+  for (const Parameter& own : list) names.insert(own.name);
+  for (const Parameter& parameter : defaults)
+    if (!names.contains(parameter.name)) list.push_back(parameter);
 }
 
 ParameterList read_parameters(Tokenizer& tokens, const SourceFile& file, const Report& report) {

@@ -45,6 +45,9 @@ struct Parameter {
 
 using ParameterList = std::vector<Parameter>;
 
+// Those whose names `list` does not have.
+void append_missing(const ParameterList& defaults, ParameterList& list);
+
 // All parameters up to the next directive. After an error it skips to there.
 [[nodiscard]] ParameterList read_parameters(Tokenizer& tokens, const SourceFile& file,
                                             const Report& report);

@@ -73,13 +73,7 @@ std::optional<Statement> Parser::read_statement(std::optional<AttributeTarget> t
 // What Attribute gave for all, after the statement's own.
 void Parser::add_defaults(Statement& statement, AttributeTarget target) const {
   const auto& defaults = state_.defaults[static_cast<std::size_t>(target)];
-  if (!defaults) return;
-  for (const Parameter& parameter : *defaults) {
-    const bool is_given =
-        std::any_of(statement.parameters.begin(), statement.parameters.end(),
-                    [&](const Parameter& own) { return own.name == parameter.name; });
-    if (!is_given) statement.parameters.push_back(parameter);
-  }
+  if (defaults) append_missing(*defaults, statement.parameters);
 }
 
 bool Parser::push(Block::Kind kind) {

@@ -145,13 +145,7 @@ void Parser::attribute() {
                              text::quoted(*target)));
   auto& defaults = state_.defaults[static_cast<std::size_t>(found - attribute_targets.begin())];
   for (Parameter& parameter : list) parameter.is_default = true;
-  if (defaults) {
-    const auto is_new = [&](const Parameter& old) {
-      return std::none_of(list.begin(), list.end(),
-                          [&](const Parameter& own) { return own.name == old.name; });
-    };
-    std::copy_if(defaults->begin(), defaults->end(), std::back_inserter(list), is_new);
-  }
+  if (defaults) append_missing(*defaults, list);
   defaults = std::make_shared<const ParameterList>(std::move(list));
 }
 

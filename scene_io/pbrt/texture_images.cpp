@@ -99,13 +99,7 @@ ImageHandle add_image(Context& context, const Parameter& file, Encoding encoding
                          fmt::format("{}: no such file for an image", text::quoted_path(path)));
     return {};
   }
-  auto& images = context.scene.images;
-  const auto same = std::find_if(images.begin(), images.end(), [&](const auto& image) {
-    return image.path == path && image.encoding == encoding && image.wrap == wrap;
-  });
-  if (same != images.end()) return ImageHandle(static_cast<std::size_t>(same - images.begin()));
-  images.push_back({path, encoding, wrap, file.place.span()});
-  return ImageHandle(images.size() - 1);
+  return context.images.add({path, encoding, wrap, file.place.span()}, context.scene);
 }
 
 }  // namespace

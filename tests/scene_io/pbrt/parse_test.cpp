@@ -235,6 +235,12 @@ TEST(Errors_PbrtParse, WhatIsMadeToExhaustEndsSoon) {
   instances += "ObjectEnd\n";
   for (int i = 0; i < 5000; ++i) instances += "ObjectInstance \"o\"\n";
   EXPECT_LT(seconds_of(instances), 10);
+  std::string parameters;
+  for (int i = 0; i < 200'000; ++i) parameters += "\"float p" + std::to_string(i) + "\" 1\n";
+  EXPECT_LT(seconds_of("WorldBegin Shape \"disc\" " + parameters), 10);
+  EXPECT_LT(seconds_of("WorldBegin Attribute \"shape\" " + parameters + "Attribute \"shape\" " +
+                       parameters + "Shape \"disc\""),
+            10);
   std::string texture = "WorldBegin\n";
   for (int i = 0; i < 2000; ++i)
     texture += "Texture \"t" + std::to_string(i) + "\" \"float\" \"scale\" \"texture tex\" \"t" +
