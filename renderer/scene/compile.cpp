@@ -113,6 +113,9 @@ Result<Scene> compile(const SceneDescription& description, const CompileOptions&
   Scene scene;
   DropCounts dropped;
   scene.normalisation = normalisation_of(description);
+  for (const description::Camera& camera : description.cameras)
+    check_distances(camera, scene.normalisation, diagnostics);
+  if (diagnostics.has_errors()) return diagnostics;
   const std::vector<bool> used = used_materials(description);
   compile_materials(description, options, used, scene, dropped, diagnostics);
   for (const description::Camera& camera : description.cameras)

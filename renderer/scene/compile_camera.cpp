@@ -1,5 +1,11 @@
 #include "renderer/scene/compile_camera.h"
 
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "renderer/math/near_one.h"
+
 namespace candela {
 namespace {
 
@@ -22,17 +28,24 @@ void set_window(const description::Camera& camera, const Vec3d& right, const Vec
   out.up = Vec3f(up * (half_side * (0.5 * (window.top - window.bottom))));
 }
 
+// Of the scene's size. Floats resolve nothing of what is further away, and their squares end.
+constexpr double farthest = 1e12;
+constexpr double nearest = 1e-12;
+
+double focus_distance_of(const description::Camera& camera, double scale) {
+  return camera.focus_distance > 0 ? camera.focus_distance * scale
+                                   : length((camera.target - camera.eye) * scale);
+}
+
 }  // namespace
 
 Camera compile_camera(const description::Camera& camera, const Normalisation& normalisation,
                       const CompileOptions& options) {
-  const Vec3d to_target = camera.target - camera.eye;
-  const Vec3d look = normalize(to_target);
-  const Vec3d to_the_right = normalize(cross(look, camera.up));
+  const Vec3d look = normalize(near_one(camera.target - camera.eye));
+  const Vec3d to_the_right = normalize(cross(look, near_one(camera.up)));
   const Vec3d up = cross(to_the_right, look);
   const Vec3d right = camera.is_mirrored ? -to_the_right : to_the_right;
   const double aspect = static_cast<double>(options.width) / options.height;
-  const double focus = camera.focus_distance > 0 ? camera.focus_distance : length(to_target);
 
   Camera out;
   out.kind = camera.kind;
@@ -48,8 +61,27 @@ Camera compile_camera(const description::Camera& camera, const Normalisation& no
   out.eye = Vec3f(eye);
   out.look = Vec3f(middle);
   out.lens_radius = static_cast<float>(camera.lens_radius * normalisation.scale);
-  out.focus_distance = static_cast<float>(focus * normalisation.scale);
+  // Without a lens it changes no ray, and beyond the farthest none is another one.
+  const double focus = focus_distance_of(camera, normalisation.scale);
+  out.focus_distance = static_cast<float>(std::clamp(focus, nearest, farthest));
   return out;
+}
+
+void check_distances(const description::Camera& camera, const Normalisation& normalisation,
+                     Diagnostics& diagnostics) {
+  const auto refuse = [&](const char* what, double sizes, const char* expected) {
+    diagnostics.error(camera.span,
+                      fmt::format("a camera {} {:.1e} times the scene's size, expected "
+                                  "{}",
+                                  what, sizes, expected));
+  };
+  const Vec3d eye = (camera.eye - normalisation.centre) * normalisation.scale;
+  const double distance = max_component(glm::abs(eye));
+  if (!(distance <= farthest)) refuse("is away from the scene by", distance, "at most 1e+12");
+  const double radius = camera.lens_radius * normalisation.scale;
+  if (radius > farthest) refuse("has a lens whose radius is", radius, "at most 1e+12");
+  const double focus = focus_distance_of(camera, normalisation.scale);
+  if (radius > 0 && focus < nearest) refuse("with a lens is focused at", focus, "at least 1e-12");
 }
 
 }  // namespace candela

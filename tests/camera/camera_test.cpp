@@ -42,6 +42,25 @@ TEST(Unit_Camera, PerspectiveShowsItsAngleOfView) {
   expect_ray(camera, {0.5f, 0}, eye, {0, 1, -1});
 }
 
+// Whose squares are 0 or no number.
+TEST(Unit_Camera, AnyLengthsGiveRays) {
+  const auto ray_of = [](const description::Camera& camera, double scale, Vec2f lens) {
+    return compile_camera(camera, {{0, 0, 0}, scale}, {.width = 4, .height = 2})
+        .generate_ray({0.5f, 0.5f}, lens);
+  };
+  description::Camera tiny = camera_of(CameraKind::Perspective);
+  tiny.eye *= 0x1p-700;
+  tiny.target *= 0x1p-700;
+  tiny.up *= 0x1p-700;
+  const Ray ray = ray_of(tiny, 0x1p699, {0.5f, 0.5f});
+  EXPECT_LT(length(ray.origin - Vec3f(0.5f, 1, 1.5f)), 1e-6f);
+  EXPECT_LT(length(ray.direction - Vec3f(0, 0, -1)), 1e-6f);
+  description::Camera focused = camera_of(CameraKind::Perspective);
+  focused.lens_radius = 1;
+  focused.focus_distance = 1e30;
+  EXPECT_LT(length(ray_of(focused, 1, {0.9f, 0.5f}).direction - Vec3f(0, 0, -1)), 1e-6f);
+}
+
 TEST(Unit_Camera, MirroredExchangesLeftAndRight) {
   for (const CameraKind kind :
        {CameraKind::Perspective, CameraKind::Orthographic, CameraKind::LatLong}) {

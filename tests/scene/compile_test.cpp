@@ -44,6 +44,36 @@ TEST(Unit_Compile, DropsWhatRaysCannotMeetAndCountsIt) {
   EXPECT_TRUE(scene.lights.empty());
 }
 
+// Further away nothing can be seen, and squares of floats end.
+TEST(Errors_Compile, CamerasAgainstTheScenesSize) {
+  const auto error_of = [](double size, auto&& spoil) {
+    description::SceneDescription scene = one_quad();
+    for (Vec3d& position : scene.meshes[0].positions) position *= size;
+    description::Camera& camera = scene.cameras[0];
+    camera.eye *= size;
+    camera.target *= size;
+    spoil(camera);
+    const Result<Scene> compiled = compile(scene, {});
+    return compiled ? "" : compiled.diagnostics.list().back().message;
+  };
+  for (const double size : {0x1p-600, 0x1p-50, 1.0, 0x1p600}) {
+    EXPECT_EQ(error_of(size, [](auto&) {}), "") << size;
+    EXPECT_EQ(error_of(size, [&](auto& camera) { camera.eye.z = 5e15 * size; }),
+              "a camera is away from the scene by 5.0e+15 times the scene's size, expected at most "
+              "1e+12");
+    EXPECT_EQ(error_of(size, [&](auto& camera) { camera.lens_radius = 1e30 * size; }),
+              "a camera has a lens whose radius is 1.0e+30 times the scene's size, expected at "
+              "most 1e+12");
+    EXPECT_EQ(error_of(size,
+                       [&](auto& camera) {
+                         camera.lens_radius = size;
+                         camera.focus_distance = 1e-30 * size;
+                       }),
+              "a camera with a lens is focused at 1.0e-30 times the scene's size, expected at "
+              "least 1e-12");
+  }
+}
+
 TEST(Unit_Compile, TangentsAreForMaterialsThatReadThem) {
   const TemporaryFolder folder;
   const std::string path = folder.put("map.png", crafted::png_rgba(2, 2, [](int x, int y, int) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "renderer/description/validate.h"
 #include "tests/scene_io/lab3/lab3_text.h"
 
 namespace candela {
@@ -48,6 +49,20 @@ TEST(Unit_Load, TheMtlOfAMeshAloneCountsInFull) {
   ASSERT_TRUE(scene);
   ASSERT_EQ(scene->materials.size(), 2u);
   EXPECT_EQ(scene->materials[0].emission, Vec3d(2, 0, 0));
+}
+
+// Squares of its coordinates may be 0 or no number.
+TEST(Unit_Load, TheCameraOfAMeshAloneIsWhereAllOfItIsSeen) {
+  for (const char* exponent : {"-170", "0", "200", "300"}) {
+    const std::string path = test::lab3_folder() + "scaled.obj";
+    std::ofstream(path) << fmt::format("v 0 0 0\nv 1e{0} 0 0\nv 0 1e{0} 0\nf 1 2 3\n", exponent);
+    const Result<SceneDescription> scene = load(path, {});
+    ASSERT_TRUE(scene) << exponent;
+    const double size = scene->meshes.at(0).positions.at(1).x;
+    EXPECT_NEAR(scene->cameras.at(0).eye.z / size, 1.7926, 1e-3) << exponent;
+    EXPECT_FALSE(description::validate(*scene).has_errors()) << exponent;
+    EXPECT_EQ(*scene->cameras.at(0).span.file, path);
+  }
 }
 
 TEST(Unit_Load, TakesYamlByEitherExtension) {
