@@ -30,13 +30,17 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-// pbrt's exposure time is that of the camera's shutter.
+// pbrt's exposure time is that of the camera's shutter, which has to open.
 double exposure_time(Context& context) {
   if (!context.program.camera) return 1;
   Arguments camera(*context.program.camera, context.report);
-  const double time =
-      camera.number("shutterclose").value_or(1) - camera.number("shutteropen").value_or(0);
-  return time > 0 ? time : 1;
+  const double closes = camera.number("shutterclose").value_or(1);
+  const double opens = camera.number("shutteropen").value_or(0);
+  if (closes > opens) return closes - opens;
+  context.report.error(
+      camera.statement().place,
+      fmt::format("the shutter closes at {}, expected after it opens at {}", closes, opens));
+  return 1;
 }
 
 // Kelvins of what is white on the film. pbrt's sensors are balanced for 6500 where nothing is said,
@@ -60,9 +64,12 @@ double read_exposure(Context& context, Arguments& film) {
   double ratio = film.number("iso").value_or(100) / 100;
   ratio *= film.number("exposuretime").value_or(exposure_time(context));
   film.ignore("maxcomponentvalue", "radiance is not clamped");
-  if (ratio > 0 && ratio < 1e30) return ratio;
-  context.report.error(film.statement().place,
-                       fmt::format("the film multiplies light by {}, expected above 0", ratio));
+  constexpr double most = 1e30;
+  if (ratio > 0 && ratio < most) return ratio;
+  context.report.error(
+      film.statement().place,
+      fmt::format("the film multiplies light by {:g}, expected above 0 and below {:g}", ratio,
+                  most));
   return 1;
 }
 

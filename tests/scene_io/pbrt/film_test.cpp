@@ -148,6 +148,11 @@ TEST(Errors_PbrtFilm, WhatCannotBeHonouredIsNamed) {
             "1:22: 'screenwindow' expected 4 numbers, left < right and bottom < top");
   EXPECT_EQ(pbrt_error("Scale 1 1 0\nCamera \"perspective\"\nWorldBegin"),
             "2:8: the camera's transform is singular");
+  EXPECT_EQ(pbrt_error("Film \"rgb\" \"float iso\" 1e300\nWorldBegin"),
+            "1:6: the film multiplies light by 1e+298, expected above 0 and below 1e+30");
+  EXPECT_EQ(pbrt_error("Camera \"perspective\" \"float shutteropen\" 1 \"float shutterclose\" 0\n"
+                       "WorldBegin"),
+            "1:8: the shutter closes at 0, expected after it opens at 1");
 }
 
 // A name and one value; the form with a type, which pbrt does not have, counts as well.
