@@ -155,6 +155,18 @@ TEST(Unit_PbrtShapes, OrientationFollowsTheNormalsAndReverseOrientation) {
   EXPECT_EQ(up.normals[2], Vec3f(0, 0, 2));
 }
 
+// Placed by what mirrors them, they face the same way.
+TEST(Unit_PbrtShapes, MirroringKeepsTheOutside) {
+  for (const std::string shape :
+       {"Shape \"disk\"", "Shape \"cylinder\"", "Shape \"sphere\" \"float zmin\" 0",
+        "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ]"}) {
+    const Mesh plain = mesh_of(shape);
+    const Mesh mirrored = mesh_of("Scale -1 1 1 " + shape);
+    EXPECT_EQ(plain.normals, mirrored.normals);
+    EXPECT_EQ(plain.triangles, mirrored.triangles);
+  }
+}
+
 TEST(Unit_PbrtShapes, TexturedTrianglesWithoutCoordinatesGetThem) {
   const std::string shape = "Shape \"plymesh\" \"string filename\" \"triangle.ply\"";
   EXPECT_TRUE(mesh_of(shape).uvs.empty());
