@@ -220,6 +220,16 @@ TEST(Errors_CommandLine, PicturesBeyondTheMemoryEndWithFive) {
   EXPECT_NE(result.error.find("GB of memory"), std::string::npos) << result.error;
 }
 
+TEST(Errors_CommandLine, CheckEndsAsRenderDoes) {
+  const std::string scene = fresh_folder("giant_scene") + "/a.pbrt";
+  const std::string film =
+      "Film \"rgb\" \"integer xresolution\" 65536 \"integer yresolution\" 65536\n";
+  write_text(scene, film + "WorldBegin\nLightSource \"infinite\" Shape \"sphere\"\n");
+  EXPECT_EQ(run_candela({"check", scene}).exit_code, 5);
+  write_text(scene, film + "WorldBegin\nShape \"plymesh\" \"string filename\" \"none.ply\"\n");
+  EXPECT_EQ(run_candela({"check", scene}).exit_code, 3);
+}
+
 TEST(Errors_CommandLine, RunningOutOfMemoryEndsWithFive) {
 #ifdef CANDELA_UNDER_ADDRESS_SANITIZER
   GTEST_SKIP() << "the address sanitizer needs more address space than the limit";

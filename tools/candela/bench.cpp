@@ -43,7 +43,7 @@ std::string to_text(const std::string& scene, const RayBenchResult& result) {
 ExitCode run_bench(const BenchArguments& arguments) {
   Console console(false);
   const ReadScene read = read_scene(arguments.scene, console);
-  if (!read.is_usable()) return ExitCode::Scene;
+  if (!read.is_usable()) return read.refusal;
   const int threads = arguments.threads > 0 ? arguments.threads : available_threads();
   RayBenchOptions options;
   options.seconds_each = arguments.seconds_each;

@@ -35,7 +35,7 @@ ExitCode run_check(const CheckArguments& arguments) {
       fmt::format("{}: {}, {}\n", arguments.scene.path, counted(read.error_count, "error"),
                   counted(read.warning_count, "warning")),
       console);
-  return is_refused ? ExitCode::Scene : printed;
+  return is_refused ? read.refusal : printed;
 }
 
 }  // namespace candela::cli

@@ -16,7 +16,7 @@ namespace candela::cli {
 ExitCode run_info(const InfoArguments& arguments) {
   Console console(false);
   const ReadScene read = read_scene(arguments.scene, console);
-  if (!read.is_usable()) return ExitCode::Scene;
+  if (!read.is_usable()) return read.refusal;
   SceneInfo info = describe_scene(*read.description, *read.scene);
   info.scene_hash = scene_hash(*read.description);
   info.kernel = kernel_name(*read.scene, read.options);

@@ -40,6 +40,8 @@ ReadScene read_scene(const SceneArguments& arguments, Console& console) {
   auto scene =
       compile(*description, settled.settings ? compile_options(read.options) : CompileOptions{});
   report(scene.diagnostics, console, read);
+  const bool is_all = read.error_count == 1;  // the scene has no error of its own
+  if (!settled.settings && is_all) read.refusal = settled.exit_code;
   if (read.error_count > 0 || (arguments.is_strict && read.warning_count > 0)) return read;
   read.description = std::move(description.value);
   read.scene = std::move(scene.value);

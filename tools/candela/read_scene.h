@@ -7,6 +7,7 @@
 #include "renderer/scene/scene.h"
 #include "tools/candela/arguments.h"
 #include "tools/candela/console.h"
+#include "tools/candela/exit_code.h"
 
 namespace candela::cli {
 
@@ -17,6 +18,7 @@ struct ReadScene {
   RenderOptions options;  // as the scene itself asks to be rendered
   std::size_t error_count = 0;
   std::size_t warning_count = 0;
+  ExitCode refusal = ExitCode::Scene;  // how it ends where it has errors
   [[nodiscard]] bool is_usable() const { return scene.has_value(); }
 };
 [[nodiscard]] ReadScene read_scene(const SceneArguments& arguments, Console& console);
