@@ -15,10 +15,10 @@ int give_up(const candela::Diagnostics& reasons) {
 int main(int, char** arguments) {
   const auto description = candela::load(arguments[1], {});
   if (!description) return give_up(description.diagnostics);
-  const auto scene = candela::compile(*description, {.width = 64, .height = 64});
+  const candela::RenderOptions options{.width = 64, .height = 64, .samples_per_pixel = 4};
+  const auto scene = candela::compile(*description, candela::compile_options(options));
   if (!scene) return give_up(scene.diagnostics);
   const auto accelerator = build_accelerator(*scene, candela::AcceleratorKind::Auto);
-  const candela::RenderOptions options{.width = 64, .height = 64, .samples_per_pixel = 4};
   const auto result = candela::render(*scene, accelerator, options, nullptr, nullptr);
   std::printf("%ju camera rays\n", std::uintmax_t{result.statistics.rays.camera});
   const auto written = candela::write_image(arguments[2], result.film.to_image(false), {});
