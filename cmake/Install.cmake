@@ -23,4 +23,6 @@ install(FILES
   DESTINATION ${package_folder})
 install(FILES cmake/Dependencies.cmake RENAME candelaDependencies.cmake
   DESTINATION ${package_folder})
+# README.md's links and picture are in docs.
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
