@@ -1,6 +1,4 @@
-"""An attic lit by a window as wide as its gable and by a pyramid on its floor: triangles near what
-they light.
-"""
+"""An attic lit by a triangular window and a pyramid on its floor: triangles near what they light."""
 
 from scene_gen.parts import camera, diffuse, lamp, model, render
 from scene_gen.shapes import joined, quad, sphere, triangle

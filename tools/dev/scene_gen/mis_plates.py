@@ -1,4 +1,4 @@
-"""Four plates from polished to rough under four lamps from small to large [Veach95].
+"""Four plates from polished to rough under four lamps from small to large [Veach97].
 
 Light samples suit the small lamps on rough plates, BSDF samples the large ones on polished plates;
 all lamps have one power. The plates reflect all that they keep, so that other renderers can have
