@@ -39,8 +39,8 @@ struct TileCounts {
   }
 };
 
-// Invalid radiance never enters the film: it is counted and located (invariant 4). What is above
-// `clamp` in any channel is dimmed to it.
+// Invalid radiance never enters the film: it is counted and located. What is above `clamp` in any
+// channel is dimmed to it.
 inline void add_or_count(const FilmSample& sample, int x, int y, std::uint32_t index, float clamp,
                          Film& film, TileCounts& counts) {
   if (is_finite(sample.radiance) && min_component(sample.radiance) >= 0) {

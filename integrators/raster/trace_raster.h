@@ -1,5 +1,6 @@
-// One camera sample as lab3's rasteriser shades it [LAB3 section 7]: whitted's direct lighting
-// without shadows or bounces, holes seen through (`if (alpha < .2) discard`), the rest opaque.
+// One camera sample as lab3's rasteriser shades it (docs/cli.md, "Whitted and raster"): whitted's
+// direct lighting without shadows or bounces, holes seen through (`if (alpha < .2) discard`), the
+// rest opaque.
 #pragma once
 
 #include "integrators/whitted/lab_shading.h"

@@ -1,4 +1,5 @@
-// The lights of lab3's own shading [LAB3 sections 7, 8]: points, cones and directions only.
+// The lights of lab3's own shading (docs/cli.md, "Whitted and raster"): points, cones and
+// directions only.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// lab3's direct lighting at a point [LAB3 section 7]: Blinn-Phong under delta lights and an
-// unshadowed ambient term. For whitted and raster.
+// lab3's direct lighting at a point (docs/cli.md, "Whitted and raster"): Blinn-Phong under delta
+// lights and an unshadowed ambient term. For whitted and raster.
 #pragma once
 
 #include "integrators/first_hit.h"

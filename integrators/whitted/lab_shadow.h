@@ -1,4 +1,4 @@
-// Hard shadows that step through holes [LAB3 section 7].
+// Hard shadows that step through holes (docs/cli.md, "Whitted and raster").
 //
 // The lab starts rays at t >= 0.01 in the scene's unit; here their origins are moved off surfaces
 // by the bound of their rounding error, so that no scene leaks for being small.

@@ -1,4 +1,5 @@
-// Any material as lab3's own shading sees it: (kd, ks, exponent, alpha) [LAB3 section 7].
+// Any material as lab3's own shading sees it: (kd, ks, exponent, alpha) (docs/cli.md, "Whitted and
+// raster").
 #pragma once
 
 #include "renderer/material/bsdf_at.h"

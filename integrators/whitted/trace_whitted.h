@@ -1,5 +1,6 @@
-// One camera sample of lab3's ray tracer [LAB3 section 7]: a single ray that at each surface either
-// goes on straight behind it (alpha < 0.9) or in the mirror direction; background black.
+// One camera sample of lab3's ray tracer (docs/cli.md, "Whitted and raster"): a single ray that at
+// each surface either goes on straight behind it (alpha < 0.9) or in the mirror direction;
+// background black.
 #pragma once
 
 #include "integrators/whitted/lab_shading.h"

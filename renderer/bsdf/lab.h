@@ -1,4 +1,4 @@
-// lab3's Blinn-Phong material as an energy-conserving one (LAB3 section 8): GGX of width
+// lab3's Blinn-Phong material as an energy-conserving one (docs/scene_format.md): GGX of width
 // sqrt(2 / (n + 2)) with F0 = ks and Smith's masking, and a diffuse part that gets reciprocally
 // what the specular one leaves: kd (1 - F(n.wi)) (1 - F(n.wo)) / pi [Shirley97b, eq. 5].
 //

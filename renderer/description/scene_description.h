@@ -27,8 +27,9 @@ using MeshHandle = Handle<Mesh>;
 
 // --- materials ---
 
-// lab3's Blinn-Phong material as LAB3.md sections 1-4 define it; `whitted` shades it as it stands,
-// the path tracer by section 8. Colours are as written (before pow 2.2).
+// lab3's Blinn-Phong material (docs/scene_format.md, "Materials"); `whitted` shades it as it
+// stands, the path tracer by "What lab 3 scenes mean to the path tracer" of that page. Colours are
+// as written (before pow 2.2).
 struct LabMaterial {
   ColourInput diffuse;                   // image encoding LabGamma
   double alpha = 1.0;                    // used where there is no diffuse map; else the map's alpha
@@ -39,7 +40,7 @@ struct LabMaterial {
 enum class FresnelModel : std::uint8_t { Schlick, Exact };
 enum class GeometryModel : std::uint8_t { SchlickGgx, Smith };
 
-// kd/pi + ks F G D / (4 cos cos), as REPORT.md's normative section fixes it.
+// kd/pi + ks F G D / (4 cos cos), as docs/scene_format.md has it ("Materials with a Type").
 struct CookTorranceMaterial {
   ColourInput diffuse{Vec3d{0.5}, {}};        // kd
   ColourInput specular{Vec3d{0.5}, {}};       // ks
@@ -186,7 +187,7 @@ struct Instance {
   SourceSpan span;
 };
 
-// For the path tracer, in physical units (LAB3 section 8); whitted divides by pi again.
+// For the path tracer, in physical units (docs/scene_format.md); whitted divides by pi again.
 struct PointLight {
   Vec3d position{0.0};
   Vec3d intensity{1.0};  // radiant intensity, W/sr

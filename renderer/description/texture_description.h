@@ -22,7 +22,7 @@ using TextureHandle = Handle<Texture>;
 enum class Encoding : std::uint8_t {
   Linear,    // as stored (masks, heights, HDR)
   Srgb,      // IEC 61966-2-1 a texel, before filtering
-  LabGamma,  // pow(v, 2.2) after filtering, as lab3's framework does (LAB3 section 4)
+  LabGamma,  // pow(v, 2.2) after filtering, as lab3's framework does
 };
 
 enum class Wrap : std::uint8_t { Repeat, Clamp, Mirror, Black };

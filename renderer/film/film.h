@@ -66,7 +66,7 @@ class Film {
 
   // Adds the next sample of a pixel; calls for one pixel come in order of the sample index and from
   // one thread at a time. Coordinates of the full picture. Non-finite or negative radiance must not
-  // come here: the caller counts it (invariant 4).
+  // come here: the caller counts it.
   void add(int x, int y, const FilmSample& sample);
   // A sample that was invalid: it counts as black so that sums of others stand.
   void add_invalid(int x, int y);

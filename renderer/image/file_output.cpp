@@ -1,4 +1,4 @@
-// Bytes to a file, all or nothing: written beside the target, fsync, rename (invariant 8).
+// Bytes to a file, all or nothing: written beside the target, fsync, rename.
 #include <fcntl.h>
 #include <unistd.h>
 

@@ -1,6 +1,6 @@
 // Image files: the only door to OpenImageIO (with its decoder for textures beside it).
 //
-// Writing is all or nothing (invariant 8): a file is encoded in memory, written beside its target,
+// Writing is all or nothing: a file is encoded in memory, written beside its target,
 // fsync'ed and renamed over it. Reading trusts no header: width, height, channels and byte size are
 // held against a limit before anything is allocated, only regular files are opened, and only the
 // formats exr png jpeg hdr tiff bmp tga pnm.

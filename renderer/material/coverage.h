@@ -8,7 +8,7 @@ namespace candela {
 enum class Coverage : std::uint8_t { Clear, Partial, Opaque };
 
 // Of opacities between `low` and `high`. `is_lab`: below 0.2 is a hole, from 0.9 on solid
-// [LAB3 section 8].
+// (docs/scene_format.md).
 [[nodiscard]] constexpr Coverage coverage_of_range(float low, float high, bool is_lab) {
   constexpr float lab_hole = 0.2f;
   constexpr float lab_solid = 0.9f;

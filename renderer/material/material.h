@@ -21,7 +21,7 @@ class CoverageGrid;
 enum class MaterialModel : std::uint8_t {
   Diffuse,         // kd / pi
   CookTorrance,    // kd / pi + ks F G D / (4 cos cos)                         [REPORT 2.2]
-  Lab,             // Blinn-Phong as GGX with a reciprocally coupled diffuse   [LAB3 section 8]
+  Lab,             // Blinn-Phong as GGX with a reciprocally coupled diffuse
   Mirror,          // delta reflection, constant reflectance
   Conductor,       // smooth (delta) or rough GGX with eta and k
   Dielectric,      // smooth (delta) or rough GGX, reflection and refraction
@@ -97,7 +97,7 @@ struct Material {
   Rgb emission{0};                    // radiance
   TextureHandle emission_map{};       // a factor of it by place
   ScalarParameter opacity{1, {}, 3};  // in [0,1]
-  bool lab_opacity = false;           // thresholds 0.2 and 0.9 of LAB3 section 8
+  bool lab_opacity = false;           // the lab's thresholds 0.2 and 0.9
   // Where the opacity map need not be asked; absent where visibility never asks it.
   Handle<CoverageGrid> coverage_grid{};
   TextureHandle height{};  // bump

@@ -1,6 +1,7 @@
 // Transcendental functions by polynomials: the same bits on every processor and in every
 // instantiation of a kernel, where libm's differ by processor and may be folded at compile time in
-// one place and not in another (invariant 2). Only +, -, *, / and std::sqrt, which IEEE 754 fixes.
+// one place and not in another: a specialised kernel gives the bits of the general one. Only +, -,
+// *, / and std::sqrt, which IEEE 754 fixes.
 #pragma once
 
 #include <algorithm>

@@ -37,7 +37,7 @@ ScalarParameter scalar(const ScalarInput& input, TextureCompiler& texture) {
   return {static_cast<float>(input.factor), map, channel};
 }
 
-// LAB3 section 3: the lab keeps factors in 8 bits.
+// The lab keeps factors in 8 bits.
 double quantised(double v) {
   return std::round(std::clamp(v, 0.0, 1.0) * 255) / 255;
 }
@@ -50,7 +50,7 @@ bool has_map_or_colour(const ColourParameter& parameter) {
   return parameter.texture.is_valid() || !is_black(parameter.constant);
 }
 
-// GGX width of a Blinn-Phong exponent (LAB3 section 8).
+// GGX width of a Blinn-Phong exponent (docs/scene_format.md).
 float width_of_exponent(double exponent) {
   return static_cast<float>(std::sqrt(2.0 / (std::max(exponent, 0.0) + 2.0)));
 }

@@ -1,4 +1,5 @@
-// Where the scene's own centre and unit lie (invariant 5).
+// Where the scene's own centre and unit lie: what is rendered is moved there and scaled by a power
+// of two, so that no place and no unit of a file costs accuracy.
 #pragma once
 
 #include "renderer/description/scene_description.h"

@@ -12,7 +12,8 @@ void read_skyboxes(Reader& reader, const Fields& root);
 void read_environment(Reader& reader, const Fields& root);
 
 // AmbientIntensity, or what the options put in its place: kept for whitted, and, where no other
-// environment is given, a constant one that camera rays do not see [LAB3.md section 8].
+// environment is given, a constant one that camera rays do not see
+// (docs/scene_format.md, "Ambient light").
 // Comes last: it depends on what else the file holds.
 void read_ambient(Reader& reader, const Fields& root);
 

@@ -1,5 +1,5 @@
 // The ground planes that the course's program, and no file, adds to two scenes
-// (--lab3-ground IMAGE) [LAB3.md section 6].
+// (--lab3-ground IMAGE; docs/scene_format.md, "Ground planes that are in no file").
 #pragma once
 
 #include "scene_io/lab3/reader.h"

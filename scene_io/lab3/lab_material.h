@@ -1,4 +1,5 @@
-// lab3's own material: Blinn-Phong, with all the traps of its keys [LAB3.md sections 1 and 4].
+// lab3's own material: Blinn-Phong, with all the traps of its keys
+// (docs/scene_format.md, "Materials").
 #pragma once
 
 #include "scene_io/lab3/fields.h"

@@ -10,7 +10,7 @@ inline constexpr std::string_view transform_keys[] = {"Translation", "Scale", "R
 
 // p' = T + R (S p), the written intent. (The framework's code computes T + (R s) (.) p, by the
 // grouping of its operators; the two agree for R = 1, which all of its scenes have.)
-// [LAB3.md section 2]. A singular map is an error and gives the identity.
+// (docs/scene_format.md, "Models".) A singular map is an error and gives the identity.
 [[nodiscard]] Transform read_transform(Reader& reader, const Fields& fields);
 
 }  // namespace candela::lab3

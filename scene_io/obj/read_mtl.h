@@ -1,9 +1,10 @@
 // Wavefront MTL -> materials of a SceneDescription.
 //
-// Lab (MtlUse::Lab; LAB3.md section 3): every material is a LabMaterial. diffuse = Kd (absent: 0)
-// or map_Kd, which replaces it; alpha = d (Tr = 1 - d; d wins) where there is no map_Kd; specular =
-// Ks with exponent Ns (absent: 1), or map_Ks, which replaces both; height = map_Bump or bump, the
-// last of them. Kd, Ks and d are clamped to [0, 1] and Ns to [0, 256]. All else is ignored.
+// Lab (MtlUse::Lab, what the lab's framework reads): every material is a LabMaterial. diffuse = Kd
+// (absent: 0) or map_Kd, which replaces it; alpha = d (Tr = 1 - d; d wins) where there is no
+// map_Kd; specular = Ks with exponent Ns (absent: 1), or map_Ks, which replaces both; height =
+// map_Bump or bump, the last of them. Kd, Ks and d are clamped to [0, 1] and Ns to [0, 256]. All
+// else is ignored.
 //
 // Full (MtlUse::Full): the first row that fits.
 //   Pr, Pm or a map of Pr              CookTorrance: roughness Pr^2 (map_Pr as stored), a diffuse

@@ -5,7 +5,7 @@
 // for each MTL material that has faces, in the order of the MTL, vertices unique per (v, vt, vn)
 // within it. If any corner of a mesh lacks a normal, all its normals are computed: the sum of the
 // cross products of the triangles that share a vertex (area-weighted). If any lacks a texture
-// coordinate, all are (.5, .5). [LAB3.md section 3]
+// coordinate, all are (.5, .5). (docs/scene_format.md, "Meshes")
 //
 // Polygons are triangulated (scene_io/mesh/triangulate.h); `l`, `p` and free-form statements are
 // left out with one warning. v = 0 is the image's bottom row, as in the file. File names may use

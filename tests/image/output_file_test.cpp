@@ -1,4 +1,4 @@
-// Outputs are whole or not there (invariant 8), and what stands in their way is a sentence.
+// Outputs are whole or not there, and what stands in their way is a sentence.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>

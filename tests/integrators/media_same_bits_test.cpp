@@ -1,4 +1,5 @@
-// Invariants 1, 2 and 5 in scenes with media, and of the media kernel in scenes without.
+// Scenes with media, and the media kernel in scenes without: the same bits for any threads, crops
+// and tiles, by special and general kernels, and over scales by powers of two.
 #include <gtest/gtest.h>
 
 #include "tests/integrators/lane_steps.h"

@@ -1,4 +1,4 @@
-// Invariants 1 and 2: one scene, one set of options, one seed, one image, bit by bit.
+// One scene, one set of options, one seed, one image, bit by bit, by special and general kernels.
 #include <gtest/gtest.h>
 
 #include "renderer/math/constants.h"
@@ -112,7 +112,8 @@ TEST(Agreement_SameBits, OverSampleRanges) {
       scene, settings, {0, 40}, {{0, 16, 32, 40}, {0, 1, 16, 17, 31, 32, 40}, {0, 5, 39, 40}});
 }
 
-// Invariant 5: coordinates times a power of two give the same bits.
+// No length in the scene's unit decides anything: coordinates times a power of two give the same
+// bits.
 TEST(Agreement_SameBits, OverScalesByPowersOfTwo) {
   RenderSettings settings = settings_of(32, 8);
   const Image reference = picture(compiled(small_room(), settings.options), settings);

@@ -1,4 +1,4 @@
-// Invariant 5: no length in the scene's unit decides anything.
+// No length in the scene's unit decides anything.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What DESIGN fixes about the sources, as functions of a file's path and text: which room may
+// What is fixed about the sources, as functions of a file's path and text: which room may
 // include which, who alone may include a library, how long a file may be.
 #pragma once
 

@@ -1,10 +1,10 @@
 // whitted against pictures that the course's own ray tracer made: 905x930, one sample in each
-// pixel's centre, 8 bits by the power 1/2.2 [LAB3 section 7]. Where the scenes are not there the
-// tests are skipped.
+// pixel's centre, 8 bits by the power 1/2.2 (docs/cli.md, "Whitted and raster"). Where the scenes
+// are not there the tests are skipped.
 //
 // The normals of those pictures are as the lab interpolates them (RenderOptions::lab_normals): with
 // that, the oak agrees pixel by pixel as the Cornell box does. The breakfast room's mesh was
-// rebuilt from another export [LAB3 section 10], so only its large shapes can agree.
+// rebuilt from another export, so only its large shapes can agree.
 #include <optional>
 
 #include "renderer/image/image_io.h"

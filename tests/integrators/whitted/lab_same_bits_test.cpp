@@ -1,4 +1,4 @@
-// Invariants 1 and 5 for whitted and raster: one scene, one picture, bit by bit.
+// whitted and raster: one scene, one picture, bit by bit, in any unit.
 #include "tests/integrators/whitted/lab_scenes.h"
 
 namespace candela {

@@ -44,7 +44,7 @@ inline void add_sheet(description::SceneDescription& scene, double y,
   return scene;
 }
 
-// Of lab3's Intensity: what the reader makes of it [LAB3 section 8].
+// Of lab3's Intensity: what the reader makes of it (docs/scene_format.md).
 inline void add_lab_point_light(description::SceneDescription& scene, const Vec3d& position,
                                 double intensity) {
   add_light(scene, description::PointLight{position, Vec3d(pi_double * intensity)});

@@ -1,5 +1,5 @@
-// lab3's direct lighting [LAB3 section 7] against closed forms: lights of each kind, highlights,
-// shadows.
+// lab3's direct lighting (docs/cli.md, "Whitted and raster") against closed forms: lights of each
+// kind, highlights, shadows.
 #include "tests/integrators/whitted/lab_scenes.h"
 
 namespace candela {

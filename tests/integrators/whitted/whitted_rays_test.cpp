@@ -1,4 +1,5 @@
-// What whitted's rays do behind the first surface [LAB3 section 7]: mirrors, transparency, depth.
+// What whitted's rays do behind the first surface (docs/cli.md, "Whitted and raster"): mirrors,
+// transparency, depth.
 #include "tests/integrators/whitted/lab_scenes.h"
 
 namespace candela {

@@ -1,4 +1,5 @@
-// Materials without a Type: lab3's own, with the traps of LAB3.md section 1.
+// Materials without a Type: lab3's own, with the traps that docs/scene_format.md
+// names ("Materials").
 #include <gtest/gtest.h>
 
 #include "tests/scene_io/lab3/lab3_text.h"
