@@ -44,7 +44,7 @@ PixelRect trial_tile(const RenderOptions& options, int size, std::uint64_t seed,
   return {x, y, std::min(x + size, options.width), std::min(y + size, options.height)};
 }
 
-Vec3d run_block(TilePass pass, const BlockPlace& place, const RenderOptions& options,
+Vec3d run_block(TilePass pass, const TrialBlock& place, const RenderOptions& options,
                 const TileFunction& render_tile) {
   pass.tile = trial_tile(options, 1, place.seed, place.pixel);
   pass.range = {0, whole_block};

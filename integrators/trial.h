@@ -30,7 +30,7 @@ struct Trial {
                                    std::uint32_t index);
 
 // One of the pixels that a seed spreads over the picture, and its random numbers.
-struct BlockPlace {
+struct TrialBlock {
   std::uint64_t seed = 0;
   std::uint32_t pixel = 0;
   std::uint32_t sequence = 0;
@@ -38,7 +38,7 @@ struct BlockPlace {
 
 // A whole block of the samples of one pixel, of which the pass' observer is told; returns their
 // mean.
-Vec3d run_block(TilePass pass, const BlockPlace& place, const RenderOptions& options,
+Vec3d run_block(TilePass pass, const TrialBlock& place, const RenderOptions& options,
                 const TileFunction& render_tile);
 
 // Camera samples of the picture; where other rules than their number end it, what it has at least.

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "integrators/roulette/walk_log.h"
+#include "integrators/seed_stream.h"
 #include "integrators/tile_counts.h"
 #include "integrators/trial.h"
 #include "renderer/base/parallel.h"
@@ -33,7 +34,7 @@ std::size_t pixels_to_ask(const RenderOptions& options) {
 }
 
 Block walk_block(const RenderOptions& options, const TileFunction& render_tile,
-                 const BlockPlace& place) {
+                 const TrialBlock& place) {
   WalkLog log;
   TilePass pass;
   pass.plan.roulette_threshold = 1.0f / 16;
@@ -44,7 +45,7 @@ Block walk_block(const RenderOptions& options, const TileFunction& render_tile,
 
 std::vector<PixelWalks> walk_pixels(const RenderOptions& options, const TileFunction& render_tile,
                                     const CancelFlag* cancel) {
-  const std::uint64_t seed = mix_bits(options.seed + 6);  // none that the picture or others use
+  const std::uint64_t seed = seed_of(SeedStream::Roulette, options.seed);
   std::vector<PixelWalks> pixels(pixels_to_ask(options));
   parallel_for(pixels.size(), [&](std::size_t i) {
     if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return;
@@ -87,6 +88,7 @@ Effort effort_of(const PixelWalks& pixel, double picture_mean, Roulette roulette
 class Efforts {
  public:
   Efforts(std::vector<PixelWalks> pixels, Roulette usual) : pixels_(std::move(pixels)) {
+    std::erase_if(pixels_, [](const PixelWalks& pixel) { return !is_finite(pixel.mean()); });
     for (const PixelWalks& pixel : pixels_)
       picture_mean_ += sum_of_components(pixel.mean()) / 3 / static_cast<double>(pixels_.size());
     if (!has_light()) return;
