@@ -42,6 +42,23 @@ struct BlockTrip {
   BlockTrip(const BlockTrip&) = delete;  // branches refer to its pixel
   BlockTrip& operator=(const BlockTrip&) = delete;
 
+  // A ray of each of the lanes.
+  void count_bounces(LaneMask lanes) {
+    counts.rays.indirect += lane_count(lanes);
+    add_cost(lanes, cost_of({.indirect = 1}));
+  }
+  void count_shadow_rays(LaneMask lanes) {
+    counts.rays.shadow += lane_count(lanes);
+    add_cost(lanes, cost_of({.shadow = 1}));
+  }
+  // Calls count(), which counts rays of the lane.
+  template <class Count>
+  void count_for(std::uint32_t lane, const Count& count) {
+    const std::uint64_t before = cost_of(counts.rays);
+    count();
+    costs[lane] += static_cast<std::uint32_t>(cost_of(counts.rays) - before);
+  }
+
   // Of the paths that go on from the hits, and of the hits themselves.
   [[nodiscard]] const SamplerBlock& path_samplers() const { return branches.samplers(samplers); }
   [[nodiscard]] const SamplerBlock& hit_samplers() const {
@@ -61,6 +78,13 @@ struct BlockTrip {
   BlockNumbers numbers;
   bool is_drawn_together = false;  // `numbers` holds those of the bounce
   TileCounts counts;
+  Lanes<std::uint32_t> costs{};  // of the lanes' rays, where they are of several pixels
+
+ private:
+  void add_cost(LaneMask lanes, std::uint64_t cost) {
+    if (pixel) return;
+    for_each_lane(lanes, [&](std::uint32_t i) { costs[i] += static_cast<std::uint32_t>(cost); });
+  }
 };
 
 }  // namespace candela

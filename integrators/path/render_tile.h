@@ -29,15 +29,18 @@ inline void start(BlockTrip<A>& trip) {
   trip.counts.rays.camera += lane_count(trip.place.lanes);
 }
 
-// What a block's rays took, to its pixels: in equal parts.
+// What a block's rays took, to its pixels. To each what its own took: what else is in the block
+// must not change the picture.
 template <class A>
 inline void add_cost(const BlockTrip<A>& trip, const PixelRect& tile, Film& film) {
-  const auto cost = static_cast<std::uint32_t>(cost_of(trip.counts.rays));
   const PixelLanes& pixels = trip.place.pixels;
-  if (trip.pixel) return film.add_cost(pixels.x[0], pixels.y[0], cost);
-  const std::uint32_t part = cost / lane_count(trip.place.lanes);
+  if (trip.pixel)
+    return film.add_cost(pixels.x[0], pixels.y[0],
+                         static_cast<std::uint32_t>(cost_of(trip.counts.rays)));
+  const auto of_camera = static_cast<std::uint32_t>(cost_of({.camera = 1}));
   for_each_lane(trip.place.lanes, [&](std::uint32_t i) {
-    if (tile.contains(pixels.x[i], pixels.y[i])) film.add_cost(pixels.x[i], pixels.y[i], part);
+    if (tile.contains(pixels.x[i], pixels.y[i]))
+      film.add_cost(pixels.x[i], pixels.y[i], of_camera + trip.costs[i]);
   });
 }
 

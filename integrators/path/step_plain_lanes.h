@@ -148,11 +148,15 @@ class PlainSteps {
     for_each_lane(to_trace, [&](std::uint32_t slot) {
       const Place at = place(slot);
       const DirectLight light{samples.contribution[slot], samples.shadow_ray(slot)};
-      PathLanes& paths = at.trip->block.paths;
-      if constexpr (F.media)
-        paths.add_radiance(at.lane, shadowed_in(context(), light, MediumHandle{}, at.trip->counts));
-      else
-        paths.add_radiance(at.lane, shadowed(context().accelerator, light, at.trip->counts));
+      BlockTrip<A>& trip = *at.trip;
+      trip.count_for(at.lane, [&] {
+        if constexpr (F.media)
+          trip.block.paths.add_radiance(at.lane,
+                                        shadowed_in(context(), light, MediumHandle{}, trip.counts));
+        else
+          trip.block.paths.add_radiance(at.lane,
+                                        shadowed(context().accelerator, light, trip.counts));
+      });
     });
   }
 
@@ -163,7 +167,7 @@ class PlainSteps {
     const LaneMask occluded = context().accelerator.occluded(rays, to_trace);
     for_each_lane(to_trace, [&](std::uint32_t slot) {
       const Place at = place(slot);
-      ++at.trip->counts.rays.shadow;
+      at.trip->count_shadow_rays(1u << at.lane);
       if ((occluded >> slot & 1) == 0)
         at.trip->block.paths.add_radiance(at.lane, samples.contribution[slot]);
     });

@@ -96,14 +96,17 @@ inline void step_lane(BlockTrip<A>& trip, std::uint32_t i) {
 // Takes from `block.unshadowed` what stands in the shadow rays' way; returns the lanes in which
 // something is left.
 template <FeatureSet F, class A>
-[[nodiscard]] inline LaneMask trace_shadow_rays(const PathContext<A>& context, LaneMask lanes,
-                                                PathBlock& block, TileCounts& counts) {
+[[nodiscard]] inline LaneMask trace_shadow_rays(BlockTrip<A>& trip, LaneMask lanes) {
+  const PathContext<A>& context = trip.context;
+  PathBlock& block = trip.block;
   LaneMask arriving = 0;
   if (F.media && context.scene.features.clear_boundaries) {
     for_each_lane(lanes, [&](std::uint32_t i) {
-      const Rgb unshadowed =
-          block.unshadowed[i] *
-          light_through_boundaries(context, block.shadow_rays[i], block.shadow_media[i], counts);
+      Rgb unshadowed = block.unshadowed[i];
+      trip.count_for(i, [&] {
+        unshadowed *= light_through_boundaries(context, block.shadow_rays[i], block.shadow_media[i],
+                                               trip.counts);
+      });
       block.unshadowed.set(i, unshadowed);
       if (!is_black(unshadowed)) arriving |= 1u << i;
     });
@@ -117,7 +120,7 @@ template <FeatureSet F, class A>
       block.unshadowed.set(i, block.unshadowed[i] * transmittance);
     });
   }
-  counts.rays.shadow += lane_count(lanes);
+  trip.count_shadow_rays(lanes);
   return arriving;
 }
 
@@ -212,7 +215,7 @@ inline void go_on(BlockTrip<A>& trip, PlainLanes& lanes) {
       trip.alive = branches.template start<F>(trip.context, trip.samplers, block, lanes);
   }
   ++trip.bounce;
-  trip.counts.rays.indirect += lane_count(trip.alive);
+  trip.count_bounces(trip.alive);
 }
 
 }  // namespace candela

@@ -39,11 +39,10 @@ class TripRays {
     LanesAfterStep& after = trip.after;
     if (after.shadow_rays == 0) return;
     if (!shares(trip, after.shadow_rays)) {
-      after.arriving =
-          trace_shadow_rays<F>(trip.context, after.shadow_rays, trip.block, trip.counts);
+      after.arriving = trace_shadow_rays<F>(trip, after.shadow_rays);
       return;
     }
-    trip.counts.rays.shadow += lane_count(after.shadow_rays);
+    trip.count_shadow_rays(after.shadow_rays);
     for_each_lane(after.shadow_rays, [&](std::uint32_t lane) {
       put(trip, lane, trip.block.shadow_rays);
       if (size_ == block_size) end_shadow_rays();
