@@ -26,10 +26,12 @@ template <FeatureSet F, class A>
       material_at(scene, scene.geometries[hit.geometry], point, numbers.material);
   set_material_frame(scene, material, wo, point);
   PathState path;
+  path.light_cell = light_cell_at(scene, ray, hit.t, 0);
   Bsdf bsdf = bsdf_at(material, scene.textures, texture_point_of(point), point.is_front);
   const bool goes_on =
       scatter_from<F>(context.options, numbers, guide_at<F>(context.guide, point, bsdf), point,
-                      bsdf, point.shading.to_local(wo), ray, path);
+                      bsdf, point.shading.to_local(wo), ray, path) &&
+      survives_roulette(numbers.roulette, 0, context.roulette, path);
   block.paths.set(i, path);
   return goes_on && set_ray(block, i, ray);
 }

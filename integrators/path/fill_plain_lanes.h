@@ -176,9 +176,12 @@ template <FeatureSet F, class A>
   if (context.max_depth == 0 || of_block == 0) return 0;
   lanes.clear();
   for_each_lane(of_block, [&](std::uint32_t i) {
-    block.paths.set(i, PathState{});
-    put_path(context.scene, numbers.lane<F>(i), 0, block.split.hits[i], block.split.camera_rays[i],
-             PathState{}, i, lanes);
+    const Hit hit = block.split.hits[i];
+    const Ray ray = block.split.camera_rays[i];
+    PathState path;
+    path.light_cell = light_cell_at(context.scene, ray, hit.t, 0);
+    block.paths.set(i, path);
+    put_path(context.scene, numbers.lane<F>(i), 0, hit, ray, path, i, lanes);
   });
   find_surfaces(model, context.scene, lanes);
   const ScatterMasks scattered = scatter(model, context.roulette, lanes);

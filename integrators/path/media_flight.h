@@ -47,7 +47,10 @@ template <class A>
     medium = crossing.beyond;
     ray = spawn_ray(crossing.point, ray.direction);
     flight.hit = Hit{};
-    if (!is_traceable(ray)) break;
+    if (!is_traceable(ray)) {
+      path.radiance = Rgb(std::numeric_limits<float>::quiet_NaN());  // as lose_path()
+      break;
+    }
     ++counts.rays.indirect;
     flight.hit = context.accelerator.intersect(ray);
   }

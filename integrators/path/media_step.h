@@ -108,12 +108,9 @@ template <FeatureSet F, class A>
   SurfacePoint point = met_point_at<F>(scene, flight.hit, wo);
   const Material& material = material_at(scene, geometry, point, numbers.material);
   set_material_frame(scene, material, wo, point);
-  if (geometry.is_emissive() && (bounce > 0 || context.lamp_rays == 0))
-    add_emission<F>(scene, context.options, geometry, flight.hit, from, ray.direction,
-                    flight.distance, path);
-  if (bounce == 0 && context.options.aovs != 0)
-    record_camera_hit<F>(scene, context.camera, ray, flight.hit, material, first_hit);
-  if (bounce >= context.max_depth) return false;
+  if (!arrive<F>(context, bounce, flight.hit, ray, from, flight.distance, material, path,
+                 first_hit))
+    return false;
   NearAndFarMedium media{medium, medium};
   if (!scene.medium_boundaries.empty())
     media = media_beside(scene.medium_boundaries[geometry.material.index], point.is_front, medium);

@@ -99,7 +99,7 @@ template <FeatureSet F, class A>
 // its place.
 [[nodiscard]] inline LightPick pick_light(const LightSampler& lights, std::uint32_t cell,
                                           std::uint32_t choice, Vec2f& u) {
-  LightPick pick = lights.pick(choice, cell);
+  LightPick pick = lights.pick(choice, cell, u);
   if (lights.tells_rest()) u.x = pick.rest;
   return pick;
 }

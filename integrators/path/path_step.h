@@ -232,7 +232,7 @@ inline constexpr float highest_survival_on_surfaces = 0.998f;
                                             float highest = highest_survival_on_surfaces) {
   const float survival =
       survival_probability(bounce, path.roulette_throughput(), roulette, highest);
-  if (!(u < survival)) return false;
+  if (u >= survival) return false;  // not where it is no number, which shall be counted
   path.throughput /= survival;
   path.survival = survival;
   return true;
@@ -278,25 +278,38 @@ template <FeatureSet F, class A>
          survives_roulette(numbers.roulette, bounce, context.roulette, path);
 }
 
+// What a path finds where its ray met a surface, before it leaves it again; false where it ends
+// there. `from`: where the ray was sampled, `distance` away. `first_hit`: what the film's layers
+// keep of the camera ray.
+template <FeatureSet F, class A>
+[[nodiscard]] inline bool arrive(const PathContext<A>& context, std::uint32_t bounce,
+                                 const Hit& hit, const Ray& ray, const Vec3f& from, float distance,
+                                 const Material& material, PathState& path, FilmSample& first_hit) {
+  const Scene& scene = context.scene;
+  const Geometry& geometry = scene.geometries[hit.geometry];
+  if (is_emission_met(context, geometry, bounce))
+    add_emission<F>(scene, context.options, geometry, hit, from, ray.direction, distance, path);
+  if (bounce == 0 && context.options.aovs != 0)
+    record_camera_hit<F>(scene, context.camera, ray, hit, material, first_hit);
+  if (bounce >= context.max_depth) return false;
+  path.light_cell = light_cell_at(scene, ray, hit.t, bounce);
+  return true;
+}
+
 // From the surface that the path's ray met to its next ray, which takes its place; false where the
 // path ends.
-// `first_hit`: what the film's layers keep of the camera ray.
 template <FeatureSet F, class A>
 [[nodiscard]] inline bool step(const PathContext<A>& context, const StepNumbers& numbers,
                                std::uint32_t bounce, const Hit& hit, Ray& ray, PathState& path,
                                DirectLight& picked, FilmSample& first_hit, TileCounts& counts) {
   const Scene& scene = context.scene;
-  const Geometry& geometry = scene.geometries[hit.geometry];
   Vec3f wo = -ray.direction;
   SurfacePoint point = met_point_at<F>(scene, hit, wo);
-  const Material& material = material_at(scene, geometry, point, numbers.material);
+  const Material& material =
+      material_at(scene, scene.geometries[hit.geometry], point, numbers.material);
   set_material_frame(scene, material, wo, point);
-  if (is_emission_met(context, geometry, bounce))
-    add_emission<F>(scene, context.options, geometry, hit, ray.origin, ray.direction, hit.t, path);
-  if (bounce == 0 && context.options.aovs != 0)
-    record_camera_hit<F>(scene, context.camera, ray, hit, material, first_hit);
-  if (bounce >= context.max_depth) return false;
-  path.light_cell = light_cell_at(scene, ray, hit.t, bounce);
+  if (!arrive<F>(context, bounce, hit, ray, ray.origin, hit.t, material, path, first_hit))
+    return false;
   return leave_surface<F>(context, numbers, bounce, point, material, wo, {}, ray, path, picked,
                           counts);
 }

@@ -26,7 +26,8 @@ concept Accelerator = requires(const A& accelerator, const Ray& ray, const RayBl
 };
 
 // Debian's Embree is built with asserts: a NaN, a component near 1e19 or a negative range would
-// abort the process. Every ray passes here first; a ray that fails is counted as invalid.
+// abort the process. Every ray passes here first. A path whose ray fails is counted as invalid; a
+// shadow ray that does brings nothing.
 [[nodiscard]] inline bool is_traceable(const Ray& ray) {
   const auto sum_of_absolutes = [](const Vec3f& v) {
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);

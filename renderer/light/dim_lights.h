@@ -17,7 +17,7 @@ inline void lift_dim_lights(std::vector<double>& weights, double least_share = 0
       sum += weight;
       ++count;
     }
-  if (!std::isfinite(sum)) return;
+  if (!(sum > 0) || !std::isfinite(sum)) return;
   const double least = std::max(0.1 * sum / count, least_share * sum);
   for (double& weight : weights)
     if (weight > 0) weight = std::max(weight, least);

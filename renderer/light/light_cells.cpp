@@ -1,7 +1,6 @@
 #include "renderer/light/light_cells.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "renderer/base/parallel.h"
@@ -22,24 +21,24 @@ constexpr double most_kept = 1 << 18;
 struct Grid {
   Vec3d lower{0};
   Vec3d size{0};  // of a cell
-  std::array<std::uint32_t, 3> counts{1, 1, 1};
+  glm::u32vec3 counts{1};
 };
 
 // Of cells that are as near to cubes as may be.
 Grid grid_over(const Bounds3f& box, double lights) {
-  const double cells =
-      std::min(most_looks / lights, most_kept / std::min(lights, static_cast<double>(most_ranges)));
+  const double kept = std::min(lights, static_cast<double>(most_ranges));
+  const double cells = std::max(std::min(most_looks / lights, most_kept / kept), 1.0);
   Vec3d extent(box.extent());
   extent = glm::max(extent, Vec3d(1e-3 * max_component(extent)));
-  const double size = std::cbrt(extent.x * extent.y * extent.z / std::max(cells, 1.0));
-  Grid grid;
-  grid.lower = Vec3d(box.lower);
-  for (int axis = 0; axis < 3; ++axis) {
-    const double count = std::clamp(std::floor(extent[axis] / size), 1.0, 64.0);
-    grid.counts[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(count);
-    grid.size[axis] = extent[axis] / count;
-  }
-  return grid;
+  double size = std::cbrt(extent.x * extent.y * extent.z / cells);
+  Vec3d counts;
+  const auto count = [&] {
+    counts = glm::clamp(glm::floor(extent / size), Vec3d(1), Vec3d(64));
+    return counts.x * counts.y * counts.z;
+  };
+  // A flat box has one cell across, and would have too many along it.
+  while (count() > cells) size *= 1.05;
+  return {Vec3d(box.lower), extent / counts, glm::u32vec3(counts)};
 }
 
 // A little more than the cell: points are rounded before they are asked for.
@@ -156,7 +155,7 @@ LightCells::LightCells(std::span<const Light> lights, std::span<const double> we
   lower_ = Vec3f(grid.lower);
   inverse_size_ = Vec3f(1.0 / grid.size);
   for (int axis = 0; axis < 3; ++axis)
-    last_[axis] = static_cast<float>(grid.counts[static_cast<std::size_t>(axis)] - 1);
+    last_[axis] = static_cast<float>(grid.counts[axis] - 1);
   stride_y_ = grid.counts[0];
   stride_z_ = grid.counts[0] * grid.counts[1];
   cells_.resize(static_cast<std::size_t>(stride_z_) * grid.counts[2]);

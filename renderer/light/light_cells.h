@@ -2,9 +2,8 @@
 // may send most to its points, by power, distance and the side that they face.
 //
 // A pick takes a look into the cell's list; the importance of a light is that of a light tree's
-// leaf [Conty18], but cells are asked beforehand. Lights that all of a cell is behind are never
-// picked there. Of many lights a list has the most important; the others share what is left by
-// their power.
+// leaf [Conty18], but cells are asked beforehand. Lights that all of a cell is behind are not
+// listed. Of many lights a list has the most important; what is left is shared by all by power.
 #pragma once
 
 #include <cstdint>

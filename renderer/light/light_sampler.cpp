@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "renderer/light/dim_lights.h"
+#include "renderer/sampling/hash.h"
 
 namespace candela {
 namespace {
@@ -67,13 +68,12 @@ void LightSampler::make_cells(std::span<const Light> lights, const Bounds3f& box
   bounces_with_cells_ = picked > most_few ? std::numeric_limits<std::uint32_t>::max() : 1;
 }
 
-// Of the lights that the cell's list lacks, and of the others as well: by power, with the number
-// spread again.
-LightPick LightSampler::pick_other(std::uint32_t bits, std::uint32_t cell,
-                                   const LightRange& others) const {
-  const double rest = static_cast<double>(bits - others.first) / (others.probability * 0x1p32);
-  const auto spread = static_cast<std::uint32_t>(std::min(rest * 0x1p32, 0x1p32 - 1));
-  const std::uint32_t light = table_.pick(spread);
+// Of the lights that the cell's list lacks, and of the others as well: by power. What is left of
+// the number has too few values for a table of 10^5 lights.
+LightPick LightSampler::pick_other(std::uint32_t bits, std::uint32_t cell, Vec2f u) const {
+  const auto bits_of = [](float x) { return static_cast<std::uint64_t>(x * 0x1p24f); };
+  const std::uint64_t mixed = hash_combine(bits, bits_of(u.x) << 24 | bits_of(u.y));
+  const std::uint32_t light = table_.pick(static_cast<std::uint32_t>(mixed >> 32));
   return {light, probability(light, cell)};
 }
 

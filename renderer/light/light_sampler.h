@@ -55,15 +55,20 @@ class LightSampler {
   // Whether pick() tells what is left of the number, 21 bits of it at least.
   [[nodiscard]] bool tells_rest() const { return !few_.is_empty() && !cells_.has_others(); }
 
-  // `bits`: 32 random bits (Sampler::sample_1d_bits). Only where has_table().
-  [[nodiscard]] LightPick pick(std::uint32_t bits,
-                               std::uint32_t cell = LightCells::everywhere) const {
-    if (cell != LightCells::everywhere) return pick_in_cell(bits, cell);
+  // By power. `bits`: 32 random bits (Sampler::sample_1d_bits). Only where has_table().
+  [[nodiscard]] LightPick pick(std::uint32_t bits) const {
     if (few_.is_empty()) {
       const std::uint32_t light = table_.pick(bits);
       return {light, table_.probability(light)};
     }
     return pick_of(few_.pick(bits), bits);
+  }
+  // For the points of a cell. `u`: random, of the place on the light; where what the cell lists is
+  // not picked, it has a say in which of all others is.
+  [[nodiscard]] LightPick pick(std::uint32_t bits, std::uint32_t cell, Vec2f u) const {
+    if (cell == LightCells::everywhere) return pick(bits);
+    const LightRange& range = cells_.pick(bits, cell);
+    return range.light == Light::none ? pick_other(bits, cell, u) : pick_of(range, bits);
   }
   // With which pick() gives this light; 0 for black ones and those in `always`.
   [[nodiscard]] float probability(std::uint32_t light,
@@ -76,12 +81,7 @@ class LightSampler {
   static LightPick pick_of(const LightRange& range, std::uint32_t bits) {
     return {range.light, range.probability, range.rest(bits)};
   }
-  [[nodiscard]] LightPick pick_in_cell(std::uint32_t bits, std::uint32_t cell) const {
-    const LightRange& range = cells_.pick(bits, cell);
-    return range.light == Light::none ? pick_other(bits, cell, range) : pick_of(range, bits);
-  }
-  [[nodiscard]] LightPick pick_other(std::uint32_t bits, std::uint32_t cell,
-                                     const LightRange& others) const;
+  [[nodiscard]] LightPick pick_other(std::uint32_t bits, std::uint32_t cell, Vec2f u) const;
   void keep_few();
 
   std::vector<std::uint32_t> always_;

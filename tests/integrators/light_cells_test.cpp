@@ -1,8 +1,10 @@
 // --light-cells: whole pictures with lights by what they may send and by power.
 #include <gtest/gtest.h>
 
+#include "tests/integrators/lane_steps.h"
 #include "tests/integrators/replicated_pictures.h"
 #include "tests/scenes/description.h"
+#include "tests/scenes/exact_sphere.h"
 #include "tests/statistics/moments.h"
 
 namespace candela {
@@ -26,11 +28,13 @@ SceneDescription balls_that_shine(int subdivisions) {
 
 statistics::Replicates replicates_of(const SceneDescription& description, bool by_cells,
                                      std::uint64_t first_seed, int max_depth,
-                                     SamplingStrategy strategy = SamplingStrategy::Mis) {
+                                     SamplingStrategy strategy = SamplingStrategy::Mis,
+                                     std::uint32_t splitting = 1) {
   RenderSettings settings = settings_of(16, 64, first_seed);
   settings.options.light_cells = by_cells;
   settings.options.max_depth = max_depth;
   settings.options.sampling = strategy;
+  settings.options.plan.splitting = splitting;
   return replicated_pictures(description, settings, by_cells ? "by cells" : "by power");
 }
 
@@ -52,6 +56,26 @@ TEST(Agreement_LightCells, GiveOnePictureWithinMedia) {
   SceneDescription scene = balls_that_shine(1);
   scene.cameras[0].medium = add_medium(scene, Vec3d(0.05), Vec3d(0.6), 0.3);
   expect_agreement(scene, SamplingStrategy::Mis, "fog");
+}
+
+// Paths that are split weigh what they meet by the cell of their first hit, too.
+TEST(Agreement_LightCells, GiveOnePictureOfSplitPaths) {
+  const SceneDescription scene = balls_that_shine(1);
+  const auto result =
+      statistics::compare_replicates(replicates_of(scene, true, 200, 1, SamplingStrategy::Mis, 8),
+                                     replicates_of(scene, false, 100, 1));
+  EXPECT_TRUE(result.passed) << result.message;
+}
+
+// By single steps as well as side by side, and where exact spheres or media want other kernels.
+TEST(Agreement_LightCells, LanesAreSingleSteps) {
+  for (const int subdivisions : {1, 4}) {
+    SceneDescription scene = balls_that_shine(subdivisions);
+    expect_single_steps(scene, settings_of(32, 40), "path/lanes", "triangles");
+    add_mesh(scene, exact_sphere(0.3), add_material(scene, diffuse(Vec3d(0.5))),
+             at_place({0.5, -0.5, 0.4}));
+    expect_single_steps(scene, settings_of(32, 40), "path/lanes", "and a sphere");
+  }
 }
 
 double noise_of(const SceneDescription& scene, bool by_cells) {

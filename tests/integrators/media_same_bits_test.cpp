@@ -88,6 +88,11 @@ SceneDescription room_with_media() {
   return scene;
 }
 
+// Of triangles that shine: so many that they are picked by cells.
+description::MaterialHandle many_lamps(SceneDescription& scene) {
+  return add_material(scene, diffuse(Vec3d(0.0)), Vec3d(4.0));
+}
+
 // Paths take their steps side by side where they are in no medium, whatever the lights.
 TEST(Agreement_MediaSameBits, LanesAreSingleSteps) {
   SceneDescription description = room_with_media();
@@ -103,13 +108,22 @@ TEST(Agreement_MediaSameBits, LanesAreSingleSteps) {
   check("and a point");
   add_light(description, description::ConstantEnvironment{Vec3d(0.1, 0.2, 0.4), true});
   check("and a sky");
+  description.lights.clear();
+  add_mesh(description, sphere({0.1, -0.3, 0.4}, 0.1, 1), many_lamps(description));
+  check("and many lamps");
 }
 
 TEST(Agreement_MediaSameBits, LanesDoNotDependOnWhoTravelsAlong) {
   const RenderSettings settings = settings_of(20, 64);
-  const Scene scene = compiled(room_with_media(), settings.options);
-  expect_same_over_cuts<media_lane_features>(scene, settings, {0, 64},
-                                             {{0, 16, 32, 48, 64}, {0, 1, 17, 60, 64}});
+  SceneDescription description = room_with_media();
+  const auto check = [&] {
+    const Scene scene = compiled(description, settings.options);
+    expect_same_over_cuts<media_lane_features>(scene, settings, {0, 64},
+                                               {{0, 16, 32, 48, 64}, {0, 1, 17, 60, 64}});
+  };
+  check();
+  add_mesh(description, sphere({0.1, -0.3, 0.4}, 0.1, 1), many_lamps(description));
+  check();
 }
 
 TEST(Agreement_MediaSameBits, WithoutMediaTheKernelIsTheGeneralOne) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "renderer/light/light_power.h"
@@ -53,6 +54,12 @@ LightSampler sampler_of(const std::vector<Light>& lights) {
   return sampler;
 }
 
+Vec2f random_place(std::uint64_t i) {
+  const std::uint64_t bits = hash_counter(3, i);
+  return {unit_float(static_cast<std::uint32_t>(bits)),
+          unit_float(static_cast<std::uint32_t>(bits >> 32))};
+}
+
 // At some points of the box: probabilities sum to one, and numbers pick as often as they say.
 void expect_exact_picks(const std::vector<Light>& lights) {
   const LightSampler sampler = sampler_of(lights);
@@ -63,7 +70,8 @@ void expect_exact_picks(const std::vector<Light>& lights) {
     constexpr std::uint64_t count = 400'000;
     std::vector<double> observed(lights.size(), 0), expected;
     for (std::uint64_t i = 0; i < count; ++i) {
-      const LightPick pick = sampler.pick(static_cast<std::uint32_t>(mix_bits(i) >> 32), cell);
+      const LightPick pick =
+          sampler.pick(static_cast<std::uint32_t>(mix_bits(i) >> 32), cell, random_place(i));
       ASSERT_EQ(pick.probability, sampler.probability(pick.light, cell));
       observed[pick.light] += 1;
     }
@@ -84,6 +92,37 @@ TEST(Statistical_LightCells, PickFewLightsAsOftenAsTheySay) {
 // More than a list holds: the others by power.
 TEST(Statistical_LightCells, PickManyLightsAsOftenAsTheySay) {
   expect_exact_picks(scattered_lights(3000));
+}
+
+// Nor where the others are so many that what is left of the number cannot tell them apart: 2^15
+// lights far away, and lamps near the cell that take all but some thousandths.
+TEST(Statistical_LightCells, PickOthersAsOftenAsTheySay) {
+  std::vector<Light> lights;
+  std::mt19937_64 random(5);
+  constexpr std::uint32_t near = 600, far = 1 << 15;
+  for (std::uint32_t i = 0; i < near; ++i)
+    lights.push_back(make_point_light(0.001f * random_point(random), Rgb(1)));
+  for (std::uint32_t i = 0; i < far; ++i)
+    lights.push_back(make_point_light(Vec3f(1) - 0.01f * glm::abs(random_point(random)),
+                                      Rgb(i % 2 == 0 ? 0.001f : 0.01f)));
+  const LightSampler sampler = sampler_of(lights);
+  const std::uint32_t cell = sampler.cell_of(Vec3f(0.01f), 1);
+  ASSERT_NE(cell, LightCells::everywhere);
+  // By all numbers that pick no listed light, every 2^6th of them: bins of 2^7 lights.
+  std::vector<double> observed(far >> 7, 0), expected(far >> 7, 0);
+  double picks = 0, share = 0;
+  for (std::uint64_t i = 0; i < std::uint64_t{1} << 26; ++i) {
+    const std::uint32_t light =
+        sampler.pick(static_cast<std::uint32_t>(i << 6), cell, random_place(i)).light;
+    if (light < near) continue;
+    observed[(light - near) >> 7] += 1;
+    picks += 1;
+  }
+  for (std::uint32_t i = 0; i < far; ++i) share += sampler.probability(near + i, cell);
+  for (std::uint32_t i = 0; i < far; ++i)
+    expected[i >> 7] += picks * sampler.probability(near + i, cell) / share;
+  EXPECT_NEAR(picks, share * 0x1p26, 5 * std::sqrt(share * 0x1p26));
+  EXPECT_GT(statistics::chi_square_test(observed, expected).p_value, 0.002);
 }
 
 // Never is a light left out that shines on a point of the cell.
