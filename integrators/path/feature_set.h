@@ -1,6 +1,6 @@
 // What a kernel instance can do. A scene gets one that covers what it needs; each bit left out
-// removes code, never changes a bit of the result (invariant 2). More bits were tried: what they
-// left out was less than 5 % of the time (docs/decisions.md, "Kernel, fifth round").
+// removes code and never changes a bit of the picture. More bits were tried: what they left out was
+// less than 5 % of the time (docs/decisions.md, "Which kernels there are").
 #pragma once
 
 #include "renderer/bsdf/bsdf.h"

@@ -2,6 +2,7 @@
 //
 //   sample_light      a direction towards a given light (next-event estimation)
 //   light_pdf         the density with which sample_light would have found what a BSDF sample met
+//                     (paths, which know more of what they met, ask by ways of their own)
 //   emitted_radiance  what a ray sees that hits an emitting surface
 // The radiance of rays that leave the scene is environment_radiance (environment.h).
 #pragma once

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <random>
 
 #include "renderer/light/light_power.h"
@@ -94,35 +93,42 @@ TEST(Statistical_LightCells, PickManyLightsAsOftenAsTheySay) {
   expect_exact_picks(scattered_lights(3000));
 }
 
-// Nor where the others are so many that what is left of the number cannot tell them apart: 2^15
-// lights far away, and lamps near the cell that take all but some thousandths.
-TEST(Statistical_LightCells, PickOthersAsOftenAsTheySay) {
-  std::vector<Light> lights;
-  std::mt19937_64 random(5);
-  constexpr std::uint32_t near = 600, far = 1 << 15;
-  for (std::uint32_t i = 0; i < near; ++i)
-    lights.push_back(make_point_light(0.001f * random_point(random), Rgb(1)));
-  for (std::uint32_t i = 0; i < far; ++i)
-    lights.push_back(make_point_light(Vec3f(1) - 0.01f * glm::abs(random_point(random)),
-                                      Rgb(i % 2 == 0 ? 0.001f : 0.01f)));
+// Of so many others that what is left of one number could not tell them apart, each of such numbers
+// picks all by power, since the place on the light has a say.
+TEST(Statistical_LightCells, PickOthersByPowerWhateverTheNumber) {
+  const std::vector<Light> lights = scattered_lights(1 << 15);
   const LightSampler sampler = sampler_of(lights);
-  const std::uint32_t cell = sampler.cell_of(Vec3f(0.01f), 1);
-  ASSERT_NE(cell, LightCells::everywhere);
-  // By all numbers that pick no listed light, every 2^6th of them: bins of 2^7 lights.
-  std::vector<double> observed(far >> 7, 0), expected(far >> 7, 0);
-  double picks = 0, share = 0;
-  for (std::uint64_t i = 0; i < std::uint64_t{1} << 26; ++i) {
-    const std::uint32_t light =
-        sampler.pick(static_cast<std::uint32_t>(i << 6), cell, random_place(i)).light;
-    if (light < near) continue;
-    observed[(light - near) >> 7] += 1;
-    picks += 1;
-  }
-  for (std::uint32_t i = 0; i < far; ++i) share += sampler.probability(near + i, cell);
-  for (std::uint32_t i = 0; i < far; ++i)
-    expected[i >> 7] += picks * sampler.probability(near + i, cell) / share;
-  EXPECT_NEAR(picks, share * 0x1p26, 5 * std::sqrt(share * 0x1p26));
+  const std::uint32_t cell = sampler.cell_of(Vec3f(0.1f), 0);
+  ASSERT_TRUE(sampler.cells().has_others());
+  std::uint32_t number = 0;  // among the others', which are the list's last
+  while (sampler.cells().pick(number, cell).light != Light::none) number += 1 << 12;
+  constexpr double count = 1 << 19;
+  std::vector<double> observed(lights.size() >> 7, 0), expected(lights.size() >> 7, 0);
+  for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(count); ++i)
+    observed[sampler.pick(number, cell, random_place(i)).light >> 7] += 1;
+  for (std::uint32_t i = 0; i < lights.size(); ++i)
+    expected[i >> 7] += count * static_cast<double>(sampler.probability(i));
   EXPECT_GT(statistics::chi_square_test(observed, expected).p_value, 0.002);
+}
+
+// A flat box with many lights has no more cells than a cube.
+TEST(Unit_LightCells, AreNotMoreInFlatBoxes) {
+  const std::vector<Light> lights = scattered_lights(3000);
+  std::vector<double> powers(lights.size(), 1.0);
+  const auto cells_of = [&](const Vec3f& half) {
+    Bounds3f box;
+    box.include(-half);
+    box.include(half);
+    LightSampler sampler(lights, powers);
+    sampler.make_cells(lights, box);
+    return sampler.cells().count();
+  };
+  const std::size_t of_cube = cells_of(Vec3f(1));
+  EXPECT_GT(of_cube, 100u);
+  for (const Vec3f& flat : {Vec3f(1, 1, 1e-3f), Vec3f(1, 1e-6f, 1), Vec3f(1e-3f, 1e-3f, 1)}) {
+    EXPECT_LE(cells_of(flat), 1.3 * static_cast<double>(of_cube));
+    EXPECT_GE(cells_of(flat), 60u);
+  }
 }
 
 // Never is a light left out that shines on a point of the cell.
