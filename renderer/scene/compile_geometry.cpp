@@ -7,6 +7,7 @@
 
 #include "renderer/base/parallel.h"
 #include "renderer/geometry/geometry_bounds.h"
+#include "renderer/math/near_one.h"
 #include "renderer/scene/compile_spheres.h"
 #include "renderer/scene/instance_errors.h"
 #include "renderer/scene/normalise.h"
@@ -51,8 +52,19 @@ std::vector<Vec3f> normalised_positions(const description::Mesh& mesh, const Tra
   return positions;
 }
 
+// What it makes of normals is squares of lengths: the same map of a size near one.
+Transform near_one(Transform transform) {
+  Mat3d& m = transform.linear;
+  const Vec3d largest(max_component(glm::abs(m[0])), max_component(glm::abs(m[1])),
+                      max_component(glm::abs(m[2])));
+  if (!is_finite(largest) || largest == Vec3d(0.0)) return transform;
+  for (int i = 0; i < 3; ++i) m[i] = times_power_of_two(m[i], -exponent_of(largest));
+  return transform;
+}
+
 // Unit length or zero, whatever the file has.
-std::vector<Vec3f> normalised_normals(const description::Mesh& mesh, const Transform& transform) {
+std::vector<Vec3f> normalised_normals(const description::Mesh& mesh, const Transform& placement) {
+  const Transform transform = near_one(placement);
   std::vector<Vec3f> normals(mesh.normals.size());
   for (std::size_t i = 0; i < normals.size(); ++i) {
     const Vec3d n = transform.normal(Vec3d(mesh.normals[i]));

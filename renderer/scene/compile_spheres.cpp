@@ -1,5 +1,7 @@
 #include "renderer/scene/compile_spheres.h"
 
+#include <limits>
+
 #include "renderer/scene/triangle_sort.h"
 
 namespace candela {
@@ -9,6 +11,10 @@ Sphere normalised_sphere(const description::Sphere& sphere, const Transform& to_
   constexpr double lenient = 1e-3;  // it was looked at before it was moved
   const double scale = similarity_scale(to_normalised, lenient);
   Sphere out;
+  if (!(scale > 0)) {  // too large, or too small, to be told
+    out.radius = std::numeric_limits<float>::infinity();
+    return out;
+  }
   out.centre = Vec3f(to_normalised.translation);
   out.radius = static_cast<float>(sphere.radius * scale);
   out.x = Vec3f(to_normalised.linear[0] / scale);

@@ -123,8 +123,9 @@ class LightReader {
     // Between the angles the intensity is half of the whole in the mean over cosines.
     const double start = std::cos(light.inner_angle_radians);
     const double end = std::cos(light.outer_angle_radians);
-    if (const auto power = positive("power"))
-      light.intensity *= *power / (2 * pi_double * ((1 - start) + (start - end) / 2));
+    const double share = (1 - start) + (start - end) / 2;
+    if (const auto power = positive("power"))  // a cone without an inside has none to give
+      light.intensity *= share > 0 ? *power / (2 * pi_double * share) : 0.0;
     check(light.intensity, light.position);
     add(light);
   }

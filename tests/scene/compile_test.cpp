@@ -44,6 +44,21 @@ TEST(Unit_Compile, DropsWhatRaysCannotMeetAndCountsIt) {
   EXPECT_TRUE(scene.lights.empty());
 }
 
+// Their transform squares lengths.
+TEST(Unit_Compile, NormalsOfTinyAndHugeMeshesStay) {
+  const auto normals_of = [](double size) {
+    description::SceneDescription scene = one_quad();
+    for (Vec3d& position : scene.meshes[0].positions) position *= size;
+    scene.meshes[0].normals = {{0, 0, 1}, {1, 0, 1}, {0, 1, 2}, {0.1f, 0, 1}};
+    scene.cameras[0].eye *= size;
+    scene.cameras[0].target *= size;
+    return compile(scene, {})->geometries[0].normals;
+  };
+  const std::vector<Vec3f> expected = normals_of(1);
+  ASSERT_EQ(expected.size(), 4u);
+  for (const double size : {0x1p-600, 0x1p-20, 0x1p600}) EXPECT_EQ(normals_of(size), expected);
+}
+
 // Further away nothing can be seen, and squares of floats end.
 TEST(Errors_Compile, CamerasAgainstTheScenesSize) {
   const auto error_of = [](double size, auto&& spoil) {

@@ -56,6 +56,11 @@ TEST(Unit_PbrtLights, SkiesAreKeptApart) {
 }
 
 // pbrt samples them though no ray meets them.
+TEST(Unit_PbrtLights, ConesWithoutAnInsideGiveNothing) {
+  const auto scene = pbrt_world("LightSource \"spot\" \"float coneangle\" 0 \"float power\" 100");
+  expect_near(std::get<SpotLight>(scene.lights.at(0).kind).intensity, Vec3d(0.0));
+}
+
 TEST(Errors_PbrtLights, InvisibleLampsAreNamed) {
   EXPECT_EQ(
       pbrt_world_warning("AreaLightSource \"diffuse\" Shape \"disk\" \"float alpha\" 0 "
