@@ -154,8 +154,7 @@ LightCells::LightCells(std::span<const Light> lights, std::span<const double> we
   const Grid grid = grid_over(box, static_cast<double>(picked.size()));
   lower_ = Vec3f(grid.lower);
   inverse_size_ = Vec3f(1.0 / grid.size);
-  for (int axis = 0; axis < 3; ++axis)
-    last_[axis] = static_cast<float>(grid.counts[axis] - 1);
+  for (int axis = 0; axis < 3; ++axis) last_[axis] = static_cast<float>(grid.counts[axis] - 1);
   stride_y_ = grid.counts[0];
   stride_z_ = grid.counts[0] * grid.counts[1];
   cells_.resize(static_cast<std::size_t>(stride_z_) * grid.counts[2]);
