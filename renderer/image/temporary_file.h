@@ -1,4 +1,4 @@
-// A file that is filled beside its target and takes its place when it is whole (invariant 8).
+// A file that is filled beside its target and takes its place when it is whole.
 #pragma once
 
 #include <mutex>
