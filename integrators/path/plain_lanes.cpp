@@ -114,14 +114,14 @@ CANDELA_LANES LaneMask sample_triangles_and_quads(PlainLanes& lanes) {
   return filled_mask(left, lanes);
 }
 
-// Where the lamps are spheres; elsewhere samples stay as they are.
-CANDELA_LANES LaneMask sample_spheres(PlainLanes& lanes) {
+// Of the lamps in these lanes; elsewhere samples stay as they are.
+CANDELA_LANES LaneMask sample_spheres(LaneMask spheres, PlainLanes& lanes) {
   const LampLanes& lamps = lanes.lamps;
   LaneFlags left;
   for (std::size_t i = 0; i < block_size; ++i) {
     SurfacePoint point = point_of(lanes.met, i);
     Light light = lamp_of(lamps, i);
-    const bool is_sphere = lamps.is_sphere[i] != 0;
+    const bool is_sphere = (spheres >> i & 1) != 0;
     Vec3d to_centre = Vec3d(light.position) - Vec3d(point.position);
     const double distance2 = length_squared(to_centre);
     left[i] = flag(is_sphere) & flag(is_within(light, distance2));
@@ -160,13 +160,14 @@ void find_frames(PlainLanes& lanes) {
 
 LaneMask sample_lamps(PlainLanes& lanes) {
   lanes.light_samples.choice = lanes.lamps.probability;
+  lanes.light_samples.pdf.fill(0);  // lanes without a path may have a sample of another light
   const LaneMask others = filled_mask(lanes.lamps.is_other, lanes);
   const LaneMask spheres = filled_mask(lanes.lamps.is_sphere, lanes) & ~others;
   LaneMask left = others;
   if ((others | spheres) != lanes.filled) left |= sample_triangles_and_quads(lanes) & ~spheres;
   if (spheres == 0) return left;
   const FloatingPointTraps traps(Traps::Off);  // of lamps that are no spheres
-  return left | sample_spheres(lanes);
+  return left | sample_spheres(spheres, lanes);
 }
 
 bool sample_delta_light(const Light& light, PlainLanes& lanes) {

@@ -322,6 +322,25 @@ TEST(Agreement_PlainLanes, DoNotDependOnWhoTravelsAlong) {
                                        {{0, 16, 32, 48, 64}, {0, 48, 64}, {0, 1, 17, 60, 64}});
 }
 
+// Else what a lane without a path has of earlier ones is weighed: no picture shows it, but
+// divisions by nothing end builds with traps.
+TEST(Unit_PlainLanes, LanesWithoutAPathHaveNoSampleOfALamp) {
+  for (const bool is_sphere : {false, true}) {
+    PlainLanes lanes;
+    lanes.filled = 1;
+    lanes.light_samples.pdf.fill(1);  // of a light that all hits ask
+    (is_sphere ? lanes.lamps.is_sphere : lanes.lamps.is_other)[0] = 1;
+    lanes.lamps.is_sphere[1] = 1;
+    lanes.lamps.position.x.fill(3);
+    lanes.lamps.edge1.x.fill(1);  // the radius
+    lanes.lamps.emission.x.fill(1);
+    lanes.met.position.x[1] = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(sample_lamps(lanes), is_sphere ? 0u : 1u);
+    for (std::size_t i = 1; i < block_size; ++i) EXPECT_EQ(lanes.light_samples.pdf[i], 0) << i;
+    EXPECT_EQ(lanes.light_samples.pdf[0] > 0, is_sphere);
+  }
+}
+
 // As any ray that goes astray makes its sample an invalid one (set_ray()).
 TEST(Unit_PlainLanes, PathsWhoseRaysCannotBeTracedAreLost) {
   PlainLanes lanes;
