@@ -32,6 +32,13 @@ bool has_extension(std::string_view path, std::initializer_list<std::string_view
   });
 }
 
+bool is_lab3(std::string_view path) {
+  return has_extension(path, {".yaml", ".yml"});
+}
+bool is_pbrt(std::string_view path) {
+  return has_extension(path, {".pbrt"});
+}
+
 std::string describe_extension(const std::string& path) {
   std::error_code failed;
   if (std::filesystem::is_directory(path, failed)) return "a folder";
@@ -78,8 +85,8 @@ Result<SceneDescription> load_mesh(const std::string& path, lab3::MeshFormat for
 namespace {
 
 Result<SceneDescription> load_file(const std::string& path, const LoadOptions& options) {
-  if (has_extension(path, {".yaml", ".yml"})) return lab3::read_lab3(path, options);
-  if (has_extension(path, {".pbrt"})) return pbrt::read_pbrt(path, options);
+  if (is_lab3(path)) return lab3::read_lab3(path, options);
+  if (is_pbrt(path)) return pbrt::read_pbrt(path);
   const lab3::MeshFormat format = lab3::mesh_format_of(path);
   if (format != lab3::MeshFormat::Unknown) return load_mesh(path, format, options);
   return failure(
@@ -88,11 +95,25 @@ Result<SceneDescription> load_file(const std::string& path, const LoadOptions& o
                   text::quoted_path(path), describe_extension(path)));
 }
 
+// Of a mesh alone the MTL counts anyway, and it is lit as ambient light says.
+void warn_of_lab3_options(const std::string& path, const LoadOptions& options,
+                          Diagnostics& diagnostics) {
+  if (is_lab3(path)) return;
+  const auto warn = [&](bool is_given, std::string_view option) {
+    if (is_given) diagnostics.warning({}, fmt::format("{} counts for lab3 scenes only", option));
+  };
+  warn(options.lab3_ground.has_value(), "--lab3-ground");
+  if (!is_pbrt(path)) return;
+  warn(options.ambient.has_value(), "--ambient");
+  warn(options.use_mtl_materials, "--materials mtl");
+}
+
 }  // namespace
 
 Result<SceneDescription> load(const std::string& path, const LoadOptions& options) {
   Result<SceneDescription> scene = load_file(path, options);
   if (scene) override_materials(options, *scene, scene.diagnostics);
+  if (scene) warn_of_lab3_options(path, options, scene.diagnostics);
   if (scene.diagnostics.has_errors()) return std::move(scene.diagnostics);
   return scene;
 }

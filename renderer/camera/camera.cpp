@@ -26,7 +26,7 @@ Ray Camera::generate_other_ray(Vec2f film, Vec2f lens) const {
     const Vec3f d = lat_long_direction(film);
     return {eye, normalize(right * d.x + up * d.y + look * d.z), infinity};
   }
-  const Vec3f d = square_to_equal_area_sphere(film);
+  const Vec3f d = square_to_equal_area_sphere(wrap_equal_area_square(film));  // filters reach out
   return {eye, normalize(right * d.x + look * d.y + up * d.z), infinity};
 }
 

@@ -156,6 +156,8 @@ struct Material {
   TextureHandle height_texture{};      // the same by a texture
   double height_scale = 1.0;  // height of white, in units of the uv square's edge on the surface
   ImageHandle normal_map;     // tangent-space normals, encoded (n+1)/2
+  // Its y is n x dp/du, as pbrt has it, even where the uv map is mirrored; else it runs along v.
+  bool normal_map_is_right_handed = false;
   MediumInterface media{};
 };
 

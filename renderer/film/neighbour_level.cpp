@@ -201,20 +201,22 @@ Wide wide_of(const Surroundings& s, int x, int y) {
   return {sum / count, max(rare, Vec3d(0.0)), rare_variance / count};
 }
 
-NeighbourLevel level_of(const Sums& sums, const Wide& wide) {
+// Where less than one neighbour looks alike, in sum, the pixel's own mean, `own`, is as far from
+// theirs as their levels are apart: far beyond noise.
+NeighbourLevel level_of(const Sums& sums, const Wide& wide, const Vec3d& own) {
   NeighbourLevel level;
   level.wide_mean = wide.mean;
   level.rare = wide.rare;
   level.rare_noise = wide.rare_noise;
   constexpr double nobody = 1e-6;
-  if (!(sums.weight > nobody)) {
-    level.mean = wide.mean;
-    return level;
-  }
-  level.mean = sums.mean / sums.weight;
+  const bool is_alone = !(sums.weight > nobody);
+  level.mean = is_alone ? wide.mean : sums.mean / sums.weight;
+  const Vec3d apart = own - level.mean;
+  level.structure = std::max(1 - sums.weight, 0.0) * apart * apart;
+  if (is_alone) return level;
   level.noise = sums.squared_weight_variance / (sums.weight * sums.weight);
   level.structure =
-      max((sums.square - sums.variance) / sums.weight - level.mean * level.mean, Vec3d(0.0));
+      max(level.structure, (sums.square - sums.variance) / sums.weight - level.mean * level.mean);
   return level;
 }
 
@@ -234,7 +236,8 @@ std::vector<NeighbourLevel> neighbour_levels(const Film& film, const PixelRect& 
   for (const Sums& sums : sums_of_alike(surroundings, block)) {
     const int x = margin + static_cast<int>(levels.size()) % block.width();
     const int y = margin + static_cast<int>(levels.size()) / block.width();
-    levels.push_back(level_of(sums, wide_of(surroundings, x, y)));
+    levels.push_back(
+        level_of(sums, wide_of(surroundings, x, y), surroundings.means[surroundings.at(x, y)]));
     const std::size_t i = film.index(block.x0 + x - margin, block.y0 + y - margin);
     levels.back().own_variance =
         own_variance(surroundings, surroundings.at(x, y), variance_of_mean(film, i));

@@ -184,17 +184,23 @@ Environment build_map(const Map& map, EnvironmentMapping mapping, description::W
   environment.map_from_world = orthonormal_rows(map.world_from_map);
   const description::Image& image = images[map.image.index];
   const Face face = add_face(image, wrap, textures, diagnostics);
-  if (mapping == EnvironmentMapping::EqualArea && face.width != face.height)
-    diagnostics.warning(image.span,
-                        fmt::format("'{}' is {} x {}: maps of equal areas are square, those twice "
-                                    "as wide as high hold latitudes and longitudes",
-                                    textures.path(face.texture), face.width, face.height));
+  if (mapping == EnvironmentMapping::EqualArea)
+    warn_unless_square(textures, face.texture, image.span, diagnostics);
   const std::uint64_t invalid = set_map(environment, face, textures, max_cells);
   warn_of_invalid(textures, face, image.span, invalid, diagnostics);
   return environment;
 }
 
 }  // namespace
+
+void warn_unless_square(const TextureStore& textures, TextureHandle map, const SourceSpan& span,
+                        Diagnostics& diagnostics) {
+  const TextureInfo& info = textures.info(map);
+  if (info.width == info.height) return;
+  diagnostics.warning(span, fmt::format("'{}' is {} x {}: maps of equal areas are square, those "
+                                        "twice as wide as high hold latitudes and longitudes",
+                                        textures.path(map), info.width, info.height));
+}
 
 Environment build_environment(const description::ConstantEnvironment& constant) {
   Environment environment;

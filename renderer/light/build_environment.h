@@ -17,6 +17,10 @@ inline constexpr std::size_t default_environment_cells = std::size_t{2048} * 102
 
 [[nodiscard]] Environment build_environment(const description::ConstantEnvironment& constant);
 
+// Of an image of all directions that counts as a map of equal areas, which is square.
+void warn_unless_square(const TextureStore& textures, TextureHandle map, const SourceSpan& span,
+                        Diagnostics& diagnostics);
+
 // `images` are the description's. Textures are added to the store with the wrap mode that the map
 // needs, whatever the image says, and decoded: sampling needs their luminance. Values that are not
 // finite or below 0 count as 0, and a warning says how many there are.

@@ -67,15 +67,16 @@ inline constexpr float smallest_uv_shear = 1e-5f;
 }
 
 // A tangent-space normal encoded as (n + 1) / 2: x along u, y along v (up in the picture), z along
-// n. The frame is dp/du made perpendicular to n, with the uv map's handedness.
+// n. The frame is dp/du made perpendicular to n, with the uv map's handedness, or right-handed even
+// where that is mirrored.
 [[nodiscard]] inline Vec3f mapped_normal(const Vec3f& n, const Vec3f& dp_du, const Vec3f& dp_dv,
-                                         const Vec3f& encoded) {
+                                         const Vec3f& encoded, bool is_right_handed) {
   const float area = uv_area(n, dp_du, dp_dv);
   const Vec3f along = dp_du - n * dot(n, dp_du);
   const float length2 = length_squared(along);
   if (area == 0 || !(length2 > 0)) return n;
   const Vec3f tangent = along / std::sqrt(length2);
-  const Vec3f bitangent = cross(n, tangent) * std::copysign(1.0f, area);
+  const Vec3f bitangent = cross(n, tangent) * (is_right_handed ? 1 : std::copysign(1.0f, area));
   const Vec3f local = encoded * 2.0f - 1.0f;
   return unit_on_side_of(n, tangent * local.x + bitangent * local.y + n * local.z);
 }
@@ -91,8 +92,8 @@ inline constexpr float smallest_uv_shear = 1e-5f;
                                              const Vec3f& dp_du, const Vec3f& dp_dv) {
   Vec3f normal = n;
   if (material.normal_map)
-    normal =
-        mapped_normal(normal, dp_du, dp_dv, Vec3f(textures.lookup_at(material.normal_map, at)));
+    normal = mapped_normal(normal, dp_du, dp_dv, Vec3f(textures.lookup_at(material.normal_map, at)),
+                           material.normal_map_is_right_handed);
   if (material.height)
     normal =
         bump_normal(normal, dp_du, dp_dv, height_slope(textures, material.height, at, dp_du, dp_dv),

@@ -103,6 +103,7 @@ struct Material {
   TextureHandle height{};  // bump
   float height_scale = 1;  // see description::Material
   TextureHandle normal_map{};
+  bool normal_map_is_right_handed = false;
   bool reads_uv = false;        // all but the opacity, of its parts, too
   bool reads_tangents = false;  // dp/du and dp/dv; of its parts, too
 

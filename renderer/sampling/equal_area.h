@@ -27,6 +27,15 @@ namespace candela {
           std::copysign(1 - r * r, from_diagonal)};
 }
 
+// Where the square goes on beyond its edges: each is folded about its middle [pbrt-v4,
+// util/math.cpp: WrapEqualAreaSquare]. Of a point some units away at most, in [0, 1]^2.
+[[nodiscard]] inline Vec2f wrap_equal_area_square(Vec2f p) {
+  const auto is_within = [](float x) { return x >= 0 && x <= 1; };
+  while (!is_within(p.x)) p = {(p.x < 0 ? 0.0f : 2.0f) - p.x, 1 - p.y};
+  while (!is_within(p.y)) p = {1 - p.x, (p.y < 0 ? 0.0f : 2.0f) - p.y};
+  return p;
+}
+
 // The inverse, of any direction but zero; in [0, 1]^2.
 [[nodiscard]] inline Vec2f equal_area_sphere_to_square(const Vec3f& d) {
   const float across = std::abs(d.x);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <tuple>
 
+#include "renderer/light/build_environment.h"
 #include "renderer/light/light_power.h"
 #include "renderer/light/make_light.h"
 #include "renderer/scene/compile_environment.h"
@@ -58,8 +59,11 @@ struct DeltaLightCompiler {
                            light.outer_angle_radians);
   }
   std::optional<Light> operator()(const description::GoniometricLight& light) const {
+    const TextureHandle map = image(light.image);
+    if (map)
+      warn_unless_square(textures, map, description.images[light.image.index].span, diagnostics);
     return goniometric_light(light, to_normalised(n, light.position),
-                             scaled_intensity(n, Vec3d(1.0)).x, image(light.image), textures);
+                             scaled_intensity(n, Vec3d(1.0)).x, map, textures);
   }
   std::optional<Light> operator()(const description::ProjectionLight& light) const {
     return projection_light(light, to_normalised(n, light.position),

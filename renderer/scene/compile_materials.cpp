@@ -267,6 +267,7 @@ Material compile_material(const description::Material& material, const CompileOp
                                        : texture.image(material.height);
   out.height_scale = static_cast<float>(material.height_scale);
   out.normal_map = texture.image(material.normal_map);
+  out.normal_map_is_right_handed = material.normal_map_is_right_handed;
   out.reads_uv = has_texture(out);
   out.reads_tangents = out.is_anisotropic || out.height || out.normal_map;
   return out;

@@ -73,25 +73,23 @@ double read_exposure(Context& context, Arguments& film) {
   return 1;
 }
 
-// In shares of the picture, as "cropwindow" has it, in any order; "pixelbounds" counts pixels. Both
-// list x0 x1 y0 y1, from the top left; what lies outside of the picture is cut.
+// In shares of the picture, as "cropwindow" has it; "pixelbounds" counts pixels. Both list x0 x1 y0
+// y1 in any order, from the top left; what lies outside of the picture is cut. Of both, the first.
 void read_crop(Context& context, Arguments& film) {
   const auto& defaults = context.scene.defaults;
   const Parameter* window = film.find("cropwindow", {ParameterType::Float});
   const Parameter* bounds = film.find("pixelbounds", {ParameterType::Integer});
-  if (window && bounds) film.warning(*window, "is ignored beside \"pixelbounds\"");
-  const Parameter* given = bounds ? bounds : window;
+  if (window && bounds) film.warning(*bounds, "is ignored beside \"cropwindow\"");
+  const Parameter* given = window ? window : bounds;
   if (!given) return;
   if (given->numbers.size() != 4) return film.error(*given, "expected 4 numbers: x0, x1, y0, y1");
   std::array<double, 4> shares{};
   for (std::size_t i = 0; i < 4; ++i) {
-    const double side = bounds ? (i < 2 ? *defaults.width : *defaults.height) : 1;
+    const double side = given == bounds ? (i < 2 ? *defaults.width : *defaults.height) : 1;
     shares[i] = std::clamp(given->numbers[i] / side, 0.0, 1.0);
   }
-  if (!bounds) {
-    if (shares[1] < shares[0]) std::swap(shares[0], shares[1]);
-    if (shares[3] < shares[2]) std::swap(shares[2], shares[3]);
-  }
+  if (shares[1] < shares[0]) std::swap(shares[0], shares[1]);
+  if (shares[3] < shares[2]) std::swap(shares[2], shares[3]);
   if (!(shares[0] < shares[1] && shares[2] < shares[3]))
     return film.error(*given, "holds no pixel, expected x0 < x1 and y0 < y1");
   context.scene.defaults.crop = description::CropWindow{shares[0], shares[1], shares[2], shares[3]};

@@ -228,7 +228,10 @@ Materials::Made Materials::make(MaterialStatement& statement) {
   }
   add_own_parameters(reader, material);
   textures_.set_heights(arguments, material);
-  if (const auto normals = textures_.normal_map(arguments)) material.normal_map = normals;
+  if (const auto normals = textures_.normal_map(arguments)) {
+    material.normal_map = normals;
+    material.normal_map_is_right_handed = !arguments.flag("normalsalongv", false);
+  }
   arguments.warn_of_unknown();
   return {material, {}};
 }

@@ -11,21 +11,25 @@ void drop_byte_order_mark(std::string& text) {
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
 }
 
-}  // namespace
-
-Result<description::SceneDescription> read_pbrt(const std::string& path,
-                                                const LoadOptions& options) {
-  Result<std::string> bytes = text::read_file(path);
-  if (!bytes) return std::move(bytes.diagnostics);
-  return parse_pbrt(path, std::move(*bytes), options);
+bool is_utf16(std::string_view text) {
+  return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
 }
 
-Result<description::SceneDescription> parse_pbrt(const std::string& path, std::string text,
-                                                 const LoadOptions& options) {
+}  // namespace
+
+Result<description::SceneDescription> read_pbrt(const std::string& path) {
+  Result<std::string> bytes = text::read_file(path);
+  if (!bytes) return std::move(bytes.diagnostics);
+  return parse_pbrt(path, std::move(*bytes));
+}
+
+Result<description::SceneDescription> parse_pbrt(const std::string& path, std::string text) {
   Diagnostics diagnostics;
   const Report report(diagnostics);
   description::SceneDescription scene;
   scene.path = path;
+  if (is_utf16(text))
+    return failure(fmt::format("{} is in UTF-16, expected UTF-8", text::quoted_path(path)));
   drop_byte_order_mark(text);
   SourceFiles files(scene.path, report);
   files.open(path, std::move(text));
@@ -35,7 +39,6 @@ Result<description::SceneDescription> parse_pbrt(const std::string& path, std::s
   scene.files = program.files;
   Context context{program, scene, report};
   build_scene(context);
-  if (options.ambient) diagnostics.warning({}, "--ambient counts for lab3 scenes only");
   if (diagnostics.has_errors()) return diagnostics;
   return {std::move(scene), std::move(diagnostics)};
 }

@@ -5,17 +5,14 @@
 
 #include "renderer/base/result.h"
 #include "renderer/description/scene_description.h"
-#include "scene_io/load.h"
 
 namespace candela::pbrt {
 
 // Reads `path` and every file that it names but images.
-[[nodiscard]] Result<description::SceneDescription> read_pbrt(const std::string& path,
-                                                              const LoadOptions& options);
+[[nodiscard]] Result<description::SceneDescription> read_pbrt(const std::string& path);
 
 // The same with `text` in place of the file's.
 [[nodiscard]] Result<description::SceneDescription> parse_pbrt(const std::string& path,
-                                                               std::string text,
-                                                               const LoadOptions& options);
+                                                               std::string text);
 
 }  // namespace candela::pbrt

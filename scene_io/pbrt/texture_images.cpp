@@ -34,8 +34,11 @@ Wrap wrap_of(Arguments& arguments) {
   return Wrap::Repeat;
 }
 
-// Only PNG files are as "encoding" says. pbrt-v3 decodes sRGB unless "gamma" is false.
+// Only PNG files are as "encoding" says; all are as candela's own "decode" does. pbrt-v3 decodes
+// sRGB unless "gamma" is false.
 Encoding encoding_of(Arguments& arguments, std::string_view file_name) {
+  const std::string decode = arguments.string("decode").value_or("");
+  if (const auto own = encoding_named(decode)) return *own;
   if (const Parameter* gamma = arguments.find("gamma"))
     if (gamma->type == ParameterType::Bool && !arguments.flag("gamma", true))
       return Encoding::Linear;

@@ -103,6 +103,20 @@ ColourInput Textures::scaled(const ColourInput& input, double factor, const Plac
   return add(description::ProductTexture{input, {Vec3d(factor), {}, {}}}, "scaled", place);
 }
 
+void Textures::report_unknown(Kind kind, const Place& place, const std::string& name) const {
+  const Program& program = context_.program;
+  const bool is_float = kind == Kind::Float;
+  const auto& wanted = is_float ? program.float_textures : program.spectrum_textures;
+  const auto& others = is_float ? program.spectrum_textures : program.float_textures;
+  const auto words = [](bool of_float) { return of_float ? "float" : "spectrum"; };
+  const std::string hint =
+      others.contains(name)
+          ? fmt::format("; the texture of this name is a {} one", words(!is_float))
+          : did_you_mean(std::string_view(name).substr(0, 100), names_of(wanted));
+  context_.report.error(
+      place, fmt::format("there is no {} texture {}{}", words(is_float), text::quoted(name), hint));
+}
+
 Textures::Value Textures::named(Kind kind, const Parameter& parameter) {
   if (parameter.strings.size() != 1) {
     context_.report.error(parameter.place, "expected the name of one texture");
@@ -116,11 +130,7 @@ Textures::Value Textures::named(Kind kind, const Parameter& parameter) {
       kind == Kind::Float ? context_.program.float_textures : context_.program.spectrum_textures;
   const auto found = textures.find(name);
   if (found == textures.end()) {
-    context_.report.error(
-        parameter.place,
-        fmt::format("there is no {} texture {}{}", kind == Kind::Float ? "float" : "spectrum",
-                    text::quoted(name),
-                    did_you_mean(std::string_view(name).substr(0, 100), names_of(textures))));
+    report_unknown(kind, parameter.place, name);
     return std::nullopt;
   }
   if (depth_ >= deepest) {

@@ -42,6 +42,7 @@ class Textures {
   void set_height_texture(const Parameter& parameter, description::Material& material);
   bool set_own_heights(Arguments& arguments, description::Material& material);
   Value named(Kind kind, const Parameter& parameter);
+  void report_unknown(Kind kind, const Place& place, const std::string& name) const;
   Value make(Kind kind, TextureStatement& texture, const std::string& name);
   void note_filter(Arguments& arguments);
   description::ColourInput grey(const description::ColourInput& input, const Place& place);

@@ -136,6 +136,9 @@ TEST(Unit_Camera, EqualAreaSeesAllAround) {
   expect_ray(camera, {1, 0.5f}, eye, {1, 0, 0});
   expect_ray(camera, {0.5f, 1}, eye, {0, 0, -1});
   expect_ray(camera, {0, 0}, eye, {0, -1, 0});
+  // As filters reach out: folded back about the middle of the edge.
+  expect_ray(camera, {1.25f, 0.5f}, eye, {std::sqrt(7.0), 3, 0});
+  expect_ray(camera, {0.5f, -0.25f}, eye, {0, 3, std::sqrt(7.0)});
 }
 
 std::string error_of(const description::Camera& camera) {

@@ -89,6 +89,26 @@ TEST(Statistical_ErrorEstimate, FlashesDoNotMakeDarkPixelsLookBright) {
   }
 }
 
+// No neighbour says anything of such a pixel's level: a sun in a sky, a glint, a lamp far away.
+TEST(Statistical_ErrorEstimate, PixelsLikeNoOthersAreHeldAgainstThemselves) {
+  for (const double bright : {1.0, 5.0, 50.0})
+    for (const Noise& noise : {noises[0], noises[1]}) {
+      const auto level = [&](int x, int y) { return x % 16 == 8 && y % 16 == 8 ? bright : 0.05; };
+      double stated = 0;
+      double truth = 0;
+      for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        const Film film =
+            test::synthetic_film(size, 16, 4, seed, [&](std::mt19937_64& random, int x, int y) {
+              return level(x, y) * noise.draw(random);
+            });
+        stated += estimate_error(film)->relmse;
+        truth += test::relmse_to(level, film);
+      }
+      EXPECT_GT(stated / truth, 0.8) << noise.name << ", " << bright;
+      EXPECT_LT(stated / truth, 1.25) << noise.name << ", " << bright;
+    }
+}
+
 TEST(Statistical_ErrorEstimate, ItsIntervalHoldsTheTrueError) {
   int held = 0;
   constexpr int runs = 200;

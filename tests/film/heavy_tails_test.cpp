@@ -53,6 +53,23 @@ TEST(Unit_HeavyTails, WithoutReplicatesOrLightNothingIsMasked) {
   EXPECT_EQ(masked(test::synthetic_film(16, 4, 4, 1, [](auto&, int, int) { return 0.0; })), 0);
 }
 
+// As beside edges, by filters with negative parts: without noise nothing is rare.
+TEST(Unit_HeavyTails, LessThanNoLightIsNotRareLight) {
+  const auto edge = [](auto&, int x, int) { return x < 8 ? 1.0 : -0.01; };
+  EXPECT_EQ(masked(test::synthetic_film(16, 4, 4, 1, edge)), 0);
+}
+
+TEST(Unit_HeavyTails, RegionsTooDimToMatterAreNotMasked) {
+  const auto beside_a_lamp = [](double dim) {
+    return [dim](std::mt19937_64& random, int x, int) {
+      if (x < 8) return 1.0;
+      return std::uniform_real_distribution<double>()(random) < 0.02 ? dim : 0.0;
+    };
+  };
+  EXPECT_GT(masked(test::synthetic_film(16, 4, 4, 1, beside_a_lamp(1))), 0);
+  EXPECT_EQ(masked(test::synthetic_film(16, 4, 4, 1, beside_a_lamp(1e-4))), 0);
+}
+
 // The layer shows what the estimate counts.
 TEST(Unit_HeavyTails, TheLayerIsTheMask) {
   Film film(16, 8, {0, 0, 16, 8}, aov_bit(Aov::HeavyTail) | aov_bit(Aov::Variance), 2);

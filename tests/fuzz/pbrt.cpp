@@ -6,7 +6,7 @@
 namespace candela::fuzz {
 
 std::string try_pbrt(std::string_view bytes) {
-  const auto read = pbrt::parse_pbrt(scene_folder() + "scene.pbrt", std::string(bytes), {});
+  const auto read = pbrt::parse_pbrt(scene_folder() + "scene.pbrt", std::string(bytes));
   return fault_of_scene(read);
 }
 

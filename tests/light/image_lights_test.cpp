@@ -4,9 +4,11 @@
 #include "renderer/light/light_power.h"
 #include "renderer/light/sample_light.h"
 #include "renderer/math/colour.h"
+#include "renderer/scene/compile.h"
 #include "renderer/scene/compile_image_lights.h"
 #include "tests/light/directions.h"
 #include "tests/light/map_images.h"
+#include "tests/scenes/description.h"
 
 namespace candela {
 namespace {
@@ -53,6 +55,21 @@ TEST(Unit_GoniometricLight, SendsWhatASkyOfItsImageWouldShow) {
     const Rgb found = picture.towards(compiled, w);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 1e-4f * (1 + expected[c]));
   }
+}
+
+// pbrt refuses them.
+TEST(Errors_GoniometricLight, MapsThatAreNotSquareAreNamed) {
+  description::SceneDescription scene = test::small_room();
+  scene.images.push_back(write_float_map("gonio_wide", 8, 4, bumps));
+  GoniometricLight light;
+  light.image = description::ImageHandle(scene.images.size() - 1);
+  scene.lights.push_back({{}, light});
+  const Result<Scene> compiled = compile(scene, {});
+  ASSERT_TRUE(compiled);
+  const auto& found = compiled.diagnostics.list();
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].severity, Severity::Warning);
+  EXPECT_NE(found[0].message.find("is 8 x 4: maps of equal areas are square"), std::string::npos);
 }
 
 double power_by_quadrature(const Picture& picture, const Light& light) {

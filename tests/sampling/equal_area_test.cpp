@@ -50,6 +50,23 @@ TEST(Unit_EqualArea, PointsNearTheEndsAreKept) {
     }
 }
 
+// Over every edge and corner directions go on as they do within: what is short in the square is
+// short on the sphere.
+TEST(Unit_EqualArea, TheSquareGoesOnBeyondItsEdges) {
+  const auto direction = [](const Vec2f& p) {
+    return square_to_equal_area_sphere(wrap_equal_area_square(p));
+  };
+  for (std::uint64_t i = 0; i < 10'000; ++i) {
+    const Vec2f p = random_point(i) * 9.0f - 4.0f;
+    const Vec3f d = direction(p);
+    ASSERT_NEAR(length(d), 1, 1e-6) << p.x << ' ' << p.y;
+    ASSERT_LT(length(direction(p + Vec2f(1e-3f, 0)) - d), 6e-3f) << p.x << ' ' << p.y;
+    ASSERT_LT(length(direction(p + Vec2f(0, 1e-3f)) - d), 6e-3f) << p.x << ' ' << p.y;
+  }
+  for (std::uint64_t i = 0; i < 1000; ++i)
+    EXPECT_EQ(wrap_equal_area_square(random_point(i)), random_point(i));
+}
+
 // Uniform in z and azimuth.
 TEST(Statistical_EqualArea, AreasAreEqual) {
   constexpr int side = 24;

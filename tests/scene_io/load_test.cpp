@@ -76,6 +76,34 @@ TEST(Unit_Load, TakesYamlByEitherExtension) {
   }
 }
 
+TEST(Errors_Load, OptionsOfLab3ScenesCountForNoOthers) {
+  const std::string pbrt = test::lab3_folder() + "options.pbrt";
+  std::ofstream(pbrt) << "WorldBegin\nShape \"sphere\"\n";
+  LoadOptions options;
+  options.lab3_ground = "absent.jpg";
+  options.ambient = Vec3d(1.0);
+  options.use_mtl_materials = true;
+  const auto warnings = [&](const std::string& path) {
+    std::string sentences;
+    const Result<SceneDescription> scene = load(path, options);
+    EXPECT_TRUE(scene) << path;
+    for (const Diagnostic& d : scene.diagnostics.list())
+      if (d.severity == Severity::Warning) sentences += d.message + "\n";
+    return sentences;
+  };
+  EXPECT_EQ(warnings(pbrt),
+            "--lab3-ground counts for lab3 scenes only\n--ambient counts for lab3 scenes only\n"
+            "--materials mtl counts for lab3 scenes only\n");
+  EXPECT_EQ(warnings(test::lab3_folder() + "triangle.obj"),
+            "--lab3-ground counts for lab3 scenes only\n");
+}
+
+TEST(Errors_Load, WhatIsInUtf16) {
+  const std::string path = test::lab3_folder() + "utf16.pbrt";
+  std::ofstream(path) << "\xff\xfeW";
+  EXPECT_EQ(only_error(path), "error: 'utf16.pbrt' is in UTF-16, expected UTF-8");
+}
+
 TEST(Errors_Load, LongPathsKeepTheirEnd) {
   const std::string path = fmt::format("{}/{}.blend", std::string(60, 'a'), std::string(60, 'b'));
   EXPECT_NE(only_error(path).find("'" + path + "': found the extension '.blend'"),

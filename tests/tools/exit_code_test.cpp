@@ -127,8 +127,9 @@ TEST(Errors_CommandLine, StrictRefusesWhatOptionsAreWarnedOf) {
                                       "--strict"};
     words.insert(words.end(), options.begin(), options.end());
     const ProgramResult result = run_candela(words);
-    if (result.exit_code != 0)
+    if (result.exit_code != 0) {
       EXPECT_NE(result.error.find("--strict: 1 warning about"), std::string::npos) << result.error;
+    }
     return result.exit_code;
   };
   EXPECT_EQ(run("a.png", {"--clamp", "1"}), 3);

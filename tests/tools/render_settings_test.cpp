@@ -49,6 +49,8 @@ TEST(Unit_RenderSettings, ASilentSceneGetsTheDefaults) {
   RenderArguments arguments;
   arguments.scene.path = "folder/name.with.dots.yaml";
   EXPECT_EQ(output_paths(arguments), std::vector<std::string>{"name.with.dots.exr"});
+  arguments.scene.path = "folder/name.with.dots.yaml.gz";
+  EXPECT_EQ(output_paths(arguments), std::vector<std::string>{"name.with.dots.exr"});
 }
 
 TEST(Unit_RenderSettings, PathsAreSplitAndEndedAsAsked) {

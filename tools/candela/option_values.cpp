@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -236,8 +237,8 @@ Result<DepthLimit> parse_depth_limit(std::string_view text) {
   if (text == "none") return DepthLimit{};
   const auto depth = whole<int>(text);
   if (!depth || *depth < 0)
-    return failure(
-        fmt::format("expected a whole number of at least 0 or 'none', found '{}'", text));
+    return failure(fmt::format("expected a whole number from 0 to {} or 'none', found '{}'",
+                               std::numeric_limits<int>::max(), text));
   return DepthLimit{depth};
 }
 

@@ -10,6 +10,7 @@
 
 #include "integrators/pilot.h"
 #include "renderer/film/sample_density.h"
+#include "scene_io/text/file.h"
 #include "tools/candela/option_values.h"
 
 namespace candela::cli {
@@ -379,7 +380,9 @@ SettledSettings settle_settings(const RenderArguments& arguments,
 
 std::vector<std::string> output_paths(const RenderArguments& arguments) {
   if (!arguments.outputs.empty()) return arguments.outputs;
-  return {std::filesystem::path(arguments.scene.path).stem().string() + ".exr"};
+  std::filesystem::path scene = arguments.scene.path;
+  if (text::has_gzip_name(arguments.scene.path)) scene = scene.stem();
+  return {scene.stem().string() + ".exr"};
 }
 
 }  // namespace candela::cli

@@ -95,9 +95,6 @@ std::string MaterialWriter::make(const Material& material, double height_unit) {
     text_ += part.text();
   }
   add_surface(material, height_unit, model.directive);
-  if (has_heights(material))
-    model.directive.add_own(textures_.heights("heights", material, 1))
-        .add_own("float heightscale", material.height_scale);
   text_ += model.directive.text();
   return name;
 }
@@ -120,10 +117,14 @@ bool MaterialWriter::has_heights(const Material& material) {
 // pbrt's heights are lengths; candela's are in edges of the uv square on the surface.
 void MaterialWriter::add_surface(const Material& material, double height_unit, Directive& out) {
   if (has_heights(material))
-    out.add(textures_.heights("displacement", material, material.height_scale * height_unit));
+    out.add(textures_.heights("displacement", material, material.height_scale * height_unit))
+        .add_own(textures_.heights("heights", material, 1))
+        .add_own("float heightscale", material.height_scale);
   if (!material.normal_map) return;
   const std::string file = textures_.file_of(material.normal_map);
-  if (!file.empty()) out.add("string normalmap", file);
+  if (file.empty()) return;
+  out.add("string normalmap", file);
+  if (!material.normal_map_is_right_handed) out.add_own("bool normalsalongv", true);
 }
 
 // lab3 takes alpha from the diffuse map where there is one.

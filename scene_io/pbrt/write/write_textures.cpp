@@ -287,12 +287,15 @@ Directive TextureWriter::image_directive(const std::string& name, Kind kind, Ima
   Directive out = directive(name, kind, "imagemap");
   out.add("string filename", path);
   const Encoding encoding = channel.is_alpha ? Encoding::Linear : image.encoding;
-  if (path.ends_with(".png"))
+  if (path.ends_with(".png")) {
     out.add("string encoding", std::string(name_of(encoding)));
-  else if (encoding != Encoding::Linear)
-    context_.warn(image.span, fmt::format("the numbers of '{}' count as linear ones: pbrt decodes "
-                                          "PNG files only",
-                                          image.path));
+  } else if (encoding != Encoding::Linear) {
+    out.add_own("string decode", std::string(name_of(encoding)));
+    context_.warn(image.span,
+                  fmt::format("for pbrt the numbers of '{}' are linear ones: it decodes "
+                              "PNG files only",
+                              image.path));
+  }
   add_wrap(image.wrap, out);
   if (image.wrap == Wrap::Mirror)
     context_.warn(image.span, fmt::format("pbrt repeats '{}' without mirroring it", image.path));

@@ -96,6 +96,9 @@ TEST(Unit_PbrtFilm, CropWindowsAndPixelBounds) {
   expect_crop("\"float cropwindow\" [ .25 .5 .125 2 ]", 0.25, 0.5, 0.125, 1);
   expect_crop("\"float cropwindow\" [ .5 .25 1 .125 ]", 0.25, 0.5, 0.125, 1);
   expect_crop("\"integer pixelbounds\" [ 50 100 10 20 ]", 0.25, 0.5, 0.1, 0.2);
+  expect_crop("\"integer pixelbounds\" [ 100 50 20 10 ]", 0.25, 0.5, 0.1, 0.2);
+  expect_crop("\"integer pixelbounds\" [ 0 1 0 1 ] \"float cropwindow\" [ .25 .5 .125 2 ]", 0.25,
+              0.5, 0.125, 1);
   EXPECT_FALSE(pbrt_scene(film + "\nWorldBegin").defaults.crop);
 }
 

@@ -49,6 +49,16 @@ TEST(Unit_PbrtOwnParameters, HeightsHaveTheScaleThatIsGiven) {
   EXPECT_TRUE(only_material(scene).height_texture);
 }
 
+TEST(Unit_PbrtOwnParameters, NormalMapsAreRightHandedUnlessTheyFollowV) {
+  const std::string disk = "\nShape \"disk\"\n";
+  const std::string bumpy = "Material \"diffuse\" \"string normalmap\" \"picture.png\"";
+  EXPECT_TRUE(only_material(pbrt_world(bumpy + disk)).normal_map_is_right_handed);
+  const SceneDescription along_v =
+      pbrt_world(bumpy + "\n #candela: \"bool normalsalongv\" true" + disk);
+  EXPECT_TRUE(only_material(along_v).normal_map);
+  EXPECT_FALSE(only_material(along_v).normal_map_is_right_handed);
+}
+
 TEST(Errors_PbrtOwnParameters, NameWhatTheyExpect) {
   EXPECT_EQ(pbrt_world_error("Material \"diffuse\" #candela: \"string model\" \"blob\"\n"),
             "2:30: 'model' expected lab, mirror or cooktorrance");

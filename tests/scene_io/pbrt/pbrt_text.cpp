@@ -76,7 +76,7 @@ const std::string& pbrt_folder() {
 }
 
 Result<description::SceneDescription> parse_pbrt_text(std::string_view text) {
-  return pbrt::parse_pbrt(pbrt_folder() + "scene.pbrt", std::string(text), {});
+  return pbrt::parse_pbrt(pbrt_folder() + "scene.pbrt", std::string(text));
 }
 
 description::SceneDescription pbrt_scene(std::string_view text) {

@@ -105,6 +105,9 @@ TEST(Errors_PbrtTextures, NamesThatAreNotThere) {
   EXPECT_EQ(pbrt_world_error("Texture \"wood\" \"spectrum\" \"constant\"\nMaterial \"diffuse\" "
                              "\"texture reflectance\" \"wodo\""),
             "3:20: there is no spectrum texture 'wodo', did you mean 'wood'?");
+  EXPECT_EQ(pbrt_world_error("Texture \"wood\" \"float\" \"constant\"\nMaterial \"diffuse\" "
+                             "\"texture reflectance\" \"wood\""),
+            "3:20: there is no spectrum texture 'wood'; the texture of this name is a float one");
   EXPECT_EQ(pbrt_world_error("Texture \"t\" \"spectrum\" \"scale\" \"texture tex\" \"t\"\nMaterial "
                              "\"diffuse\" \"texture reflectance\" \"t\""),
             "2:32: textures are made of each other more than 64 deep: 't' perhaps of itself");

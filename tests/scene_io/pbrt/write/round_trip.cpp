@@ -40,7 +40,7 @@ RoundTrip round_trip(const description::SceneDescription& scene, const pbrt::Ima
     write(folder.path + "/" + image.name, "");
   const std::string path = folder.path + "/scene.pbrt";
   write(path, trip.written.text);
-  auto read = pbrt::read_pbrt(path, {});
+  auto read = pbrt::read_pbrt(path);
   for (const Diagnostic& d : read.diagnostics.list()) ADD_FAILURE() << to_string(d);
   EXPECT_TRUE(read) << trip.written.text;
   if (read) trip.scene = std::move(*read);

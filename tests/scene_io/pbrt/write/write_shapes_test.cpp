@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "renderer/description/validate.h"
 #include "scene_io/pbrt/write/write_pbrt.h"
 #include "tests/scene_io/pbrt/write/round_trip.h"
 #include "tests/scenes/description.h"
@@ -157,6 +158,46 @@ TEST(Unit_WriteShapes, HeightsAreLengthsForPbrt) {
   EXPECT_TRUE(trip.scene.materials[0].height_texture);
   EXPECT_FALSE(trip.scene.materials[0].height);
   EXPECT_TRUE(trip.written.images[0].name.ends_with(".png"));
+}
+
+// Of other files than PNG pbrt knows no encoding.
+TEST(Unit_WriteTextures, GammaOfAnyFileIsKept) {
+  for (const char* file : {"wood.exr", "wood.png"}) {
+    SceneDescription scene = scene_with_camera();
+    scene.images = {{file, Encoding::LabGamma, Wrap::Repeat, {}}};
+    const auto wood = test::add_material(scene, DiffuseMaterial{{Vec3d(1.0), ImageHandle(0)}});
+    test::add_mesh(scene, square(), wood);
+    const RoundTrip trip = test::round_trip(scene);
+    ASSERT_EQ(trip.scene.images.size(), 1u);
+    EXPECT_EQ(trip.scene.images[0].encoding, Encoding::LabGamma) << trip.written.text;
+  }
+}
+
+// A mixture stands for them, whose parts are no less dented.
+TEST(Unit_WriteShapes, DentsOfMixtures) {
+  SceneDescription scene = scene_with_camera();
+  scene.images = {{"bumps.png", Encoding::Linear, Wrap::Repeat, {}}};
+  const auto glossy = test::add_material(scene, description::CookTorranceMaterial{});
+  scene.materials[0].height = ImageHandle(0);
+  scene.materials[0].height_scale = -0.25;
+  test::add_mesh(scene, square(), glossy, placed(0, 2));
+  const RoundTrip trip = test::round_trip(scene, {8, 8, 1, -1, false});
+  for (const Material& material : trip.scene.materials) EXPECT_EQ(material.height_scale, -0.25);
+  EXPECT_FALSE(description::validate(trip.scene).has_errors()) << trip.written.text;
+}
+
+TEST(Unit_WriteShapes, NormalMapsKeepTheirHandedness) {
+  SceneDescription scene = scene_with_camera();
+  scene.images = {{"normals.png", Encoding::Linear, Wrap::Repeat, {}}};
+  const auto rough = test::add_material(scene, test::diffuse(Vec3d(0.5)));
+  scene.materials[0].normal_map = ImageHandle(0);
+  test::add_mesh(scene, square(), rough, placed(0, 2));
+  for (const bool is_right_handed : {false, true}) {
+    scene.materials[0].normal_map_is_right_handed = is_right_handed;
+    const SceneDescription back = test::round_trip(scene).scene;
+    EXPECT_TRUE(back.materials.at(0).normal_map);
+    EXPECT_EQ(back.materials.at(0).normal_map_is_right_handed, is_right_handed);
+  }
 }
 
 // By power it is the image's mean that counts.
