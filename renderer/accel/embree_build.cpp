@@ -169,12 +169,13 @@ void EmbreeAccel::State::build() {
   rtcCommitScene(world.get());
   throw_if_failed();
   if (few.boxes.is_empty()) return;
+  if (!options.faces_always && !pays(few.faces.size(), share_of_entering_rays())) {
+    few = {};
+    return;
+  }
   rest = scene_of(few.rest);
   rtcCommitScene(rest.get());
   throw_if_failed();
-  if (options.faces_always || pays(few.faces.size(), share_of_entering_rays())) return;
-  few = {};
-  rest.reset();
 }
 
 EmbreeScene EmbreeAccel::State::scene_of(std::span<const GeometryHandle> geometries) {
@@ -188,14 +189,10 @@ double EmbreeAccel::State::share_of_entering_rays() const {
   double rays = 0;
   double entering = 0;
   probe_walks(*scene, [&](const Ray& ray) {
-    Hit hit = few.faces.intersect(ray).value_or(Hit{});
-    const Ray before{ray.origin, ray.direction, hit.t};
+    const Hit listed = few.faces.intersect(ray).value_or(Hit{});
     ++rays;
-    if (few.boxes.is_entered(before)) {
-      ++entering;
-      if (const Hit nearer = intersect(rest.get(), before); nearer.is_hit()) hit = nearer;
-    }
-    return hit;
+    if (few.boxes.is_entered({ray.origin, ray.direction, listed.t})) ++entering;
+    return intersect(world.get(), ray);
   });
   return rays > 0 ? entering / rays : 1;
 }
