@@ -101,6 +101,32 @@ def ratios_of(pairs, counts):
                            json.loads(counts))
 
 
+class AskedOfCycles:
+    """Stands for Cycles: keeps what it is asked for, and gives grey pictures."""
+
+    def __init__(self, folder):
+        self.folder, self.jobs = pathlib.Path(folder), []
+
+    def made_by(self):
+        return []
+
+    def render(self, _, jobs):
+        from blender.cycles_renders import Picture
+        self.jobs += jobs
+        return {job: Picture(numpy.ones((2, 2, 3)), job.spp, 2.0, 2.0) for job in jobs}
+
+
+def asked_of_cycles(folder, counts):
+    """[samples, first sample] of each picture of a pair, and of each of a reference."""
+    counts, cycles = json.loads(counts), AskedOfCycles(folder)
+    bench = peers.Bench(None, cycles, 2, counts, 1, 1, with_all=True)
+    right = bench.cycles_reference("scene", {}, 16 * counts[-1])
+    references_asked, cycles.jobs = cycles.jobs, []
+    bench.their_ladders("scene", {}, right, 1)
+    return [[[job.spp, job.first_sample] for job in jobs]
+            for jobs in (cycles.jobs, references_asked)]
+
+
 def better_setting(costs):
     """`costs`: {setting: [relMSE * seconds of the last point, by pair]}."""
     costs = json.loads(costs)
@@ -138,6 +164,17 @@ def errors(shape, reference_noise, picture_noise):
     return {"relmse": right.relmse(image), "expected": expected,
             "own": right.own_relmse() / (noise ** 2 / (4 * 1.01)),
             "firefly": right.relmse(firefly), "trimmed": truth.trimmed(right, firefly)}
+
+
+def judged(noise, errors):
+    """Of a reference whose own relMSE is `noise`."""
+    grey = numpy.ones((2, 2, 3))
+    right = references.with_weight(grey, float(noise) * 1.01 * grey)
+    return truth.judged(right, *json.loads(errors))
+
+
+def techniques():
+    return [dataclasses.asdict(technique) for technique in ablation.TECHNIQUES]
 
 
 def perf(report):

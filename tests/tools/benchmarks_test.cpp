@@ -160,6 +160,22 @@ TEST_F(Unit_Benchmarks, ErrorsFallAsAPowerOfTheTime) {
   EXPECT_EQ(ask({"error_rate", "[[0.8, 1, 1]]", "[[0.9, 4, 4]]"}), 1);
 }
 
+// What has no walks that choose a roulette is compared with what does not choose one either, and
+// the BVH, which has the general kernel alone, with that.
+TEST_F(Unit_Benchmarks, AblationsCompareWithTheSameRouletteAndKernel) {
+  const Json techniques = ask({"techniques"});
+  EXPECT_GT(techniques.size(), 20u);
+  for (const Json& technique : techniques) {
+    const Json& off = technique["off"];
+    const bool is_unlike = off.contains("sampling") || off.contains("heuristic") ||
+                           off.contains("splitting") || off.contains("guiding");
+    EXPECT_EQ(technique["both"].contains("roulette"), is_unlike) << technique["name"];
+    if (off.contains("accel") && off["accel"] == "bvh") {
+      EXPECT_EQ(technique["timed_on"], (Json{{"kernel", "general"}}));
+    }
+  }
+}
+
 TEST_F(Unit_Benchmarks, ATechniquePaysIfItGainsInTheMeanAndLosesNowhere) {
   const auto pays = [](const std::string& ratios) {
     const Json line = ask({"verdicts", ratios})[0];
@@ -192,14 +208,58 @@ TEST_F(Unit_Benchmarks, PeersRatiosAreTheirsOverOurs) {
   EXPECT_NEAR(between[2]["cpu_ratio"], 8, 1e-9);
 }
 
+// Two pairs of the same times: in the first candela has Cycles' error of .01 after 2 seconds, in
+// the second after 4. An error that is lost in a reference's noise tells nothing.
+TEST_F(Unit_Benchmarks, PeersRatiosAreThoseOfPairs) {
+  const auto last = [](const std::string& their_error) {
+    return ask({"ratios_of",
+                "[[[[0.02, 1, 1], [0.005, 4, 4]], [[0.04, 1, 2], [0.01, 16, 32]]],"
+                " [[[0.04, 1, 1], [0.01, 4, 4]], [[0.04, 1, 2], [" +
+                    their_error + ", 16, 32]]]]",
+                "[4, 16]"})
+        .back();
+  };
+  const Json row = last("0.01");
+  EXPECT_NEAR(row["cpu_low"], 4, 1e-9);
+  EXPECT_NEAR(row["cpu_ratio"], 6, 1e-9);
+  EXPECT_NEAR(row["cpu_high"], 8, 1e-9);
+  EXPECT_NEAR(row["cpu_mean"], std::sqrt(32), 1e-9);
+  EXPECT_NEAR(row["cpu_plus_minus"], std::log(2), 1e-9);
+  EXPECT_NEAR(row["relmse_ratio"], 1.5, 1e-9);
+  EXPECT_NEAR(row["relmse"], 0.0075, 1e-12);
+  EXPECT_NEAR(row["relmse_cpu_s_candela"], 0.03, 1e-12);
+  EXPECT_NEAR(row["relmse_cpu_s_Cycles"], 0.16, 1e-12);
+  EXPECT_TRUE(last("-0.01")["cpu_ratio"].is_null());
+}
+
+// Over aligned blocks of samples Cycles spreads them evenly; sample 0 goes through the centre.
+TEST_F(Unit_Benchmarks, PeersPicturesFillBlocksOfCyclesSamples) {
+  for (const char* counts : {"[4, 16]", "[4, 16, 64]", "[4, 16, 64, 256]"}) {
+    const Json asked = ask({"asked_of_cycles", fresh_folder("asked_of_cycles"), counts});
+    for (const Json& jobs : asked) {
+      EXPECT_GE(jobs.size(), 6u);
+      for (const Json& job : jobs)
+        EXPECT_EQ(job[1].get<int>() % job[0].get<int>(), 0) << counts << ": " << job;
+    }
+    for (const Json& job : asked[1]) EXPECT_GT(job[1], 0);
+  }
+}
+
+TEST_F(Unit_Benchmarks, AReferencesNoiseMayBeATwentiethOfTheSmallestError) {
+  EXPECT_EQ(ask({"judged", "0.001", "[[0.03], [0.5, 0.021, 0.01]]"}), "good");
+  EXPECT_EQ(ask({"judged", "0.001", "[[0.03], [0.5, 0.019, 0.01]]"}), "too noisy");
+}
+
 TEST_F(Unit_Benchmarks, EarlierBuildsAreHeldAgainstThisOne) {
   const Json row =
       ask({"before_and_now",
            "[[[0.2, 3, 2], [0.1, 1, 1]], [[0.4, 6, 4], [0.1, 2, 4]], [[0.4, 8, 8], [0.1, 2, 2]]]",
            "1"});
   EXPECT_NEAR(row["relmse_ratio"], 4, 1e-12);
+  EXPECT_NEAR(row["cpu_low"], 6, 1e-12);
   EXPECT_NEAR(row["cpu_ratio"], 12, 1e-12);
   EXPECT_NEAR(row["cpu_high"], 16, 1e-12);
+  EXPECT_NEAR(row["cpu_mean"], std::cbrt(6 * 12 * 16), 1e-9);
   EXPECT_NEAR(row["wall_low"], 4, 1e-12);
 }
 

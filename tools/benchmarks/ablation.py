@@ -7,12 +7,10 @@ what gains 5 % in the geometric mean and loses no more than 3 % on any scene.
 """
 
 import dataclasses
-import math
-import statistics
 
 import chosen_scenes
 import truth
-from fits import geometric_mean, spread, times_to_same_error
+from fits import geometric_mean, ratio_of_errors, spread, times_to_same_error, with_factor
 from renders import CandelaFailed
 
 ABOUT = "each technique off in turn: time to the same error"
@@ -23,27 +21,33 @@ class Technique:
     name: str
     off: dict  # candela's options
     same_picture: bool = False  # the same bits or the same noise: only the time is compared
-    # Strategies other than the default have a kernel of their own, which costs a little more. So
-    # that this does not count as theirs, the time with everything on is that of these options.
+    # Strategies other than the default have a kernel of their own, which costs a little more, and
+    # the reference BVH the general one alone. So that this does not count as theirs, the time with
+    # everything on is that of these options.
     timed_on: dict | None = None
+    # Other strategies, splitting and guiding have no walks that choose a roulette (render.cpp). So
+    # that this does not count as theirs, these options hold on both sides.
+    both: dict = dataclasses.field(default_factory=dict)
 
 
 SAME_KERNEL = {"heuristic": "balance"}
+USUAL_ROULETTE = {"roulette": .5}  # what is taken where nothing is chosen (path_plan.h)
 
 TECHNIQUES = (  # a row is a line
     Technique("kernel for what the scene needs", {"kernel": "general"}, same_picture=True),
     Technique("Embree and lists of few faces (off: reference BVH)", {"accel": "bvh"},
-              same_picture=True),
+              same_picture=True, timed_on={"kernel": "general"}),
     Technique("lists of few faces (off: Embree alone)", {"accel": "embree"}, same_picture=True),
     Technique("robust mode", {"robust": "off"}, same_picture=True),
     Technique("adaptive sampling", {"adaptive": "off"}),
-    Technique("no splitting (off: by two)", {"splitting": 2}),
-    Technique("no splitting (off: by four)", {"splitting": 4}),
+    Technique("no splitting (off: by two)", {"splitting": 2}, both=USUAL_ROULETTE),
+    Technique("no splitting (off: by four)", {"splitting": 4}, both=USUAL_ROULETTE),
     Technique("roulette by what walks tell (off: from 1/2 on)", {"roulette": .5}),
     Technique("roulette by what walks tell (off: from 1/4 on)", {"roulette": .25}),
     Technique("roulette by what walks tell (off: at any throughput)", {"roulette": 1}),
-    Technique("no path guiding (off: everywhere)", {"guiding": "on"}),
-    Technique("no path guiding (off: where a trial says that it pays)", {"guiding": "auto"}),
+    Technique("no path guiding (off: everywhere)", {"guiding": "on"}, both=USUAL_ROULETTE),
+    Technique("no path guiding (off: where a trial says that it pays)", {"guiding": "auto"},
+              both=USUAL_ROULETTE),
     Technique("Sobol points (off: plain random numbers)", {"sampler": "independent"}),
     Technique("pairs of a path together (off: each shuffled by itself)", {"sampler": "padded"}),
     Technique("no light samples for a constant sky", {"sky_samples": "on"}),
@@ -54,12 +58,13 @@ TECHNIQUES = (  # a row is a line
     Technique("near lamps by area (off: by solid angle)", {"light_sampling": "solid_angle"}),
     Technique("four replicates (off: one, no stated error)", {"replicates": 1}),
     Technique("light and BSDF samples (off: light alone)", {"sampling": "light"},
-              timed_on=SAME_KERNEL),
+              timed_on=SAME_KERNEL, both=USUAL_ROULETTE),
     Technique("light and BSDF samples (off: BSDF alone)", {"sampling": "bsdf"},
-              timed_on=SAME_KERNEL),
+              timed_on=SAME_KERNEL, both=USUAL_ROULETTE),
     Technique("directions by the BSDF (off: by the cosine)", {"sampling": "cosine"},
-              timed_on=SAME_KERNEL),
-    Technique("power heuristic (off: balance)", {"heuristic": "balance"}, timed_on=SAME_KERNEL),
+              timed_on=SAME_KERNEL, both=USUAL_ROULETTE),
+    Technique("power heuristic (off: balance)", {"heuristic": "balance"}, timed_on=SAME_KERNEL,
+              both=USUAL_ROULETTE),
 )
 GAIN, LOSS = 1.05, .97
 
@@ -95,7 +100,8 @@ def run(options):
     size = options.size or (48 if options.quick else 96)
     spp = options.spp or (16 if options.quick else 128)
     pairs = options.pairs or (3 if options.quick else 8)
-    scenes = chosen_scenes.chosen(candela, out, options.scenes, default_scenes())
+    scenes = chosen_scenes.chosen(candela, out, options.scenes, default_scenes(),
+                                  results.note)
     techniques = wanted(options)
     rows = []
     for name, scene in scenes.items():
@@ -124,20 +130,23 @@ def rate_of(candela, scene, right, pairs, common):
 def row(candela, name, scene, right, technique, pairs, common, rate):
     on, off = [], []
     for seed in range(1, pairs + 1):
-        on.append(truth.measured(candela, scene, right, seed=seed, **common))
+        own = common | technique.both | {"seed": seed}
+        on.append(truth.measured(candela, scene, right, **own))
         if technique.timed_on:
-            timed = truth.measured(candela, scene, right, seed=seed, **common,
-                                   **technique.timed_on)
+            timed = truth.measured(candela, scene, right, **own, **technique.timed_on)
             on[-1] = dataclasses.replace(on[-1], cpu_seconds=timed.cpu_seconds,
                                          seconds=timed.seconds)
-        off.append(truth.measured(candela, scene, right, seed=seed, **common, **technique.off))
-    return {"technique": technique.name, "scene": name} | compared(on, off, technique.same_picture,
-                                                                 rate)
+        off.append(truth.measured(candela, scene, right, **own, **technique.off))
+    word = None if technique.same_picture else truth.judged(
+        right, *([run.relmse for run in runs] for runs in (on, off)))
+    return ({"technique": technique.name, "scene": name}
+            | compared(on, off, technique.same_picture, rate) | {"reference": word})
 
 
 def compared(on, off, same_picture, rate):
-    """Ratios off / on: of CPU time by pairs, of error by medians, and of both together by pairs: the
-    geometric mean, with twice its standard error."""
+    """Ratios off / on: of CPU time by pairs, of error by medians, and of both together by pairs:
+    the geometric mean, with twice its standard error; nan where an error is lost in the
+    reference's noise."""
     cpu = spread(b.cpu_seconds / a.cpu_seconds for a, b in zip(on, off))
     wall = spread(b.seconds / a.seconds for a, b in zip(on, off))
     row = {"cpu": cpu.median, "cpu_low": cpu.low, "cpu_high": cpu.high, "wall": wall.median}
@@ -145,21 +154,11 @@ def compared(on, off, same_picture, rate):
         return row | {"relmse": 1.0, "rate": rate, "time_to_error": cpu.median, "low": cpu.low,
                       "high": cpu.high}
     error = spread(r.relmse for r in off).median / spread(r.relmse for r in on).median
-    if min(r.relmse for r in on + off) <= 0:  # lost in the reference's noise
-        return row | {"relmse": error, "rate": rate, "time_to_error": math.nan, "low": math.nan,
-                      "high": math.nan}
-    mean, factor = with_factor([times_to_same_error(b.cpu_seconds / a.cpu_seconds,
-                                                    b.relmse / a.relmse, rate)
-                                for a, b in zip(on, off)])
+    mean, factor = with_factor(times_to_same_error(b.cpu_seconds / a.cpu_seconds,
+                                                   ratio_of_errors(b.relmse, a.relmse), rate)
+                               for a, b in zip(on, off))
     return row | {"relmse": error, "rate": rate, "time_to_error": mean, "low": mean / factor,
                   "high": mean * factor}
-
-
-def with_factor(ratios):
-    """Geometric mean, and the factor by which it may be off."""
-    logs = [math.log(ratio) for ratio in ratios]
-    error = statistics.stdev(logs) / math.sqrt(len(logs)) if len(logs) > 1 else 0
-    return math.exp(statistics.fmean(logs)), math.exp(2 * error)
 
 
 def verdicts(rows):

@@ -1,9 +1,11 @@
-"""This candela against another build of it, such as one of an earlier commit: time to the same error.
+"""This candela against another build, such as one of an earlier commit: time to the same error.
 
 Both render every scene with what they do by default, in pairs of one seed that take turns, and are
-held against one reference. Where one of them does not tell its CPU time of rendering, that of both is
-the whole process's, less the median of what a picture of one sample takes (start-up, reading, building,
-writing), in proportion to the other samples. Wall time is of rendering alone.
+held against one reference. Each pair tells ratios of its own: of them median, range and geometric
+mean, with twice the standard error of the mean's logarithm (plus_minus). Where one of the two does
+not tell its CPU time of rendering, that of both is the whole process's, less the median of what a
+picture of one sample takes (start-up, reading, building, writing), in proportion to the other
+samples. Wall time is of rendering alone. What one of them cannot read is left out with a sentence.
 """
 
 import json
@@ -14,15 +16,16 @@ import subprocess
 
 import chosen_scenes
 import truth
-from fits import geometric_mean, spread, times_to_same_error
+from fits import geometric_mean, ratio_columns, ratio_of_errors, spread, times_to_same_error
 from renders import CandelaFailed
 
 ABOUT = "against another build of candela: time to the same error"
+SAME_MEANS = .03  # by how much the two pictures' means may differ before that is told
 
 
 def add_arguments(parser):
     parser.add_argument("before", type=pathlib.Path, metavar="PROGRAM", help="the other candela")
-    chosen_scenes.add_argument(parser, "the shipped, the course's and the generated ones")
+    chosen_scenes.add_argument(parser)
     parser.add_argument("--quick", action="store_true", help="64x64, 64 spp, 2 pairs")
     parser.add_argument("--pairs", type=int, help="pictures of each program (5)")
     parser.add_argument("--size", type=int, metavar="N", help="pixels a side (128)")
@@ -33,37 +36,53 @@ def add_arguments(parser):
 
 def run(options):
     from renders import Candela
-    from results import Results
+    from results import Results, shown
     out = options.out.resolve()
     candela = Candela(options.program, out / "renders")
     size = options.size or (64 if options.quick else 128)
     spp = options.spp or (64 if options.quick else 128)
     pairs = options.pairs or (2 if options.quick else 5)
     results = Results(out, "Before and now", __doc__, candela.version())
-    default = [name for name in chosen_scenes.names() if not name.startswith("pbrt/")]
+    default = [*chosen_scenes.names(), *chosen_scenes.ANALYTIC]
     rows = []
-    for name, scene in chosen_scenes.chosen(candela, out, options.scenes, default).items():
-        right = truth.reference(candela, name, scene, size, 16 * spp)
+    for name, scene in chosen_scenes.chosen(candela, out, options.scenes, default,
+                                            results.note).items():
         words = [scene, "--size", f"{size}x{size}", "--threads", options.threads]
         try:
             programs = [Program(path.resolve(), out / "renders", words)
                         for path in (options.before, options.program)]
-            is_told = all(program.tells_cpu_seconds for program in programs)
-            measured = [[program.measured(spp, seed, right, is_told) for program in programs]
-                        for seed in range(1, pairs + 1)]
-            fewer = [programs[1].measured(spp // 2, seed, right, is_told)
-                     for seed in range(1, pairs + 1)]
-            rate = truth.rate_of_runs(fewer, [now for _, now in measured])
-            rows.append({"scene": name} | compared(measured, rate))
-            print(f"{name}: {rows[-1]['cpu_ratio']:.2f}", flush=True)
+            right = truth.reference(candela, name, scene, size, 16 * spp)
+            rows.append({"scene": name} | row(programs, right, spp, range(1, pairs + 1)))
+            print(f"{name}: {shown(rows[-1]['cpu_ratio'])}", flush=True)
         except CandelaFailed as reason:
-            results.note(f"{name}: left out. {str(reason).splitlines()[0]}")
+            results.note(f"{name} is left out: {str(reason).splitlines()[0]}")
     results.table("before", f"Before over now, {size}x{size}, {spp} spp, {pairs} pairs", rows)
-    if rows:
-        results.note(f"geometric mean {geometric_mean(r['cpu_ratio'] for r in rows):.2f} by CPU "
-                     f"time, {geometric_mean(r['wall_ratio'] for r in rows):.2f} by wall time; "
-                     f"least {min(r['cpu_ratio'] for r in rows):.2f}")
+    tell_all(results, rows)
     results.finish()
+
+
+def tell_all(results, rows):
+    for r in rows:
+        if abs(r["means_before_over_now"] - 1) > SAME_MEANS:
+            results.note(f"{r['scene']}: the earlier pictures' mean is "
+                         f"{r['means_before_over_now']:.3f} of these; where that is no noise, it "
+                         "counts as their error")
+    found = [r for r in rows if r["cpu_ratio"]]
+    if found:
+        results.note(f"geometric mean {geometric_mean(r['cpu_ratio'] for r in found):.2f} by CPU "
+                     f"time, {geometric_mean(r['wall_ratio'] for r in found):.2f} by wall time; "
+                     f"least {min(r['cpu_ratio'] for r in found):.2f}")
+
+
+def row(programs, right, spp, seeds):
+    """`programs`: the earlier one and this one."""
+    is_told = all(program.tells_cpu_seconds for program in programs)
+    pairs = [[program.measured(spp, seed, right, is_told) for program in programs]
+             for seed in seeds]
+    fewer = [programs[1].measured(spp // 2, seed, right, is_told) for seed in seeds]
+    return (compared(pairs, truth.rate_of_runs(fewer, [now for _, now in pairs]))
+            | {"reference": truth.judged(right, *([run.relmse for run in runs]
+                                                  for runs in zip(*pairs)))})
 
 
 class Program:
@@ -103,15 +122,13 @@ def cpu_of(words):
 
 
 def compared(pairs, rate):
-    """`pairs`: [before, now] each. Ratios before / now; error by medians, time by pairs. `rate`:
-    with which the error falls over time, now."""
-    error = (spread(before.relmse for before, _ in pairs).median
-             / spread(now.relmse for _, now in pairs).median)
-    cpu = spread(times_to_same_error(before.cpu_seconds / now.cpu_seconds, error, rate)
-                 for before, now in pairs)
-    wall = spread(times_to_same_error(before.seconds / now.seconds, error, rate)
-                  for before, now in pairs)
+    """`pairs`: [before, now] each. Ratios before / now, pair by pair, so that ranges have the
+    errors' noise. `rate`: with which the error falls over time, now."""
+    errors = [ratio_of_errors(before.relmse, now.relmse) for before, now in pairs]
+    cpu, wall = ([times_to_same_error(getattr(before, seconds) / getattr(now, seconds), error, rate)
+                  for error, (before, now) in zip(errors, pairs)]
+                 for seconds in ("cpu_seconds", "seconds"))
     means = spread(before.mean_ratio / now.mean_ratio for before, now in pairs)
-    return {"relmse_ratio": error, "rate": rate, "cpu_ratio": cpu.median, "cpu_low": cpu.low,
-            "cpu_high": cpu.high, "wall_ratio": wall.median, "wall_low": wall.low,
-            "wall_high": wall.high, "means_before_over_now": means.median}
+    return ({"relmse_ratio": ratio_columns("relmse", errors)["relmse_ratio"], "rate": rate}
+            | ratio_columns("cpu", cpu) | ratio_columns("wall", wall)
+            | {"means_before_over_now": means.median})

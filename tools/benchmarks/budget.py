@@ -82,23 +82,19 @@ def grown(record, counts):
     return sentences
 
 
-def tell(record, counts):
-    print(f"instructions a camera sample, {SIZE}, {SPP} spp:\n"
-          f"  {'scene':20} {'on record':>10} {'now':>10} {'change':>8} {'of it Embree':>13}")
-    for name, count in counts.items():
-        before = record.get(name, {}).get("all")
-        print(f"  {name:20} {before or '':>10} {count.all:10.1f} "
-              f"{f'{count.all / before - 1:+.2%}' if before else '':>8} {count.embree:13.1f}")
+def row(record, name, count):
+    before = record.get(name, {}).get("all")
+    return {"scene": name, "on_record": f"{before:.1f}" if before else None,
+            "now": f"{count.all:.1f}",
+            "change": f"{count.all / before - 1:+.2%}" if before else None,
+            "of_it_embree": f"{count.embree:.1f}"}
 
 
-def tell_kernels(options, scenes, counts):
+def kernel_row(options, name, scene, own):
     """The scene's own kernel over the general one, which gives the same bits."""
-    print("\nthe scene's own kernel over the general one:")
-    for name, scene in scenes.items():
-        general = counted(options, name, scene, "--kernel", "general")
-        own = counts[name]
-        print(f"  {name:20} {own.all / general.all:.3f}, without Embree's instructions "
-              f"{(own.all - own.embree) / (general.all - general.embree):.3f}", flush=True)
+    general = counted(options, name, scene, "--kernel", "general")
+    return {"scene": name, "own_over_general": own.all / general.all,
+            "without_embree": (own.all - own.embree) / (general.all - general.embree)}
 
 
 def write_record(path, counts):
@@ -110,24 +106,40 @@ def write_record(path, counts):
 
 
 def run(options):
+    from renders import Candela
+    from results import Results
     options.out = options.out.resolve()
-    options.out.mkdir(parents=True, exist_ok=True)
+    if options.record and options.quick:
+        sys.exit("tools/bench: --record needs all scenes; expected no --quick beside it")
+    results = Results(options.out, "The budget", __doc__,
+                      Candela(options.program, options.out).version())
     scenes = dict(list(fixed_scenes(options.out).items())[:2 if options.quick else None])
     counts = {name: counted(options, name, scene) for name, scene in scenes.items()}
     file = json.loads(options.file.read_text()) if options.file.exists() else {}
     record = file.get("instructions_per_sample", {})
-    tell(record, counts)
+    results.table("budget", f"Instructions a camera sample, {SIZE}, {SPP} spp",
+                  [row(record, name, count) for name, count in counts.items()])
     if options.kernels:
-        tell_kernels(options, scenes, counts)
+        results.table("kernels", "Instructions, the scene's own kernel over the general one",
+                      [kernel_row(options, name, scene, counts[name])
+                       for name, scene in scenes.items()])
     if options.record:
-        if options.quick:
-            sys.exit("tools/bench: --record needs all scenes; expected no --quick beside it")
         write_record(options.file, counts)
-        return None
+        sentences = []
+    else:
+        sentences = judged(results, file, record, counts)
+    results.finish()
+    return FAILED if sentences else None
+
+
+def judged(results, file, record, counts):
+    """What has grown too much, a sentence each; none where the record is of something else."""
     now = next(iter(counts.values())).measured_with
     if record and file["measured_with"] != now:
-        print(f"not judged: the figures on record are of {file['measured_with']}, these of {now}")
-        return None
+        results.note(f"not judged: the figures on record are of {file['measured_with']}, these of "
+                     f"{now}")
+        return []
     sentences = grown(record, counts)
-    print("\n".join(sentences) if sentences else "within the budget")
-    return FAILED if sentences else None
+    for sentence in sentences or ["within the budget"]:
+        results.note(sentence)
+    return sentences

@@ -14,7 +14,6 @@ from chosen_scenes import safe
 from references import (SEEDS, layers, reference, rendered_once, side_by_side, square,
                         with_weight)
 from renders import Candela
-from results import write_csv
 
 ABOUT = "the stated error against the true one"
 
@@ -368,27 +367,30 @@ def plot(out, rows):
 
 
 def run(options):
+    from results import Results
     options.out = options.out.resolve()
-    options.out.mkdir(parents=True, exist_ok=True)
     candela = Candela(options.program, options.out / "renders")
+    results = Results(options.out, "Calibration", __doc__, candela.version())
     counts = (4, 16, 64) if options.quick else (4, 16, 64, 256, 1024)
     if options.spp:
         counts = tuple(at_least_two(n) for n in options.spp.split(","))
     rows, stop_rows = [], []
     if not options.no_cases:
         rows = list(cases(candela, options, counts))
-        write_csv(options.out / "calibration.csv", rows)
         if not rows:
             sys.exit("tools/bench: none of these scenes has anything random")
+        results.table("calibration", "Stated over true", rows)
         ratios = [r["stated_over_true"] for r in rows]
-        print(f"stated / true: median {median_ratio(rows):.3f}, "
-              f"from {min(ratios):.3f} to {max(ratios):.3f}")
+        results.note(f"stated / true: median {median_ratio(rows):.3f}, "
+                     f"from {min(ratios):.3f} to {max(ratios):.3f}")
         (options.out / "calibration.md").write_text(table(rows))
         plot(options.out, rows)
+        results.plot("calibration.png", "Stated over true relMSE, by samples a pixel")
     if options.stops:
         stop_rows = list(stops(candela, options))
-        write_csv(options.out / "stops.csv", stop_rows)
+        results.table("stops", "Pictures that end by --error", stop_rows)
     missed = list(misses(rows, stop_rows))
     for sentence in missed:
-        print(f"missed: {sentence}")
+        results.note(f"missed: {sentence}")
+    results.finish()
     return 6 if missed else 0

@@ -32,7 +32,7 @@ def add_argument(parser, default="all"):
                         + ", ".join(all_names()).replace("%", "%%"))
 
 
-def chosen(candela, out, wanted, default):
+def chosen(candela, out, wanted, default, tell=print):
     """Name -> file. Of the default names those that are absent are left out, and all that candela
     cannot read with a word."""
     found = present() | ANALYTIC
@@ -44,15 +44,15 @@ def chosen(candela, out, wanted, default):
             files[name] = found[name]
         elif wanted:
             raise CandelaFailed(f"no scene '{name}'; expected one of " + ", ".join(all_names()))
-    return {name: file for name, file in files.items() if is_read(candela, name, file)}
+    return {name: file for name, file in files.items() if is_read(candela, name, file, tell)}
 
 
-def is_read(candela, name, file):
+def is_read(candela, name, file, tell):
     try:
         candela.info(file)
         return True
     except CandelaFailed as reason:
-        print(f"{name} is left out: {str(reason).splitlines()[0]}", flush=True)
+        tell(f"{name} is left out: {str(reason).splitlines()[0]}")
         return False
 
 

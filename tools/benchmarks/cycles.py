@@ -7,7 +7,6 @@ candela states. docs/accuracy_cycles.md has the figures.
 """
 
 import copy
-import csv
 import dataclasses
 import os
 import pathlib
@@ -17,6 +16,7 @@ import time
 import numpy
 
 import chosen_scenes
+import truth
 
 ABOUT = "the same scenes by Blender's Cycles: equal pictures?"
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -61,6 +61,7 @@ def run(options):
     from blender import blender_scene, pictures
     from blender.cycles_renders import Cycles
     from renders import Candela
+    from results import Results
 
     scale = scale_of(options)
     out = options.out.resolve()
@@ -69,24 +70,23 @@ def run(options):
     candela = Candela(options.program, out / "candela")
     scenes = {name: blender_scene.read(SCENES[name], SCALES.get(name, 1))
               for name in options.scene or SCENES}
-    print(f"{candela.version()}; {cycles.version()}; {threads} threads")
+    results = Results(out, "candela and Cycles", __doc__,
+                      f"{candela.version()}; {cycles.version()}; {threads} threads")
 
     compared = agreement(candela, cycles, scenes, scale)
+    failures = told_agreement(results, compared, scale)
     pictures.agreement(out / "agreement.png", compared)
-    write_csv(out / "agreement.csv", agreement_rows(compared))
-    failures = told_agreement(compared, scale)
+    results.plot("agreement.png", "The two renderers' pictures, and how far they are apart")
     if "cornell_box_diffuse" in scenes:
-        held = closed_forms(candela, cycles, scale)
-        write_csv(out / "closed_forms.csv", held)
-        failures += told_closed_forms(held)
+        failures += told_closed_forms(results, closed_forms(candela, cycles, scale))
     if not options.no_threshold:
         rows = noise_thresholds(cycles, scenes, scale)
+        tell_thresholds(results, rows, scale)
         pictures.threshold(out / "threshold.png", rows)
-        write_csv(out / "threshold.csv", [dataclasses.asdict(row) for row in rows])
-        tell_thresholds(rows, scale)
+        results.plot("threshold.png", "Cycles' noise threshold against the true error")
     if options.docs:
         copy_to_docs(out)
-    print(f"\nin {out}: " + ", ".join(sorted(file.name for file in out.glob("*.*"))))
+    results.finish()
     return FAILED if failures else None
 
 
@@ -123,23 +123,21 @@ def agreement_rows(compared):
     return [{"scene": scene, "channel": channel, "ratio": result.ratio[c],
              "ratio_error": result.ratio_error[c], "blocks": result.p[..., c].size,
              "largest_t": numpy.abs(result.t[..., c]).max(), "smallest_p": result.p[..., c].min(),
-             "spread": result.spread[c], "spread_p": result.spread_p[c]}
+             "spread": result.spread[c], "spread_p": result.spread_p[c],
+             "block_noise": result.block_noise}
             for scene, _, _, result in compared for c, channel in enumerate("RGB")]
 
 
-def told_agreement(compared, scale):
-    print(f"\nmeans, candela / Cycles, {scale.seeds} seeds of {scale.spp} spp each "
-          "(standard error), and blocks of 8 x 8:")
+def told_agreement(results, compared, scale):
+    results.table("agreement", f"Means, candela / Cycles, {scale.seeds} seeds of {scale.spp} spp "
+                  "each, and blocks of 8 x 8 pixels", agreement_rows(compared),
+                  "ratio_error: the standard error; spread: mean t^2 of the blocks over what it is "
+                  "for equal pictures; block_noise: to what part a block is known, in the median.")
     tests = sum(result.tests for *_, result in compared)
-    failures = []
-    for scene, _, _, result in compared:
-        ratios = "  ".join(f"{r:.5f} ({e:.5f})" for r, e in zip(result.ratio, result.ratio_error))
-        print(f"  {scene:20} {ratios}  largest |t| {numpy.abs(result.t).max():.2f}, "
-              f"smallest p {result.p.min():.2g} of {result.p.size}, mean t^2 "
-              + " ".join(f"{s:.2f}" for s in result.spread) + " of the expected; "
-              f"a block is known to {100 * result.block_noise:.2g} % in the median")
-        failures += [f"{scene}: {text}" for text in result.failures(tests)]
-    print("\n".join(failures) if failures else "they agree within their noise")
+    failures = [f"{scene}: {text}" for scene, _, _, result in compared
+                for text in result.failures(tests)]
+    for sentence in failures or ["they agree within their noise"]:
+        results.note(sentence)
     return failures
 
 
@@ -185,18 +183,18 @@ def closed_forms(candela, cycles, scale):
     ]
 
 
-def told_closed_forms(rows):
-    print("\nheld against closed forms (standard error): the picture's mean where lamps alone are "
-          "seen, and direct light on the Cornell box's back wall:")
+def told_closed_forms(results, rows):
+    results.table("closed_forms", "Over closed forms", rows,
+                  "The picture's mean where lamps alone are seen, and direct light on the Cornell "
+                  "box's back wall. What should not agree is known to differ.")
     failures = []
     for row in rows:
-        print(f"  {row['integral']}  {row['renderer']:26} {row['ratio']:.5f} "
-              f"({row['ratio_error']:.5f})" + ("" if row["should_agree"] else "  known to differ"))
         off = abs(row["ratio"] - 1)
         if row["should_agree"] and not off <= max(4 * row["ratio_error"], 1e-4):
             failures.append(f"{row['integral']}, {row['renderer']}: {row['ratio']:.5f} of the "
                             "closed form, expected 1 within 4 standard errors")
-    print("\n".join(failures) if failures else "both agree with them where they should")
+    for sentence in failures or ["both agree with them where they should"]:
+        results.note(sentence)
     return failures
 
 
@@ -233,23 +231,14 @@ def dimmed(scene):
     return scene
 
 
-def tell_thresholds(rows, scale):
-    print(f"\nCycles' noise threshold, {scale.threshold_seeds} seeds; reference of "
-          f"{scale.reference_seeds} seeds of {scale.reference_spp} spp:")
-    print("  scene                            threshold    spp  rMSE % (range)       beyond  "
-          "99 % / threshold  mean ratio")
-    for row in rows:
-        print(f"  {row.scene:32} {row.threshold:9g} {row.spp:6.0f}  {100 * row.rmse:5.2f} "
-              f"({100 * row.rmse_low:.2f}-{100 * row.rmse_high:.2f})  {100 * row.beyond:6.1f} %  "
-              f"{row.worst:16.2f}  {row.ratio:.5f} ({row.ratio_error:.5f})"
-              + ("  reference too noisy" if row.reference_share > 1 / 20 else ""))
-
-
-def write_csv(path, rows):
-    with path.open("w", newline="") as file:
-        writer = csv.DictWriter(file, rows[0])
-        writer.writeheader()
-        writer.writerows(rows)
+def tell_thresholds(results, rows, scale):
+    results.table("threshold", f"Cycles' noise threshold, {scale.threshold_seeds} seeds; reference "
+                  f"of {scale.reference_seeds} seeds of {scale.reference_spp} spp",
+                  [dataclasses.asdict(row) | {"reference": "good" if row.reference_share
+                                              < truth.NOISE_ALLOWED else "too noisy"}
+                   for row in rows],
+                  "beyond: share of the pixels whose true error is above the threshold; worst: the "
+                  "error that one pixel in a hundred exceeds, over the threshold.")
 
 
 def copy_to_docs(out):

@@ -64,6 +64,33 @@ def geometric_mean(values):
     return math.exp(statistics.mean(map(math.log, values)))
 
 
+def ratio_of_errors(above, below):
+    """nan where one of the two was lost in the reference's noise, which is taken off."""
+    return above / below if above > 0 < below else math.nan
+
+
+def with_factor(ratios):
+    """Geometric mean, and the factor by which it may be off: twice its logarithm's standard error.
+    nan where a ratio is: the other pairs' alone would be those with the larger errors."""
+    ratios = list(ratios)
+    if not all(ratio > 0 for ratio in ratios):
+        return math.nan, math.nan
+    logs = [math.log(ratio) for ratio in ratios]
+    error = statistics.stdev(logs) / math.sqrt(len(logs)) if len(logs) > 1 else 0
+    return math.exp(statistics.fmean(logs)), math.exp(2 * error)
+
+
+def ratio_columns(key, ratios):
+    """Of a table: median, range and geometric mean of ratios, one a pair, with twice the standard
+    error of the mean's logarithm. Empty where there are no ratios, or one is nan."""
+    names = [f"{key}_{part}" for part in ("ratio", "low", "high", "mean", "plus_minus")]
+    ratios = list(ratios)
+    if not ratios or any(map(math.isnan, ratios)):
+        return dict.fromkeys(names)
+    of, (mean, factor) = spread(ratios), with_factor(ratios)
+    return dict(zip(names, (of.median, of.low, of.high, mean, math.log(factor))))
+
+
 def x_where(y_wanted, x, y):
     """Where a falling curve through the points comes down to y_wanted, straight between points in
     logarithms; None where it starts lower or does not get there: nothing is extrapolated."""

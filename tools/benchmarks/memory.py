@@ -1,5 +1,8 @@
-"""Peak memory of renders against what their scenes must hold: docs/performance.md, "Memory". Then
-what a triangle costs, geometry and Embree together, and what a forest of instances does."""
+"""Peak memory of renders against what their scenes must hold. Then what a triangle costs, geometry
+and Embree together, held and at the peak, and what a forest of instances does.
+
+docs/performance.md, "Memory", has the figures.
+"""
 
 import pathlib
 
@@ -13,6 +16,7 @@ LEAST_MEGABYTES = 3.0  # of meshes and textures: below, the libraries' pages are
 GOAL_BYTES = 150  # a triangle, geometry and Embree, without textures
 GOAL_FOREST = 500e6  # bytes, of more than 10^7 triangles that are seen
 MANY = 10_000  # triangles; with few the tables' own sizes show
+SMALL = "64x64"  # a picture that takes no memory itself
 ONE_TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 
 
@@ -21,8 +25,31 @@ def add_arguments(parser):
     parser.add_argument("--quick", action="store_true", help="generated scenes only, small ones")
 
 
+def run(options):
+    from results import Results
+    out = options.out.resolve()
+    candela = renders.Candela(options.program, out / "renders")
+    results = Results(out, "Memory", __doc__, candela.version())
+    triangle = out / "one_triangle.obj"
+    triangle.write_text(ONE_TRIANGLE)
+    if not options.quick:
+        peaks(results, candela, triangle, options.size)
+    of_a_triangle(results, candela, triangle, options.quick)
+    forest(results, candela, options.size)
+    results.finish()
+
+
 def peak_megabytes(candela, name, scene, size):
-    return candela.render(name.replace("/", "_"), scene, png=False, size=size, spp=1).stats["peak_memory_bytes"] * 1e-6
+    return candela.render(name.replace("/", "_"), scene, png=False, size=size,
+                          spp=1).stats["peak_memory_bytes"] * 1e-6
+
+
+def peaks(results, candela, triangle, size):
+    baseline = peak_megabytes(candela, "one_triangle", triangle, size)
+    files = {path.stem: path for path in scenes.course_scenes(ROOT)} | scenes.pbrt_scenes(ROOT)
+    results.table("peaks", f"MB above the {baseline:.1f} of a scene of one triangle",
+                  [row(candela, name, path, size, baseline) for name, path in files.items()],
+                  f"Wanted is a peak below {GOAL:g} times meshes and textures.")
 
 
 def row(candela, name, scene, size, baseline):
@@ -30,58 +57,49 @@ def row(candela, name, scene, size, baseline):
     held = candela.info(scene, accel="embree")["memory_bytes"]
     meshes, textures, embree = (held[key] * 1e-6 for key in ("meshes", "textures", "embree"))
     ratio = peak / (meshes + textures)
-    if meshes + textures < LEAST_MEGABYTES:
-        verdict = "(too small to tell)"
-    else:
-        verdict = f"{ratio:.1f}" if ratio < GOAL else f"**{ratio:.1f}**"
-    print(f"| {name} | {peak:.1f} | {meshes:.1f} | {textures:.1f} | {verdict} | {embree:.1f} |",
-          flush=True)
+    is_told = meshes + textures >= LEAST_MEGABYTES
+    print(f"{name}: {peak:.1f} MB", flush=True)
+    return {"scene": name, "peak": peak, "meshes": meshes, "textures": textures,
+            "peak_over_both": ratio if is_told else None, "embree": embree,
+            "verdict": verdict(ratio < GOAL) if is_told else "too small to tell"}
 
 
-def bytes_a_triangle(candela, out, quick):
-    """Untextured scenes, and what is generated."""
-    from generated import generated
-    count = 20_000 if quick else 1_000_000
-    files = {f"{shape} of {count}": generated(out, shape, triangles=count)
-             for shape in ("soup", "terrain")}
-    if not quick:
-        files |= {path.stem: path for path in scenes.course_scenes(ROOT)}
-    print("\n| scene | triangles | meshes, bytes a triangle | Embree | both |\n|---|---|---|---|---|")
-    for name, path in files.items():
+def verdict(is_reached):
+    return "reached" if is_reached else "exceeded"
+
+
+def of_a_triangle(results, candela, triangle, quick):
+    """Untextured scenes, and what is generated: what is held once the tree is built, and the peak
+    of a small render, which is what the machine must have."""
+    baseline = peak_megabytes(candela, "one_triangle", triangle, SMALL)
+    rows = []
+    for name, path in many_triangles(results.out, quick).items():
         info = candela.info(path, accel="embree")
         triangles, held = info["triangles"], info["memory_bytes"]
         if info["textures"] or triangles < MANY:
             continue
         both = (held["meshes"] + held["embree"]) / triangles
-        print(f"| {name} | {triangles} | {held['meshes'] / triangles:.0f} | "
-              f"{held['embree'] / triangles:.0f} | "
-              f"{f'{both:.0f}' if both < GOAL_BYTES else f'**{both:.0f}**'} |", flush=True)
+        peak = (peak_megabytes(candela, name, path, SMALL) - baseline) * 1e6 / triangles
+        rows.append({"scene": name, "triangles": triangles, "meshes": held["meshes"] / triangles,
+                     "embree": held["embree"] / triangles, "both": both,
+                     "verdict": verdict(both < GOAL_BYTES), "peak": peak})
+    results.table("triangles", "Bytes a triangle, untextured", rows,
+                  f"Wanted of meshes and Embree together is less than {GOAL_BYTES}. peak: of a "
+                  f"render of {SMALL} pixels, less that of one triangle.")
 
 
-def forest(candela, out, size):
+def many_triangles(out, quick):
     from generated import generated
-    scene = generated(out, "forest")
+    count = 20_000 if quick else 1_000_000
+    files = {f"{shape} of {count}": generated(out, shape, triangles=count)
+             for shape in ("soup", "terrain")}
+    return files if quick else files | {p.stem: p for p in scenes.course_scenes(ROOT)}
+
+
+def forest(results, candela, size):
+    from generated import generated
+    scene = generated(results.out, "forest")
     peak = peak_megabytes(candela, "forest", scene, size)
     seen = candela.info(scene)["instanced_triangles"]
-    print(f"\nA forest of {seen} triangles peaks at {peak:.0f} MB, all in all"
-          + ("" if peak * 1e6 < GOAL_FOREST else f"; **expected under {GOAL_FOREST * 1e-6:.0f}**"))
-
-
-def run(options):
-    candela = renders.Candela(options.program, options.out)
-    if not options.quick:
-        peaks(candela, options)
-    bytes_a_triangle(candela, options.out, options.quick)
-    forest(candela, options.out, options.size)
-
-
-def peaks(candela, options):
-    triangle = options.out / "one_triangle.obj"
-    triangle.write_text(ONE_TRIANGLE)
-    baseline = peak_megabytes(candela, "one_triangle", triangle, options.size)
-    print(f"A scene of one triangle peaks at {baseline:.1f} MB. In MB, less that:\n")
-    print("| scene | peak | meshes | textures | peak / (meshes + textures) | Embree |")
-    print("|---|---|---|---|---|---|")
-    files = {path.stem: path for path in scenes.course_scenes(ROOT)} | scenes.pbrt_scenes(ROOT)
-    for name, path in files.items():
-        row(candela, name, path, options.size, baseline)
+    results.note(f"A forest of {seen} triangles peaks at {peak:.0f} MB, all in all; wanted are "
+                 f"less than {GOAL_FOREST * 1e-6:.0f}: {verdict(peak * 1e6 < GOAL_FOREST)}")

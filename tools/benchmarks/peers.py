@@ -3,16 +3,19 @@
 Box filter, no denoising, no clamping, no adaptive sampling, depth without limit against 100. Each
 renderer is measured against a long reference of its own, of other seeds, so that no difference
 between the two counts as an error of either; how far the references' means are apart is told
-beside. Neither states an error (`--replicates 1`). Time is of rendering alone. Cycles' CPU time is that of the call that renders, less what a
-picture of one sample costs (start-up, synchronization, file), in proportion to the other samples.
-Beside it Embree's tutorial path tracer, for speed at equal samples: it draws point lights only, ends
-paths early and writes 8 bits, so nothing is said of its error.
+beside. Neither states an error (`--replicates 1`). Each pair tells ratios of its own: of them
+median, range and geometric mean, with twice the standard error of the mean's logarithm. Time is of
+rendering alone. Cycles' CPU time is that of the call that renders, less what a picture of one
+sample costs (start-up, synchronization, file), in proportion to the other samples. Beside it
+Embree's tutorial path tracer, for speed at equal samples: it draws point lights only, ends paths
+early and writes 8 bits, so nothing is said of its error.
 
-With --nearest pbrt's scenes are compared where Blender has only something near to their metals, coats
-and shapes: one answer each, two pictures that are alike. What is only near is listed, scene by scene.
+With --nearest pbrt's scenes are compared where Blender has only something near to their metals,
+coats and shapes: one answer each, two pictures that are alike. What is only near is listed, scene
+by scene.
 
-With --all candela has its replicates and its adaptive sampling, and Cycles the better, by its last point, of a fixed
-number of samples and of its noise threshold.
+With --all candela has its replicates and its adaptive sampling, and Cycles the better, by its last
+point, of a fixed number of samples and of its noise threshold.
 """
 
 import dataclasses
@@ -24,7 +27,7 @@ import statistics
 
 import chosen_scenes
 import truth
-from fits import geometric_mean, spread, x_where
+from fits import geometric_mean, ratio_columns, ratio_of_errors, x_where
 
 ABOUT = "the same scenes by Blender's Cycles: time to the same error; Embree's path tracer's speed"
 # Blender's unit is the metre, the Cornell box's the millimetre.
@@ -61,7 +64,7 @@ def add_arguments(parser):
 def run(options):
     from blender.cycles_renders import Cycles
     from renders import Candela
-    from results import Results
+    from results import Results, shown
     out = options.out.resolve()
     candela = Candela(options.program, out / "candela")
     # What a later Blender has to offer beside the plain settings counts for it.
@@ -71,8 +74,9 @@ def run(options):
     bench = Bench(candela, cycles, options.size or (48 if options.quick else 128),
                   ladder(options.most or (16 if options.quick else 256)),
                   options.pairs or (2 if options.quick else 5), options.threads, options.all)
-    points, ratios, means, shown = [], [], [], []
-    files = chosen_scenes.chosen(candela, out, options.scenes or default_scenes(), ())
+    points, ratios, means, seen = [], [], [], []
+    files = chosen_scenes.chosen(candela, out, options.scenes or default_scenes(), (),
+                                 results.note)
     scenes = described(candela, out, files, options.nearest)
     tell_approximated(results, scenes)
     for name, scene in scenes.items():
@@ -81,29 +85,36 @@ def run(options):
         ratios += own_ratios
         means.append({"scene": name} | means_of(*references) | {
             "approximated": "; ".join(part["what"] for part in scene["approximated"])})
-        shown.append((name, *references))
+        seen.append((name, *references))
         print(f"{name}: time to Cycles' last error, Cycles / candela: "
-              f"{own_ratios[-1]['cpu_ratio']:.2f}", flush=True)
+              f"{shown(own_ratios[-1]['cpu_ratio'])}", flush=True)
     results.table("points", f"All points, {bench.size}x{bench.size}, {bench.pairs} pairs", points)
     results.table("ratios", "Cycles over candela: times as slow to the same error", ratios,
-                  "To the relMSE that Cycles has at so many samples, and to a relMSE where both get "
-                  "there; ranges over the pairs.")
+                  "To the relMSE that Cycles has at so many samples, and to a relMSE where both "
+                  "get there; ranges over the pairs; plus_minus is twice the standard error of the "
+                  "mean's logarithm. relmse_cpu_s: relMSE times CPU seconds at so many samples.")
     results.table("means", "The references' means, candela's over Cycles'", means)
     from blender import pictures
-    pictures.references(out / "references.png", shown)
-    results.plot("references.png", "The references, and how far candela's is above Cycles' in blocks of "
-                 "4 x 4 pixels")
-    last = [r for r in ratios if r["by"] == f"{bench.counts[-1]} spp" and r["cpu_ratio"] > 0]
-    without = geometric_mean(r["trimmed_cpu_ratio"] for r in last)
-    results.note(f"geometric mean over {len(last)} scenes at {bench.counts[-1]} spp: "
-                 f"{geometric_mean(r['cpu_ratio'] for r in last):.2f} by CPU time, "
-                 f"{geometric_mean(r['wall_ratio'] for r in last):.2f} by wall time; least "
-                 f"{min(r['cpu_ratio'] for r in last):.2f}. Without the worst 0.1 % of the pixels, "
-                 f"which fireflies otherwise dominate, {without:.2f} by CPU time")
+    pictures.references(out / "references.png", seen)
+    results.plot("references.png", "The references, and how far candela's is above Cycles' in "
+                 "blocks of 4 x 4 pixels")
+    tell_all(results, bench.counts[-1], ratios)
     from blender import embree_path_tracer
     embree_path_tracer.compare(results, candela, out / "embree", bench.size, bench.pairs,
                                options.threads)
     results.finish()
+
+
+def tell_all(results, count, ratios):
+    last = [r for r in ratios if r["by"] == f"{count} spp" and r["cpu_ratio"]]
+    if not last:
+        return
+    without = geometric_mean(r["trimmed_cpu_ratio"] for r in last)
+    results.note(f"geometric mean over {len(last)} scenes at {count} spp: "
+                 f"{geometric_mean(r['cpu_ratio'] for r in last):.2f} by CPU time, "
+                 f"{geometric_mean(r['wall_ratio'] for r in last):.2f} by wall time; least "
+                 f"{min(r['cpu_ratio'] for r in last):.2f}. Without the worst 0.1 % of the pixels, "
+                 f"which fireflies otherwise dominate, {without:.2f} by CPU time")
 
 
 def tell_approximated(results, scenes):
@@ -164,14 +175,14 @@ class Bench:
         setting = better_setting([ladders for _, ladders in pairs])
         pairs = [(own, ladders[setting]) for own, ladders in pairs]
         points = []
-        for i, count in enumerate(self.counts):
+        for i in range(len(self.counts)):
             for who, part, right in (("candela", 0, ours), (setting, 1, theirs)):
                 runs = [pair[part][i] for pair in pairs]
                 points.append({"scene": name, "renderer": who,
                                "spp": statistics.median(run.spp for run in runs)}
                               | truth.summary(runs, right) | {"means_candela_over_Cycles": apart})
-        return (points, [{"scene": name} | row for row in ratios_of(pairs, self.counts)],
-                (ours.image, theirs.image))
+        return (points, [{"scene": name} | row | {"reference": judged(row, ours, theirs)}
+                         for row in ratios_of(pairs, self.counts)], (ours.image, theirs.image))
 
     def our_ladder(self, file, right, seed):
         # Cycles tells no error of a picture: without --all candela does not either.
@@ -185,10 +196,11 @@ class Bench:
 
     def their_ladders(self, name, scene, right, seed):
         """One process: a picture to warm up, one of one sample to take off, and those that count.
-        By setting."""
+        By setting. Every picture begins at a multiple of its samples: if it straddled two of the
+        blocks over which Cycles spreads samples evenly, it would have more noise than a user's."""
         first = 16 * self.counts[-1]
         start = [self.job(name, 1, seed + 1000, first), self.job(name, 1, seed, first)]
-        ladders = {"Cycles": [self.job(name, spp, seed, first + 16) for spp in self.counts]}
+        ladders = {"Cycles": [self.job(name, spp, seed, 2 * first) for spp in self.counts]}
         if self.with_all:
             ladders["Cycles, adaptive"] = [
                 dataclasses.replace(self.job(name, MOST_ADAPTIVE, seed, 0),
@@ -206,19 +218,21 @@ class Bench:
                    first_sample=first_sample)
 
     def cycles_reference(self, name, scene, spp):
-        """From eight seeds, whose spread tells its noise; kept as long as Blender's version, its scripts
-        and the scene are the same."""
+        """From eight seeds, whose spread tells its noise; kept as long as Blender's version, its
+        scripts and the scene are the same. Sample 0, which goes through the pixel's centre, is not
+        among them."""
         import numpy
         from references import with_weight
         key = hashlib.sha256(json.dumps([self.cycles.made_by(), scene, self.size,
                                          spp]).encode()).hexdigest()[:16]
         file = self.cycles.folder / f"reference_{chosen_scenes.safe(name)}_{key}.npz"
         if not file.exists():
-            seeds = 8
-            jobs = [self.job(name, spp * 2 // seeds, 900001 + i, 1) for i in range(seeds)]
+            seeds, each = 8, spp // 4
+            jobs = [self.job(name, each, 900001 + i, each) for i in range(seeds)]
             made = self.cycles.render({chosen_scenes.safe(name): scene}, jobs)
             images = numpy.array([made[job].colour for job in jobs])
-            numpy.savez(file, image=images.mean(axis=0), variance=images.var(axis=0, ddof=1) / seeds)
+            numpy.savez(file, image=images.mean(axis=0),
+                        variance=images.var(axis=0, ddof=1) / seeds)
         kept = numpy.load(file)
         return with_weight(kept["image"], kept["variance"])
 
@@ -237,24 +251,46 @@ def better_setting(ladders):
 
 
 def ratios_of(pairs, counts):
-    """Rows: by the time to Cycles' error at each count, and to each goal."""
-    rows = []
-    for i, count in enumerate(counts):
-        error = (spread(theirs[i].relmse for _, theirs in pairs).median
-                 / spread(ours[i].relmse for ours, _ in pairs).median)
-        row = {"by": f"{count} spp", "relmse_ratio": error}
-        for key, of_error, seconds in MEASURES:
-            row |= columns(key, times_to_their_error(pairs, i, of_error, seconds))
-        rows.append(row)
-    for goal in GOALS:
-        found = {key: times_to(goal, pairs, error, seconds) for key, error, seconds in MEASURES}
-        if found["cpu"] and found["wall"]:
-            row = {"by": f"time to {goal:g}", "relmse_ratio": None}
-            for key, values in found.items():
-                row |= columns(key, values)
-            rows.append(row)
-    # The last count's row stands last: it is the one that is told.
-    return rows[len(counts):] + rows[:len(counts)]
+    """Rows: by the time to each goal, and to Cycles' error at each count. The last count's stands
+    last: it is the one that is told."""
+    goals = [goal_row(goal, pairs) for goal in GOALS]
+    return [row for row in goals if row] + [count_row(pairs, i, count)
+                                            for i, count in enumerate(counts)]
+
+
+def count_row(pairs, i, count):
+    runs = [(ours[i], theirs[i]) for ours, theirs in pairs]
+    errors = [ratio_of_errors(theirs.relmse, ours.relmse) for ours, theirs in runs]
+    row = {"by": f"{count} spp", "relmse": min(map(median_relmse, zip(*runs))),
+           "relmse_ratio": ratio_columns("relmse", errors)["relmse_ratio"]}
+    for who, own in zip(("candela", "Cycles"), zip(*runs)):
+        row[f"relmse_cpu_s_{who}"] = statistics.median(run.relmse * run.cpu_seconds for run in own)
+    for key, error, seconds in MEASURES:
+        row |= ratio_columns(key, [time_to_their_error(*pair, i, error, seconds)
+                                   for pair in pairs])
+    return row
+
+
+def goal_row(goal, pairs):
+    """None where the two do not get there."""
+    found = {key: times_to(goal, pairs, error, seconds) for key, error, seconds in MEASURES}
+    if not found["cpu"] or not found["wall"]:
+        return None
+    row = {"by": f"time to {goal:g}", "relmse": goal, "relmse_ratio": None,
+           "relmse_cpu_s_candela": None, "relmse_cpu_s_Cycles": None}
+    for key, ratios in found.items():
+        row |= ratio_columns(key, ratios)
+    return row
+
+
+def median_relmse(runs):
+    return statistics.median(run.relmse for run in runs)
+
+
+def judged(row, *references):
+    """Whether both are good enough for the smallest error that the row speaks of."""
+    words = {truth.judged(reference, [row["relmse"]]) for reference in references}
+    return "good" if words == {"good"} else "too noisy"
 
 
 def times_to(goal, pairs, error, seconds):
@@ -268,25 +304,16 @@ def times_to(goal, pairs, error, seconds):
     return ratios
 
 
-def times_to_their_error(pairs, i, error, seconds):
-    """How many times as long Cycles' picture i takes, pair by pair, as candela does to its error: by
-    the line through candela's own points. Where they begin below that error the first one's time
-    counts; where they end above it the last one's, lengthened as plain random numbers would be."""
-    errors = [spread(getattr(run, error) for run in point).median
-              for point in zip(*(ours for ours, _ in pairs))]
-    goal = spread(getattr(theirs[i], error) for _, theirs in pairs).median
-    ratios = []
-    for ours, theirs in pairs:
-        times = [getattr(run, seconds) for run in ours]
-        own = x_where(goal, times, errors)
-        if own is None:
-            own = times[0] if errors[0] < goal else times[-1] * errors[-1] / goal
-        ratios.append(getattr(theirs[i], seconds) / own)
-    return ratios
-
-
-def columns(key, values):
-    """Empty where there are no values."""
-    of = spread(values) if values else None
-    return {f"{key}_{name}": getattr(of, part, None)
-            for name, part in (("ratio", "median"), ("low", "low"), ("high", "high"))}
+def time_to_their_error(ours, theirs, i, error, seconds):
+    """How many times as long Cycles' picture i takes as candela does to that picture's error: by
+    the line through candela's pictures of the pair. Where they begin below that error the first
+    one's time counts; where they end above it the last one's, lengthened as plain random numbers
+    would be. nan where an error is lost in the reference's noise."""
+    goal = getattr(theirs[i], error)
+    times, errors = ([getattr(run, key) for run in ours] for key in (seconds, error))
+    if min(goal, *errors) <= 0:
+        return math.nan
+    own = x_where(goal, times, errors)
+    if own is None:
+        own = times[0] if errors[0] < goal else times[-1] * errors[-1] / goal
+    return getattr(theirs[i], seconds) / own

@@ -3,9 +3,8 @@
 import math
 import pathlib
 
+import truth
 from references import layers, reference, side_by_side, square
-from renders import Candela
-from results import write_csv
 
 ABOUT = "what stating an error costs: noise with more replicates over that with one"
 
@@ -20,13 +19,13 @@ def add_arguments(parser):
     parser.add_argument("--seeds", type=int, default=16, help="pictures a case (16)")
 
 
-def relmse(candela, path, truth, spp, replicates, seeds):
+def relmse(candela, path, right, spp, replicates, seeds):
     """Mean over the seeds, and its standard error."""
     def one(seed):
         render = candela.render(f"picture_{seed}", path, png=False, size=square(SIZE), spp=spp,
                                 seed=seed, threads=1, replicates=replicates,
                                 aov="variance,heavy_tail")
-        return truth.relmse(layers(render)[0])
+        return right.relmse(layers(render)[0])
 
     values = side_by_side(one, range(1, seeds + 1))
     mean = sum(values) / seeds
@@ -34,26 +33,30 @@ def relmse(candela, path, truth, spp, replicates, seeds):
 
 
 def run(options):
+    from renders import Candela
+    from results import Results
     out = options.out.resolve()
-    out.mkdir(parents=True, exist_ok=True)
     candela = Candela(options.program, out / "renders")
+    results = Results(out, "Replicates", __doc__, candela.version())
     rows = []
-    print("| relMSE over that of one replicate | spp | " +
-          " | ".join(map(str, REPLICATES[1:])) + " |")
-    print("|---|---:|" + "---:|" * (len(REPLICATES) - 1))
     for name in CASES:
         path = ROOT / "assets" / name / f"{name}.yaml"
-        truth = reference(candela, f"reference_{path.stem}", path, size=square(SIZE),
+        right = reference(candela, f"reference_{path.stem}", path, size=square(SIZE),
                           spp=16 * max(COUNTS))
         for spp in COUNTS:
-            found = [relmse(candela, path, truth, spp, r, options.seeds) for r in REPLICATES]
-            one, one_error = found[0]
-            ratios = []
-            for replicates, (mean, error) in zip(REPLICATES[1:], found[1:]):
-                ratio = mean / one
-                plus_minus = 2 * ratio * math.hypot(error / mean, one_error / one)
-                ratios.append(f"{ratio:.2f} ± {plus_minus:.2f}")
-                rows.append({"case": name, "spp": spp, "replicates": replicates, "ratio": ratio,
-                             "plus_minus": plus_minus})
-            print(f"| {name} | {spp} | " + " | ".join(ratios) + " |", flush=True)
-    write_csv(out / "replicates.csv", rows)
+            found = [relmse(candela, path, right, spp, r, options.seeds) for r in REPLICATES]
+            rows += [{"case": name, "spp": spp} | row for row in rows_of(found, right)]
+        print(f"{name}: done", flush=True)
+    results.table("replicates", "relMSE over that of one replicate", rows,
+                  "plus_minus: twice the standard error.")
+    results.finish()
+
+
+def rows_of(found, right):
+    """`found`: mean and standard error by number of replicates."""
+    one, one_error = found[0]
+    for replicates, (mean, error) in zip(REPLICATES[1:], found[1:]):
+        ratio = mean / one
+        yield {"replicates": replicates, "ratio": ratio,
+               "plus_minus": 2 * ratio * math.hypot(error / mean, one_error / one),
+               "reference": truth.judged(right, [mean], [one])}

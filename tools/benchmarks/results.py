@@ -22,10 +22,11 @@ class Results:
         out.mkdir(parents=True, exist_ok=True)
 
     def table(self, name, title, rows, text=""):
-        """`rows`: dicts of one shape; keys are the columns."""
+        """`rows`: dicts of one shape; keys are the columns. Without a name no file is written."""
         if not rows:
             return self.note(f"{title}: nothing was measured.")
-        write_csv(self.out / f"{name}.csv", rows)
+        if name:
+            write_csv(self.out / f"{name}.csv", rows)
         print(f"\n{title}\n{text_table(rows)}", flush=True)
         self.parts.append(f"<h2>{html.escape(title)}</h2>"
                           + (f"<p>{html.escape(text)}</p>" if text else "") + html_table(rows))

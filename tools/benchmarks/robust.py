@@ -1,12 +1,12 @@
-"""What Embree's robust mode costs: rays a second of CPU time, through bare calls, with and without it,
-on the rays of real paths; alternating runs of one program."""
+"""What Embree's robust mode costs: time with it over that without, median and range of alternating
+runs of one program. ray: CPU time of a ray of real paths through bare calls; build and render: wall
+time."""
 
-import json
 import pathlib
-import statistics
 
 import renders
 import scenes
+from fits import spread
 
 ABOUT = "what Embree's robust mode costs, in rays a second and in render time"
 
@@ -30,27 +30,25 @@ def seconds_of(candela, scene, robust, spp):
             render.seconds)
 
 
-def spread(values):
-    return f"{statistics.median(values):.2f} ({min(values):.2f}-{max(values):.2f})"
-
-
-def measure(candela, name, scene, options):
-    """A table's row: ratios on / off, each pair one after the other."""
-    ratios = {"time a ray": [], "build": [], "render": []}
-    for _ in range(options.pairs):
-        off = seconds_of(candela, scene, "off", options.spp)
-        on = seconds_of(candela, scene, "on", options.spp)
-        for figure, a, b in zip(ratios, on, off):
-            ratios[figure].append(a / b)
-    print(f"| {name} | " + " | ".join(spread(values) for values in ratios.values()) + " |",
-          flush=True)
-    return {"scene": name} | ratios
+def row(candela, name, scene, options):
+    """Ratios on / off, each pair one after the other."""
+    pairs = [[seconds_of(candela, scene, robust, options.spp) for robust in ("off", "on")]
+             for _ in range(options.pairs)]
+    found = {"scene": name}
+    for figure, *values in zip(("ray", "build", "render"), *(zip(off, on) for off, on in pairs)):
+        of = spread(on / off for off, on in values)
+        found |= {figure: of.median, f"{figure}_low": of.low, f"{figure}_high": of.high}
+    print(f"{name}: {found['ray']:.2f}", flush=True)
+    return found
 
 
 def run(options):
+    from results import Results
     found = scenes.scenes_by_name(ROOT)
     chosen = options.scene or ["cornell_box"] + [name for name in found if name.startswith("lab3/")]
-    candela = renders.Candela(options.program, options.out)
-    print("| scene | time a ray, on / off | build | render |\n| --- | ---: | ---: | ---: |")
-    rows = [measure(candela, name, found[name], options) for name in chosen]
-    (options.out / "robust.json").write_text(json.dumps(rows, indent=1))
+    out = options.out.resolve()
+    candela = renders.Candela(options.program, out / "renders")
+    results = Results(out, "Robust mode", __doc__, candela.version())
+    results.table("robust", f"On over off, {options.pairs} pairs",
+                  [row(candela, name, found[name], options) for name in chosen])
+    results.finish()

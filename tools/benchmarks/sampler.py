@@ -1,7 +1,7 @@
 """Scrambled Sobol points against plain random numbers: by how much relMSE is lower.
 
-Without splitting and adaptive sampling, box filter. The ratio is of means over seeds; the range that
-of the pictures in pairs of one seed.
+Without splitting and adaptive sampling, box filter. The ratio is of means over seeds; the range
+that of the pictures in pairs of one seed. cpu: the CPU time with Sobol points over that without.
 """
 
 import pathlib
@@ -9,6 +9,7 @@ import statistics
 
 import chosen_scenes
 import truth
+from fits import ratio_of_errors, spread
 
 ABOUT = "scrambled Sobol points against plain random numbers: by how much relMSE is lower"
 # Squares far smaller than a pixel, so that every sample is a toss of a coin.
@@ -31,30 +32,38 @@ def add_arguments(parser):
 
 def run(options):
     from renders import Candela
+    from results import Results
     out = options.out.resolve()
-    candela = Candela(options.program, out)
+    candela = Candela(options.program, out / "renders")
+    results = Results(out, "Sobol points", __doc__, candela.version())
     size = options.size or (48 if options.quick else 96)
     seeds = range(1, 1 + (options.seeds or (2 if options.quick else 8)))
     box = chosen_scenes.chosen(candela, out, ["cornell_box_diffuse"], ())["cornell_box_diffuse"]
     checker = out / "checker.pbrt"
     checker.write_text(CHECKER)
-    print("| picture | replicates | 16 spp | 64 spp |\n|---|---:|---:|---:|")
+    rows = []
     for name, scene, extra in (("Cornell box, direct light", box, {"max_depth": 1}),
                                ("Cornell box", box, {"max_depth": "none"}),
                                ("sub-pixel checker", pathlib.Path(checker), {"max_depth": 1})):
         right = truth.reference(candela, name.replace(" ", "_").replace(",", ""), scene, size,
                                 256 if options.quick else 4096, **extra)
-        for replicates in (1, 4):
-            cells = [gain(candela, scene, right, seeds, size=f"{size}x{size}", spp=spp,
-                          replicates=replicates, **extra) for spp in (16, 64)]
-            print(f"| {name} | {replicates} | {cells[0]} | {cells[1]} |", flush=True)
+        rows += [{"picture": name, "replicates": replicates, "spp": spp}
+                 | gain(candela, scene, right, seeds, size=f"{size}x{size}", spp=spp,
+                        replicates=replicates, **extra)
+                 for replicates in (1, 4) for spp in (16, 64)]
+        print(f"{name}: done", flush=True)
+    results.table("sampler", "relMSE of plain random numbers over Sobol points', "
+                  f"{size}x{size}, {len(seeds)} seeds", rows)
+    results.finish()
 
 
 def gain(candela, scene, right, seeds, **options):
-    def relmse(sampler):
-        return [truth.measured(candela, scene, right, seed=seed, threads=1, adaptive="off",
-                               splitting=1, sampler=sampler, **options).relmse for seed in seeds]
-    plain, sobol = relmse("independent"), relmse("sobol")
-    ratios = sorted(p / s for p, s in zip(plain, sobol))
-    return (f"{statistics.fmean(plain) / statistics.fmean(sobol):.2f} "
-            f"({ratios[0]:.2f} to {ratios[-1]:.2f})")
+    plain, sobol = zip(*([truth.measured(candela, scene, right, seed=seed, threads=1,
+                                         adaptive="off", splitting=1, sampler=sampler, **options)
+                          for sampler in ("independent", "sobol")] for seed in seeds))
+    errors = [[run.relmse for run in runs] for runs in (plain, sobol)]
+    range_ = spread(map(ratio_of_errors, *errors))
+    return {"ratio": ratio_of_errors(*map(statistics.fmean, errors)), "low": range_.low,
+            "high": range_.high,
+            "cpu": spread(s.cpu_seconds / p.cpu_seconds for p, s in zip(plain, sobol)).median,
+            "reference": truth.judged(right, *errors)}

@@ -1,5 +1,5 @@
-"""Runs the cases of tests/stress in their heavy versions and makes one table of what they measured:
-stress.csv with one figure a line, stress.md with one table a test."""
+"""Runs the cases of tests/stress in their heavy versions and tells what they measured: stress.csv
+with one figure a line, the page and stress.md with one table a test."""
 
 import csv
 import json
@@ -90,7 +90,21 @@ def markdown(rows, verdicts):
     return "\n\n".join(parts) + "\n"
 
 
+def tell(results, rows, verdicts):
+    for (suite, test), verdict in verdicts.items():
+        own = [row for row in rows if (row["suite"], row["test"]) == (suite, test)]
+        names = list(dict.fromkeys(name for row in own for name in row["figures"]))
+        if not own:
+            results.note(f"{suite}.{test}: {verdict}")
+            continue
+        results.table(None, f"{suite}.{test}: {verdict}",
+                      [{"case": row["case"]} | {name: text_of(row["figures"], name)
+                                                for name in names} for row in own])
+
+
 def run(options):
+    from renders import Candela
+    from results import Results
     options.out.mkdir(parents=True, exist_ok=True)
     rows_file, report = options.out / "rows.jsonl", options.out / "tests.json"
     report.unlink(missing_ok=True)
@@ -99,7 +113,9 @@ def run(options):
         if rows_file.exists() else []
     verdicts = outcomes(report) if report.exists() else {}
     write_csv(options.out / "stress.csv", rows, verdicts)
-    page = markdown(rows, verdicts)
-    (options.out / "stress.md").write_text(page)
-    print(page)
+    (options.out / "stress.md").write_text(markdown(rows, verdicts))
+    results = Results(options.out, "The stress bench", __doc__,
+                      Candela(options.program, options.out).version())
+    tell(results, rows, verdicts)
+    results.finish()
     return 0 if passed else 6
