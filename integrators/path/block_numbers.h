@@ -73,8 +73,8 @@ class BlockNumbers {
   SobolPointLanes direction_{};
   Lanes<std::uint32_t> roulette_{};
   Lanes<std::uint32_t> material_{};
-  // Not even set in kernels without media, or guides.
-  Lanes<std::uint32_t> free_flight_;
+  Lanes<std::uint32_t> free_flight_{};
+  // Not even set in kernels without guides.
   Lanes<std::uint32_t> guide_choice_;
 };
 

@@ -77,8 +77,7 @@ class Convoy {
   }
 
   static void step_alone(BlockTrip<A>& trip, LaneMask lanes) {
-    for_each_lane(lanes,
-                  [&](std::uint32_t i) { trip.count_for(i, [&] { step_lane<F>(trip, i); }); });
+    for_each_lane(lanes, [&](std::uint32_t i) { step_lane<F>(trip, i); });
   }
 
   void step_together() {

@@ -84,10 +84,11 @@ template <FeatureSet F, class A>
                                                      const Guide<F>& guide, const Vec3f& wo_local,
                                                      TileCounts& counts) {
   const auto [light, is_sky] = sample_light_or_sky<F>(context.scene, index, point, u);
-  if (!light.is_valid()) return {};
-  Rgb contribution = unshadowed_contribution<F>(
-      context.options, point, guide, light.wi, light.pdf, light.is_delta, choice, light.radiance,
-      [&](const Vec3f& wi) { return evaluate_bsdf<F.models>(bsdf, wo_local, wi); });
+  Rgb contribution(0);
+  if (light.is_valid())
+    contribution = unshadowed_contribution<F>(
+        context.options, point, guide, light.wi, light.pdf, light.is_delta, choice, light.radiance,
+        [&](const Vec3f& wi) { return evaluate_bsdf<F.models>(bsdf, wo_local, wi); });
   if (is_black(contribution)) {
     ++counts.skipped.shadow_rays;
     return {};

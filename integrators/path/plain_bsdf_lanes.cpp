@@ -107,13 +107,12 @@ template <PlainModel model>
     samples.contribution.set(i, contribution);
   }
   for (std::size_t i = 0; i < block_size; ++i) {
-    const std::uint32_t is_valid = flag(samples.pdf[i] > 0);
     Rgb contribution = samples.contribution[i];
-    dark[i] = is_valid & flag(is_black(contribution));
+    dark[i] = flag(is_black(contribution));
     contribution *= met.throughput[i];
     samples.contribution.set(i, contribution);
     Ray shadow_ray = samples.shadow_ray(i);
-    to_trace[i] = is_valid & flag(!is_black(contribution)) & flag(is_traceable(shadow_ray));
+    to_trace[i] = flag(!is_black(contribution)) & flag(is_traceable(shadow_ray));
   }
   return {filled_mask(dark, lanes), filled_mask(to_trace, lanes)};
 }

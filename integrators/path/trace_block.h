@@ -20,8 +20,6 @@ namespace candela {
 template <class A>
 [[nodiscard]] inline HitBlock intersect_lanes(const A& accelerator, const RayBlock& rays,
                                               LaneMask lanes, std::uint32_t bounce) {
-  constexpr std::uint32_t fewest_of_packet = 4;
-  if (lane_count(lanes) < fewest_of_packet) return intersect_one_by_one(accelerator, rays, lanes);
   return accelerator.intersect(rays, lanes, coherence_of(bounce));
 }
 
@@ -69,8 +67,11 @@ inline void step_lane(BlockTrip<A>& trip, std::uint32_t i) {
   Ray ray = block.rays[i];
   PathState path = block.paths[i];
   DirectLight picked;
-  const bool goes_on = take_step<F>(context, numbers_of<F>(trip, i), trip.bounce, i, block.hits[i],
-                                    ray, path, picked, block, trip.counts);
+  bool goes_on = false;
+  trip.count_for(i, [&] {
+    goes_on = take_step<F>(context, numbers_of<F>(trip, i), trip.bounce, i, block.hits[i], ray,
+                           path, picked, block, trip.counts);
+  });
   if (!is_black(picked.contribution) && is_traceable(picked.shadow_ray)) {
     block.shadow_rays.set(i, picked.shadow_ray);
     block.unshadowed.set(i, picked.contribution);

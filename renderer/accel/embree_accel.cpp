@@ -33,6 +33,22 @@ Lanes<float> nearer(const Lanes<float>& a, const Lanes<float>& b) {
   return least;
 }
 
+// Blocks of fewer rays take longer than the rays one by one, by Embree and by a list of faces
+// (docs/decisions.md, "From how many rays on a packet pays").
+constexpr std::uint32_t fewest_of_packet(Coherence coherence) {
+  return coherence == Coherence::Coherent ? 4 : 13;
+}
+constexpr std::uint32_t fewest_of_shadow_packet = 8;
+constexpr std::uint32_t fewest_of_list = 4;
+
+LaneMask lanes_where(LaneMask lanes, const auto& holds) {
+  LaneMask found = 0;
+  for_each_lane(lanes, [&](std::uint32_t i) {
+    if (holds(i)) found |= 1u << i;
+  });
+  return found;
+}
+
 // From Embree's IDs to the scene's.
 Hit in_tables_of_instance(const Scene& scene, Hit hit) {
   hit.instance = instance_of_id(scene, hit.instance);
@@ -83,6 +99,11 @@ bool EmbreeAccel::State::occluded(RTCScene in, const Ray& ray) const {
 
 HitBlock EmbreeAccel::State::intersect(RTCScene in, const RayBlock& rays, LaneMask lanes,
                                        Coherence coherence) const {
+  HitBlock hits;
+  if (lane_count(lanes) < fewest_of_packet(coherence)) {
+    for_each_lane(lanes, [&](std::uint32_t i) { hits.set(i, intersect(in, rays[i])); });
+    return hits;
+  }
   embree::Query query;
   embree::initialise(query, nullptr, &rays);
   RTCRayHit16 ray_hits;
@@ -91,7 +112,6 @@ HitBlock EmbreeAccel::State::intersect(RTCScene in, const RayBlock& rays, LaneMa
   std::fill_n(ray_hits.hit.instID[0], block_size, none);
   embree::intersect_block(in, valid.lanes.data(), ray_hits, query, coherence);
 
-  HitBlock hits;
   set_hits(ray_hits, hits);
   for_each_lane(hits.instanced,
                 [&](std::uint32_t i) { hits.set(i, in_tables_of_instance(*scene, hits[i])); });
@@ -99,6 +119,8 @@ HitBlock EmbreeAccel::State::intersect(RTCScene in, const RayBlock& rays, LaneMa
 }
 
 LaneMask EmbreeAccel::State::occluded(RTCScene in, const RayBlock& rays, LaneMask lanes) const {
+  if (lane_count(lanes) < fewest_of_shadow_packet)
+    return lanes_where(lanes, [&](std::uint32_t i) { return occluded(in, rays[i]); });
   embree::Query query;
   embree::initialise(query, nullptr, &rays);
   RTCRay16 embree_rays;
@@ -131,6 +153,11 @@ bool EmbreeAccel::State::is_occluded(const Ray& ray) const {
 HitBlock EmbreeAccel::State::nearest(const RayBlock& rays, LaneMask lanes,
                                      Coherence coherence) const {
   if (few.faces.is_empty()) return intersect(world.get(), rays, lanes, coherence);
+  if (lane_count(lanes) < fewest_of_list) {
+    HitBlock hits;
+    for_each_lane(lanes, [&](std::uint32_t i) { hits.set(i, nearest(rays[i])); });
+    return hits;
+  }
   FaceList::BlockAnswer answer = few.faces.intersect(rays, lanes);
   for_each_lane(answer.open,
                 [&](std::uint32_t i) { answer.hits.set(i, intersect(world.get(), rays[i])); });
@@ -152,16 +179,15 @@ HitBlock EmbreeAccel::State::nearest(const RayBlock& rays, LaneMask lanes,
 
 LaneMask EmbreeAccel::State::are_occluded(const RayBlock& rays, LaneMask lanes) const {
   if (few.faces.is_empty()) return occluded(world.get(), rays, lanes);
+  if (lane_count(lanes) < fewest_of_list)
+    return lanes_where(lanes, [&](std::uint32_t i) { return is_occluded(rays[i]); });
   FaceList::BlockOcclusion answer = few.faces.occluded(rays, lanes);
-  for_each_lane(answer.open, [&](std::uint32_t i) {
-    if (occluded(world.get(), rays[i])) answer.occluded |= 1u << i;
-  });
+  answer.occluded |=
+      lanes_where(answer.open, [&](std::uint32_t i) { return occluded(world.get(), rays[i]); });
   if (!rest) return answer.occluded;
-  for_each_lane(few.boxes.entered(rays, lanes & ~answer.open & ~answer.occluded),
-                [&](std::uint32_t i) {
-                  if (occluded(rest.get(), rays[i])) answer.occluded |= 1u << i;
-                });
-  return answer.occluded;
+  return answer.occluded |
+         lanes_where(few.boxes.entered(rays, lanes & ~answer.open & ~answer.occluded),
+                     [&](std::uint32_t i) { return occluded(rest.get(), rays[i]); });
 }
 
 Hit EmbreeAccel::intersect(const Ray& ray) const {
