@@ -1,10 +1,11 @@
 // The questions a path asks of a light: one switch over the kinds for each.
 //
 //   sample_light      a direction towards a given light (next-event estimation)
-//   light_pdf         the density with which sample_light would have found what a BSDF sample met
-//                     (paths, which know more of what they met, ask by ways of their own)
 //   emitted_radiance  what a ray sees that hits an emitting surface
-// The radiance of rays that leave the scene is environment_radiance (environment.h).
+// The radiance of rays that leave the scene is environment_radiance (environment.h). The density
+// with which sample_light would have found what a path met is for who knows what that is: a sphere
+// (sphere_light_pdf), the environment (environment_pdf), or a triangle, which may be half of a quad
+// (path_step.h).
 #pragma once
 
 #include "renderer/light/directional_light.h"
@@ -72,34 +73,6 @@ template <LightKindSet kinds = all_light_kinds>
       break;
   }
   return {};
-}
-
-// The density in solid angle, given the light was chosen, of a ray from `from` along the unit wi
-// that met the light at `distance` (ignored for the environment). `normal`: the receiver's
-// SurfacePoint::receiving_normal. 0 for delta lights. `from_centre`: the unit
-// direction in which spheres were met.
-[[nodiscard]] inline float light_pdf(const LightTables& tables, const Light& light,
-                                     const Vec3f& from, const Vec3f& normal, const Vec3f& wi,
-                                     float distance, const Vec3f& from_centre = Vec3f(0)) {
-  switch (light.kind) {
-    case LightKind::Point:
-    case LightKind::Spot:
-    case LightKind::Directional:
-    case LightKind::Goniometric:
-    case LightKind::Projection:
-      return 0;
-    case LightKind::Triangle:
-    case LightKind::TexturedTriangle:
-      return triangle_light_pdf(light, wi, distance);
-    case LightKind::Quad:
-    case LightKind::NearTriangle:
-      return quad_light_pdf(light, from, normal, wi, distance);
-    case LightKind::Environment:
-      return environment_pdf(*tables.environment, wi);
-    case LightKind::Sphere:
-      return sphere_light_pdf(light, from_centre, wi, distance);
-  }
-  return 0;
 }
 
 // Radiance that leaves an emitting triangle or sphere where a hit has (u, v) towards the unit

@@ -2,8 +2,10 @@
 // that meet them agree on it.
 #include <gtest/gtest.h>
 
+#include "integrators/path/path_step.h"
 #include "integrators/ray_bench/record_rays.h"
 #include "renderer/accel/embree_accel.h"
+#include "tests/light/directions.h"
 #include "tests/light/map_images.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
@@ -54,6 +56,31 @@ TEST(Unit_TexturedLamps, ShowTheirImage) {
   EXPECT_NEAR(seen(0.375, 0.4375).y, 2, 1e-4);    // v = .06
   EXPECT_NEAR(seen(0.625, 0.1875).z, 40, 0.05);   // the bright texel: column 6, row 5
   EXPECT_EQ(seen(0.625, 0.1875).x, 0);
+}
+
+// What a light sample finds has the density with which a path that meets it weighs it.
+TEST(Unit_TexturedLamps, AreMetWithTheDensityOfTheirSamples) {
+  for (const LightSampling light_sampling : {LightSampling::Area, LightSampling::SolidAngle}) {
+    RenderOptions options;
+    options.light_sampling = light_sampling;
+    const Scene scene = compiled(lamp_over_floor("lamp_met"), options);
+    const Normalisation& n = scene.normalisation;
+    SurfacePoint from = light_test::at(Vec3f((Vec3d(0.2, 0.1, 0.8) - n.centre) * n.scale));
+    from.receiving_normal = {0, 0, 1};
+    PathState path;
+    path.receiving_normal = from.receiving_normal;
+    ASSERT_EQ(scene.lights.size(), 2u);
+    for (std::uint32_t lamp = 0; lamp < 2; ++lamp)
+      for (std::uint64_t i = 0; i < 100; ++i) {
+        const LightSample sample = sample_light(light_tables(scene), scene.lights[lamp], from,
+                                                light_test::random_pair(i, 4));
+        ASSERT_TRUE(sample.is_valid());
+        const Ray& ray = sample.shadow_ray;
+        const float distance = length(ray.origin + ray.direction - from.position);
+        const float met = met_triangle_pdf(scene, lamp, from.position, path, sample.wi, distance);
+        EXPECT_NEAR(met / (scene.light_sampler.probability(lamp) * sample.pdf), 1, 1e-3);
+      }
+  }
 }
 
 // Samples of the lamp alone, paths that meet it alone, and both together, in whole pictures.

@@ -6,6 +6,7 @@
 #include "renderer/light/sample_light.h"
 #include "tests/light/directions.h"
 #include "tests/light/finite_samples.h"
+#include "tests/light/met_lamp.h"
 #include "tests/statistics/distributions.h"
 
 namespace candela {
@@ -71,10 +72,10 @@ double distance_to(const TriangleCase& c, const Vec3d& d) {
   return u >= 0 && v >= 0 && u + v <= 1 && t > 0 ? t : 0;
 }
 
-double pdf_towards(const TriangleCase& c, const Light& light, const Vec3f& d) {
+double pdf_towards(const TriangleCase& c, const light_test::MetLamp& lamp, const Vec3f& d) {
   const double t = distance_to(c, Vec3d(d));
   if (!(t > 0)) return 0;
-  return static_cast<double>(light_pdf({}, light, c.p, c.normal, d, static_cast<float>(t)));
+  return static_cast<double>(lamp.pdf(c.p, c.normal, d, t));
 }
 
 // Nothing of the near ones is outside of a hemisphere about their plane's normal.
@@ -94,8 +95,9 @@ TEST(Unit_NearTriangle, AreThoseThatAreSeenLarge) {
 TEST(Statistical_NearTriangle, DensityIntegratesToOne) {
   for (const TriangleCase& c : cases()) {
     const Light light = light_of(c.vertices);
+    const light_test::MetLamp lamp(light);
     const statistics::Moments sum = light_test::random_integral(
-        cap_of(c), 500'000, [&](const Vec3f& d) { return pdf_towards(c, light, d); });
+        cap_of(c), 500'000, [&](const Vec3f& d) { return pdf_towards(c, lamp, d); });
     EXPECT_GT(sum.p_value(1), 1e-4) << c.name << ": " << sum.mean();
     EXPECT_LT(sum.standard_error(), 0.02) << c.name;
   }
@@ -104,10 +106,10 @@ TEST(Statistical_NearTriangle, DensityIntegratesToOne) {
 TEST(Statistical_NearTriangle, SamplesFitTheDensity) {
   for (const TriangleCase& c : cases()) {
     const Light light = light_of(c.vertices);
+    const light_test::MetLamp lamp(light);
     const auto direction = [&](Vec2f u) -> std::optional<Vec3f> { return sample(c, light, u).wi; };
-    const double p_value =
-        light_test::chi_square_p_value(cap_of(c), 60, 300'000, direction,
-                                       [&](const Vec3f& d) { return pdf_towards(c, light, d); });
+    const double p_value = light_test::chi_square_p_value(
+        cap_of(c), 60, 300'000, direction, [&](const Vec3f& d) { return pdf_towards(c, lamp, d); });
     EXPECT_GT(p_value, statistics::sidak_level(0.01, static_cast<double>(cases().size())))
         << c.name;
   }
@@ -144,6 +146,7 @@ TEST(Statistical_NearTriangle, SamplesAreWeightedByTheirDensity) {
 TEST(Unit_NearTriangle, SampleAndPdfAgreeAndEndOnTheTriangle) {
   for (const TriangleCase& c : cases()) {
     const Light light = light_of(c.vertices);
+    const light_test::MetLamp lamp(light);
     int compared = 0;
     for (std::uint64_t i = 0; i < 1000; ++i) {
       const LightSample s = sample(c, light, light_test::random_pair(i, 3));
@@ -152,7 +155,7 @@ TEST(Unit_NearTriangle, SampleAndPdfAgreeAndEndOnTheTriangle) {
       EXPECT_NEAR(length(s.wi), 1, 3e-7);
       if (!(distance_to(c, Vec3d(s.wi)) > 0)) continue;  // rounding took it past an edge
       ++compared;
-      EXPECT_NEAR(pdf_towards(c, light, s.wi) / static_cast<double>(s.pdf), 1, 3e-3) << c.name;
+      EXPECT_NEAR(pdf_towards(c, lamp, s.wi) / static_cast<double>(s.pdf), 1, 3e-3) << c.name;
     }
     EXPECT_GT(compared, 900) << c.name;
   }
@@ -191,6 +194,7 @@ TEST(Unit_NearTriangle, ShinesOnTheSideOfItsWindingOrOnBoth) {
 TEST(Unit_NearTriangle, StaysFiniteWhereItGrazesOrTouches) {
   for (const float width : {1.0f, 1e-3f, 1e-7f, 1e-15f}) {
     const Light light = light_of({Vec3f(0), {1, 0, 0}, {0, width, 0}});
+    const light_test::MetLamp lamp(light);
     const Vec3f points[] = {{0, 0, 0},
                             {1, 0, 0},
                             {0, width, 0},

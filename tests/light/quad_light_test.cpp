@@ -6,6 +6,7 @@
 #include "renderer/light/sample_light.h"
 #include "tests/light/directions.h"
 #include "tests/light/finite_samples.h"
+#include "tests/light/met_lamp.h"
 #include "tests/statistics/distributions.h"
 
 namespace candela {
@@ -73,10 +74,10 @@ double distance_to(const QuadCase& c, const Vec3d& d) {
   return u >= 0 && u <= 1 && v >= 0 && v <= 1 && t > 0 ? t : 0;
 }
 
-double pdf_towards(const QuadCase& c, const Light& light, const Vec3f& d) {
+double pdf_towards(const QuadCase& c, const light_test::MetLamp& lamp, const Vec3f& d) {
   const double t = distance_to(c, Vec3d(d));
   if (!(t > 0)) return 0;
-  return static_cast<double>(light_pdf({}, light, c.p, c.normal, d, static_cast<float>(t)));
+  return static_cast<double>(lamp.pdf(c.p, c.normal, d, t));
 }
 
 // What a direction's density does within the lamp is at most a few times its mean, so a cap about
@@ -100,8 +101,9 @@ TEST(Unit_QuadLight, IsNearWhereItShouldBe) {
 TEST(Statistical_QuadLight, DensityIntegratesToOne) {
   for (const QuadCase& c : cases()) {
     const Light light = light_of(c);
+    const light_test::MetLamp lamp(light);
     const statistics::Moments sum = light_test::random_integral(
-        cap_of(c), 300'000, [&](const Vec3f& d) { return pdf_towards(c, light, d); });
+        cap_of(c), 300'000, [&](const Vec3f& d) { return pdf_towards(c, lamp, d); });
     if (std::string(c.name) == "edge on") continue;  // 300'000 directions hardly meet it
     EXPECT_GT(sum.p_value(1), 1e-4) << c.name << ": " << sum.mean();
     EXPECT_LT(sum.standard_error(), 0.1) << c.name;
@@ -140,6 +142,7 @@ TEST(Statistical_QuadLight, SamplesAreWeightedByTheirDensity) {
 TEST(Unit_QuadLight, SampleAndPdfAgreeAndEndOnTheQuad) {
   for (const QuadCase& c : cases()) {
     const Light light = light_of(c);
+    const light_test::MetLamp lamp(light);
     int compared = 0;
     for (std::uint64_t i = 0; i < 1000; ++i) {
       const LightSample s = sample_light({}, light, receiver(c), light_test::random_pair(i, 3));
@@ -150,7 +153,7 @@ TEST(Unit_QuadLight, SampleAndPdfAgreeAndEndOnTheQuad) {
       if (!(distance > 0)) continue;  // rounding took the direction past an edge
       ++compared;
       // Grazing, what rounding does to the direction shows in the cosine and so in the density.
-      EXPECT_NEAR(pdf_towards(c, light, s.wi) / static_cast<double>(s.pdf), 1, 3e-3) << c.name;
+      EXPECT_NEAR(pdf_towards(c, lamp, s.wi) / static_cast<double>(s.pdf), 1, 3e-3) << c.name;
     }
     EXPECT_GT(compared, 900) << c.name;
   }
@@ -213,6 +216,7 @@ TEST(Unit_QuadLight, StaysFiniteWhereItGrazesOrTouches) {
 TEST(Statistical_QuadLight, KnowsItsSolidAngleFromFarToTouching) {
   for (const float height : {1e6f, 1e3f, 30.0f, 4.6f, 4.4f, 1.0f, 0.1f, 1e-3f, 1e-5f}) {
     const Light light = *make_quad_light(square, Rgb(1), true, true);
+    const light_test::MetLamp lamp(light);
     statistics::Moments moments;
     for (std::uint64_t i = 0; i < 20'000; ++i) {
       const LightSample s = sample_light({}, light, light_test::at({0, 0, 2 + height}),

@@ -56,8 +56,7 @@ double pdf_towards(const SphereCase& c, const Light& light, const Vec3f& d) {
   const SphereHit hit =
       intersect_sphere(c.sphere, {c.p, d, infinity}, infinity, [](float, float) { return true; });
   if (!hit.is_hit()) return 0;
-  return static_cast<double>(
-      light_pdf({}, light, Vec3f(0), Vec3f(0), d, hit.t, from_octahedron({hit.u, hit.v})));
+  return static_cast<double>(sphere_light_pdf(light, from_octahedron({hit.u, hit.v}), d, hit.t));
 }
 
 LightSample sample_at(const Light& light, const Vec3f& p, Vec2f u) {
@@ -170,8 +169,8 @@ TEST(Unit_SphereLight, ShinesOnItsSide) {
 TEST(Unit_SphereLight, TheFarSideIsNotSampledFromOutside) {
   const Light light = make_sphere_light({}, Rgb(1), true);
   const Vec3f wi{0, 0, 1};
-  EXPECT_GT(light_pdf({}, light, Vec3f(0), Vec3f(0), wi, 1, {0, 0, -1}), 0.0f);
-  EXPECT_EQ(light_pdf({}, light, Vec3f(0), Vec3f(0), wi, 3, {0, 0, 1}), 0.0f);
+  EXPECT_GT(sphere_light_pdf(light, {0, 0, -1}, wi, 1), 0.0f);
+  EXPECT_EQ(sphere_light_pdf(light, {0, 0, 1}, wi, 3), 0.0f);
 }
 
 // What lies on the sphere itself sees nothing of its outside: rounding must not make it a cone.

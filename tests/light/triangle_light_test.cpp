@@ -6,6 +6,7 @@
 #include "renderer/light/sample_light.h"
 #include "tests/light/directions.h"
 #include "tests/light/finite_samples.h"
+#include "tests/light/met_lamp.h"
 #include "tests/statistics/distributions.h"
 #include "tests/statistics/moments.h"
 
@@ -52,17 +53,18 @@ double distance_to(const TriangleCase& c, const Vec3f& d) {
   return u >= 0 && v >= 0 && u + v <= 1 && t > 0 ? t : 0;
 }
 
-double pdf_towards(const TriangleCase& c, const Light& light, const Vec3f& d) {
+double pdf_towards(const TriangleCase& c, const light_test::MetLamp& lamp, const Vec3f& d) {
   const double t = distance_to(c, d);
   if (!(t > 0)) return 0;
-  return static_cast<double>(light_pdf({}, light, c.p, Vec3f(0), d, static_cast<float>(t)));
+  return static_cast<double>(lamp.pdf(c.p, Vec3f(0), d, t));
 }
 
 TEST(Statistical_TriangleLight, DensityIntegratesToOne) {
   for (const TriangleCase& c : cases()) {
     const Light light = make_triangle_light(c.vertices, Rgb(1), true);
+    const light_test::MetLamp lamp(light);
     const statistics::Moments sum = light_test::random_integral(
-        cap_of(c), 1'000'000, [&](const Vec3f& d) { return pdf_towards(c, light, d); });
+        cap_of(c), 1'000'000, [&](const Vec3f& d) { return pdf_towards(c, lamp, d); });
     EXPECT_GT(sum.p_value(1), 1e-4) << c.name << ": " << sum.mean();
     EXPECT_LT(sum.standard_error(), 0.01) << c.name;
   }
@@ -71,11 +73,12 @@ TEST(Statistical_TriangleLight, DensityIntegratesToOne) {
 TEST(Statistical_TriangleLight, SamplesFitTheDensity) {
   for (const TriangleCase& c : cases()) {
     const Light light = make_triangle_light(c.vertices, Rgb(1), true);
+    const light_test::MetLamp lamp(light);
     const auto sample = [&](Vec2f u) -> std::optional<Vec3f> {
       return sample_light({}, light, light_test::at(c.p), u).wi;
     };
     const double p_value = light_test::chi_square_p_value(
-        cap_of(c), 40, 1'000'000, sample, [&](const Vec3f& d) { return pdf_towards(c, light, d); });
+        cap_of(c), 40, 1'000'000, sample, [&](const Vec3f& d) { return pdf_towards(c, lamp, d); });
     EXPECT_GT(p_value, statistics::sidak_level(0.01, static_cast<double>(cases().size())))
         << c.name;
   }
@@ -84,6 +87,7 @@ TEST(Statistical_TriangleLight, SamplesFitTheDensity) {
 TEST(Unit_TriangleLight, SampleAndPdfAgreeAndEndOnTheTriangle) {
   for (const TriangleCase& c : cases()) {
     const Light light = make_triangle_light(c.vertices, Rgb(1, 2, 3), true);
+    const light_test::MetLamp lamp(light);
     for (std::uint64_t i = 0; i < 1000; ++i) {
       const LightSample s =
           sample_light({}, light, light_test::at(c.p), light_test::random_pair(i, 3));
@@ -92,9 +96,7 @@ TEST(Unit_TriangleLight, SampleAndPdfAgreeAndEndOnTheTriangle) {
       EXPECT_NEAR(length(s.wi), 1, 3e-7);
       const double distance = distance_to(c, s.wi);
       if (distance > 0) {  // else rounding took the direction past an edge
-        EXPECT_NEAR(light_pdf({}, light, c.p, Vec3f(0), s.wi, static_cast<float>(distance)) / s.pdf,
-                    1, 1e-5)
-            << c.name;
+        EXPECT_NEAR(lamp.pdf(c.p, Vec3f(0), s.wi, distance) / s.pdf, 1, 1e-5) << c.name;
       }
       // The segment ends on the near side of the exact plane, within twice the stated bound.
       const Vec3d n = normalize(cross(Vec3d(c.vertices[1]) - Vec3d(c.vertices[0]),
@@ -148,11 +150,13 @@ TEST(Statistical_TriangleLight, RectangleOverPlaneGivesLambertsIrradiance) {
 // Points in the light's plane, on its vertices and edges, and right above: no NaN, no Inf.
 TEST(Unit_TriangleLight, StaysFiniteWhereItGrazesOrTouches) {
   const Light light = make_triangle_light({Vec3f(0), {1, 0, 0}, {0, 1, 0}}, Rgb(5), true);
+  const light_test::MetLamp lamp(light);
   const Vec3f points[] = {{0, 0, 0},     {1, 0, 0},        {0.25f, 0.25f, 0},
                           {5, 5, 0},     {2, 0, 1e-38f},   {0.3f, 0.3f, 1e-30f},
                           {2, 0, 1e-7f}, {-1, -1, -1e-20f}};
   light_test::expect_finite_samples(light, points, 10'000);
-  EXPECT_EQ(light_pdf({}, light, Vec3f(0), Vec3f(0), {1, 0, 0}, 2), 0.0f);  // along the plane
+  EXPECT_EQ(light_test::MetLamp(light).pdf(Vec3f(0), Vec3f(0), {1, 0, 0}, 2),
+            0.0f);  // along the plane
 }
 
 // What compiling drops has no area; what it keeps has a density that is a number.
