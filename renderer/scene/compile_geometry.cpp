@@ -126,10 +126,11 @@ bool are_normals_flat(const Geometry& geometry) {
                      });
 }
 
-// A geometry of the picked triangles with just the vertices they use.
+// A geometry of the picked triangles with just the vertices they use, which are marked in
+// `is_kept`.
 Geometry picked(const description::Mesh& mesh, const MeshArrays& arrays,
-                std::span<const std::uint32_t> triangles, std::uint32_t material,
-                bool is_mirrored) {
+                std::span<const std::uint32_t> triangles, std::uint32_t material, bool is_mirrored,
+                std::vector<bool>& is_kept) {
   Geometry geometry;
   geometry.material = MaterialHandle(material);
   geometry.triangles.reserve(triangles.size());
@@ -145,9 +146,20 @@ Geometry picked(const description::Mesh& mesh, const MeshArrays& arrays,
     if (is_mirrored) std::swap(t[1], t[2]);
     geometry.triangles.push_back(t);
   }
+  for (std::size_t v = 0; v < renumbered.size(); ++v)
+    if (renumbered[v] != Handle<Geometry>::none) is_kept[v] = true;
   orient_windings(geometry);
   if (are_normals_flat(geometry)) std::vector<Vec3f>().swap(geometry.normals);
   return geometry;
+}
+
+// What the vertices of a geometry had in the mesh and have no more.
+void count_dropped_attributes(const description::Mesh& mesh, const Geometry& geometry,
+                              DropCounts& dropped) {
+  if (!mesh.normals.empty() && geometry.normals.empty())
+    dropped["normals that say what the winding says"] += geometry.positions.size();
+  if (!mesh.uvs.empty() && geometry.uvs.empty())
+    dropped["texture coordinates that nothing reads"] += geometry.positions.size();
 }
 
 void compile_placement(const SceneDescription& description, const CompileOptions& options,
@@ -167,6 +179,7 @@ void compile_placement(const SceneDescription& description, const CompileOptions
                     normalised_normals(mesh, placement.to_normalised),
                     {}};
   const bool is_mirrored = placement.to_normalised.determinant() < 0;
+  std::vector<bool> is_kept(mesh.positions.size(), false);
   for (const auto& [index, triangles] : by_material(mesh, placement)) {
     const Material& material = scene.materials[index];
     const SortedTriangles sorted =
@@ -178,11 +191,16 @@ void compile_placement(const SceneDescription& description, const CompileOptions
       const bool reads_opacity = is_partial || !options.decides_cutouts;
       const bool reads_uv = material.reads_uv || (reads_opacity && material.opacity.texture);
       arrays.uvs = reads_uv ? mesh.uvs : std::vector<Vec2f>{};
-      placement.geometries.push_back(picked(mesh, arrays, chosen, index, is_mirrored));
-      placement.geometries.back().has_cutouts = is_partial;
-      placement.geometries.back().reads_tangents = material.reads_tangents;
+      Geometry geometry = picked(mesh, arrays, chosen, index, is_mirrored, is_kept);
+      geometry.has_cutouts = is_partial;
+      geometry.reads_tangents = material.reads_tangents;
+      count_dropped_attributes(mesh, geometry, placement.dropped);
+      placement.geometries.push_back(std::move(geometry));
     }
   }
+  const auto unused = std::count(is_kept.begin(), is_kept.end(), false);
+  if (unused > 0)
+    placement.dropped["vertices that no triangle needs"] += static_cast<std::uint64_t>(unused);
 }
 
 bool is_emissive(const SceneDescription& description, const Scene& scene,
@@ -241,16 +259,28 @@ struct SharedObject {
   Transform to_mesh;  // object space -> the mesh's own numbers
 };
 
-Plan plan_placements(const SceneDescription& description, Scene& scene) {
+void count_meshes_without_place(const SceneDescription& description, DropCounts& dropped) {
+  std::vector<bool> is_placed(description.meshes.size(), false);
+  for (const description::Instance& instance : description.instances)
+    is_placed[instance.mesh.index] = true;
+  const auto unplaced = std::count(is_placed.begin(), is_placed.end(), false);
+  if (unplaced > 0) dropped["meshes without a place"] += static_cast<std::uint64_t>(unplaced);
+}
+
+Plan plan_placements(const SceneDescription& description, Scene& scene, DropCounts& dropped) {
   std::map<MeshUse, std::size_t> uses;
   for (const description::Instance& instance : description.instances) ++uses[use_of(instance)];
+  count_meshes_without_place(description, dropped);
 
   Plan plan;
   std::map<MeshUse, SharedObject> objects;
   const Transform to_world = normalising(scene.normalisation);
   for (const description::Instance& instance : description.instances) {
     const MeshUse use = use_of(instance);
-    if (uses[use] == 1 || is_emissive(description, scene, instance)) {
+    const bool is_single = uses[use] == 1;
+    if (is_single || is_emissive(description, scene, instance)) {
+      ++dropped[is_single ? "instances that are the only one of their mesh"
+                          : "instances that are lamps"];
       plan.placements.push_back(
           {instance.mesh, instance.material_override, to_world * instance.object_to_world, {}, {}});
       plan.object_of.emplace_back();
@@ -307,7 +337,7 @@ class SpheresByKind {
 
 void compile_geometry(const SceneDescription& description, const CompileOptions& options,
                       Scene& scene, DropCounts& dropped) {
-  Plan plan = plan_placements(description, scene);
+  Plan plan = plan_placements(description, scene, dropped);
   parallel_for(plan.placements.size(), [&](std::size_t i) {
     compile_placement(description, options, scene, plan.placements[i]);
   });
