@@ -97,6 +97,26 @@ TEST(Agreement_Adaptive, SameBitsOverThreadsTilesAndCrops) {
   expect_same_bits_however_rendered(scene, settings, result.film.to_image(true), {5, 11, 20, 32});
 }
 
+// Of pilots whose samples share blocks: lights that every hit asks cost rays of their own, and
+// which paths are left over for single steps depends on what else is on its way.
+TEST(Agreement_Adaptive, SameBitsWhereThePilotsPixelsShareBlocks) {
+  RenderSettings settings = adaptive_settings(48);
+  settings.options.replicates = 5;
+  settings.options.samples_per_pixel = 120;
+  description::SceneDescription room = small_room();
+  for (const double x : {-0.6, -0.2, 0.2, 0.6})
+    add_light(room, description::PointLight{{x, 0.3, 0.4}, Vec3d(0.1)});
+  const auto metal = add_material(room, description::ConductorMaterial{.roughness = {0.3, {}, 0}});
+  add_mesh(room, sphere(Vec3d(0.2, -0.5, 0), 0.4, 3), metal);
+  const Scene scene = compiled(room, settings.options);
+  const RenderResult own = rendered(scene, settings);
+  EXPECT_GT(own.film.max_samples(), own.film.min_samples());
+  const Image whole = own.film.to_image(true);
+  expect_same_bits_however_rendered(scene, settings, whole, {5, 11, 30, 40});
+  settings.options.use_general_kernel = true;
+  EXPECT_EQ(picture(scene, settings).values, whole.values);
+}
+
 // Too few samples for a pilot, or no replicates to tell its noise by: as without.
 TEST(Unit_Adaptive, StandsBackWhereAPilotIsNotWorthIt) {
   for (const auto& [samples, replicates] : {std::pair{63, 4}, std::pair{256, 1}}) {

@@ -7,14 +7,13 @@
 #include <set>
 #include <utility>
 
-#include "tests/scenes/description.h"
+#include "tests/scenes/coincident_walls.h"
 #include "tests/scenes/render_scene.h"
 
 namespace candela {
 namespace {
 
 using namespace test;
-using description::SceneDescription;
 
 using Pixels = std::vector<std::pair<int, int>>;
 
@@ -76,20 +75,6 @@ TEST(Unit_SharedBlock, IsForPassesThatDoNotFillBlocks) {
   pass.range = {0, 16};
   pass.density = &density;
   EXPECT_TRUE(leaves_lanes_empty(pass));
-}
-
-// Walls of two colours in the very same place: which of them a ray of a packet meets may depend on
-// the others in it.
-SceneDescription walls_of_two_colours() {
-  SceneDescription scene = small_room();
-  const std::size_t count = scene.meshes.size();
-  for (std::size_t m = 0; m < count; ++m) {
-    description::Mesh mesh = scene.meshes[m];
-    if (scene.materials[mesh.materials.at(0).index].emission != Vec3d(0.0)) continue;
-    std::swap(mesh.triangles.front(), mesh.triangles.back());
-    add_mesh(scene, mesh, add_material(scene, description::DiffuseMaterial{{Vec3d(0.1), {}}}));
-  }
-  return scene;
 }
 
 TEST(Agreement_SharedBlock, CompanyChangesNoBit) {

@@ -2,48 +2,17 @@
 // the same seed, and are what they say.
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "tests/tools/run_program.h"
+#include "tests/tools/generated_scenes.h"
 
 namespace candela::cli_test {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* python = "/usr/bin/python3";  // Debian's, as in tools/scene_gen
-
-struct SceneCase {
-  std::string name;
-  std::string parameters;       // as Python takes them
-  std::uint64_t triangles = 0;  // as seen, instances counted
-  bool is_random = true;
-};
-
-const std::vector<SceneCase>& cases() {
-  static const std::vector<SceneCase> all{
-      {"attic", "", 7 * 2 + 2 + 512 + 1 + 4, false},
-      {"door_ajar", "gap=20", 12 * 4 + 12 + 5 * 12 + 512 + 12 + 2, false},
-      {"forest", "trees=40, leaves=100", 2 * 128 * 128 + 40 * (12 + 100)},
-      {"glass_and_mirrors", "balls=3", 4 + 4 + 4 + 12 + 2 + 3 * 2048},
-      {"lamps", "lamps=50", 12 + 12 * 20 + 2 * 50},
-      {"mis_plates", "", 12 + 4 * 2 + 4 * 128, false},
-      {"soup", "triangles=300", 300},
-      {"terrain", "triangles=200", 200, false},
-      {"white_room", "", 3 * 12 + 512 + 2, false},
-      {"window", "", 2 * 12 + 512 + 4, false}};
-  return all;
-}
-
-// All of them in one process; each in a folder of its own below `out`.
 ProgramResult generate_all(const std::string& out, int seed) {
-  std::string script = "import sys, pathlib; sys.path.insert(0, '" CANDELA_SOURCE_DIR
-                       "/tools/dev')\nfrom scene_gen.generate import generate\n";
-  for (const SceneCase& scene : cases())
-    script += fmt::format("generate('{0}', pathlib.Path('{1}/{0}'), {2}, {3})\n", scene.name, out,
-                          seed, scene.parameters);
-  return Program({python, "-B", "-c", script}, ErrorStream::File).finish();
+  return generate_scenes(generated_scenes(), out, seed);
 }
 
 // All meshes of a folder, one after another. (The YAML file's comment names the seed.)
@@ -57,9 +26,7 @@ std::string meshes_of(const std::string& folder) {
 class Unit_SceneGen : public testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists(python) ||
-        Program({python, "-c", "import numpy"}, ErrorStream::File).finish().exit_code != 0)
-      GTEST_SKIP() << "Debian's python3-numpy is not installed";
+    if (!can_generate_scenes()) GTEST_SKIP() << "Debian's python3-numpy is not installed";
   }
 };
 
@@ -67,7 +34,7 @@ TEST_F(Unit_SceneGen, EverySceneIsReadWithoutAWordAndHasTheTrianglesThatItSays) 
   const std::string folder = fresh_folder("scenes");
   const ProgramResult made = generate_all(folder, 1);
   ASSERT_EQ(made.exit_code, 0) << made.error;
-  for (const SceneCase& scene : cases()) {
+  for (const GeneratedScene& scene : generated_scenes()) {
     const ProgramResult read =
         run_candela({"info", folder + "/" + scene.name + "/" + scene.name + ".yaml", "--json"});
     ASSERT_EQ(read.exit_code, 0) << read.error;
@@ -82,7 +49,7 @@ TEST_F(Unit_SceneGen, TheSameSeedGivesTheSameFilesAndAnotherOneOthers) {
   ASSERT_EQ(generate_all(first, 1).exit_code, 0);
   ASSERT_EQ(generate_all(again, 1).exit_code, 0);
   ASSERT_EQ(generate_all(other, 2).exit_code, 0);
-  for (const SceneCase& scene : cases()) {
+  for (const GeneratedScene& scene : generated_scenes()) {
     const std::string name = "/" + scene.name, yaml = name + name + ".yaml";
     EXPECT_TRUE(file_text(first + yaml) == file_text(again + yaml)) << scene.name;
     EXPECT_TRUE(meshes_of(first + name) == meshes_of(again + name)) << scene.name;

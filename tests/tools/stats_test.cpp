@@ -75,6 +75,59 @@ TEST(Unit_Stats, TellWhatImagesTookThatRaysMet) {
   EXPECT_LT(decoding, stats["cpu_seconds"]["render"]);
 }
 
+// A wall before the camera, another one behind it, and a point light at this z; nothing but direct
+// light, so that no ray leaves for what the camera does not see.
+Json stats_of_two_walls(const std::string& light_z, const std::string& wall_behind,
+                        const std::vector<std::string>& more) {
+  const std::string folder = fresh_folder("walls");
+  for (const char* image : {"tiles", "bricks"})
+    std::filesystem::copy(fmt::format("{}/assets/cutouts/{}.png", CANDELA_SOURCE_DIR, image),
+                          folder);
+  write_text(folder + "/before.obj",
+             "v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+             "f 1/1 2/2 3/3 4/4\n");
+  write_text(folder + "/behind.obj",
+             "v -9 -9 8\nv 9 -9 8\nv 9 9 8\nv -9 9 8\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+             "f 4/4 3/3 2/2 1/1\n");
+  write_text(folder + "/walls.yaml",
+             "Cameras: [{Eye: [0, 0, 4], Target: [0, 0, 0], Fovy: 40}]\n"
+             "Lights: [{Type: Point, Position: [0, 0, " +
+                 light_z +
+                 "], Intensity: [9, 9, 9]}]\n"
+                 "Materials:\n"
+                 "  - {Name: tiles, Type: diffuse, kd_map: tiles.png}\n"
+                 "  - {Name: bricks, Type: diffuse, kd_map: bricks.png}\n"
+                 "Models:\n  - {Mesh: before.obj, Material: tiles}\n"
+                 "  - {Mesh: behind.obj, Material: " +
+                 wall_behind + "}\n");
+  std::vector<std::string> arguments{"--max-depth", "1"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return stats_of(arguments, folder + "/walls.yaml");
+}
+
+TEST(Unit_Stats, CountShadowRaysOfSurfacesThatTurnFromTheirLamp) {
+  constexpr int samples = 12 * 8 * 3;
+  for (const char* kernel : {"special", "general"}) {
+    const auto stats_with_light_at = [&](const char* z) {
+      return stats_of_two_walls(z, "bricks", {"--kernel", kernel});
+    };
+    const Json behind_the_wall = stats_with_light_at("-2");
+    EXPECT_EQ(behind_the_wall["skipped"]["shadow_rays"], samples) << kernel;
+    EXPECT_EQ(behind_the_wall["rays"]["shadow"], 0) << kernel;
+    const Json before_it = stats_with_light_at("2");
+    EXPECT_EQ(before_it["skipped"]["shadow_rays"], 0) << kernel;
+    EXPECT_EQ(before_it["rays"]["shadow"], samples) << kernel;
+    // Of the box's walls some turn from some of its lamp.
+    EXPECT_GT(stats_of({"--kernel", kernel})["skipped"]["shadow_rays"], 0) << kernel;
+  }
+}
+
+TEST(Unit_Stats, CountTheImagesThatNoRayMeets) {
+  EXPECT_EQ(stats_of_two_walls("2", "bricks", {})["skipped"]["textures"], 1);
+  EXPECT_EQ(stats_of_two_walls("2", "tiles", {})["skipped"]["textures"], 0);
+  EXPECT_EQ(stats_of({})["skipped"]["textures"], 0);
+}
+
 TEST(Unit_Stats, TheImageTellsTheSame) {
   const std::string folder = fresh_folder("metadata");
   const ProgramResult result =
