@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "integrators/path/context.h"
 #include "integrators/pixel_cover.h"
+#include "integrators/trial.h"
 #include "renderer/accel/placement.h"
 #include "renderer/geometry/geometry_bounds.h"
 
@@ -28,13 +28,11 @@ std::size_t triangle_count(const Scene& scene) {
   return count + 12 * scene.instances.size();
 }
 
-// A look at a triangle takes about as long as a few samples' rays.
+// A look at a triangle takes about as long as a few samples' rays. By the whole picture, since
+// which pixels share blocks depends on it.
 bool is_worth_it(const Scene& scene, const RenderOptions& options) {
   constexpr double fewest_samples = 16;  // a triangle
-  const PixelRect rect = rendered_rect(options);
-  const double samples =
-      static_cast<double>(rect.width()) * rect.height() * options.samples_per_pixel;
-  return samples >= fewest_samples * static_cast<double>(triangle_count(scene));
+  return picture_samples(options) >= fewest_samples * static_cast<double>(triangle_count(scene));
 }
 
 // An instance's box, widened by what rounding moves.

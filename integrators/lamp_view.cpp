@@ -5,37 +5,51 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/base/parallel.h"
 #include "renderer/math/constants.h"
 
 namespace candela {
 namespace {
 
-using Polygon = std::vector<Vec2d>;
+using Places = std::vector<Vec2d>;
+
+// A sphere's outline has the most.
+constexpr int most_corners = 16;
+
+// Kept on the stack, since pixels are many. Rounding may leave an outline with small dents, of
+// which each of four sides can make half as many corners again.
+struct Polygon {
+  std::array<Vec2d, 81> corners;
+  std::size_t size = 0;
+
+  void add(const Vec2d& corner) { corners[size++] = corner; }
+};
 
 // What lies on the side of `limit` that `sign` tells [Sutherland74b].
-void clip(Polygon& polygon, int axis, double limit, double sign, Polygon& clipped) {
-  clipped.clear();
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2d& a = polygon[i];
-    const Vec2d& b = polygon[(i + 1) % polygon.size()];
+void clip(const Polygon& polygon, int axis, double limit, double sign, Polygon& clipped) {
+  clipped.size = 0;
+  for (std::size_t i = 0; i < polygon.size; ++i) {
+    const Vec2d& a = polygon.corners[i];
+    const Vec2d& b = polygon.corners[i + 1 == polygon.size ? 0 : i + 1];
     const double inside_a = sign * (a[axis] - limit);
     const double inside_b = sign * (b[axis] - limit);
-    if (inside_a >= 0) clipped.push_back(a);
+    if (inside_a >= 0) clipped.add(a);
     if ((inside_a < 0) == (inside_b < 0)) continue;
-    clipped.push_back(a + (b - a) * (inside_a / (inside_a - inside_b)));
+    clipped.add(a + (b - a) * (inside_a / (inside_a - inside_b)));
   }
-  polygon.swap(clipped);
 }
 
 // Of what of a convex polygon lies in a rectangle; empty where nothing does.
-Bounds<Vec2d> bounds_within(Polygon polygon, const Bounds<Vec2d>& rectangle) {
+Bounds<Vec2d> bounds_within(std::span<const Vec2d> outline, const Bounds<Vec2d>& rectangle) {
+  Polygon polygon;
   Polygon clipped;
+  for (const Vec2d& corner : outline) polygon.add(corner);
   for (int axis = 0; axis < 2; ++axis) {
     clip(polygon, axis, rectangle.lower[axis], 1, clipped);
-    clip(polygon, axis, rectangle.upper[axis], -1, clipped);
+    clip(clipped, axis, rectangle.upper[axis], -1, polygon);
   }
   Bounds<Vec2d> bounds;
-  for (const Vec2d& corner : polygon) bounds.include(corner);
+  for (std::size_t i = 0; i < polygon.size; ++i) bounds.include(polygon.corners[i]);
   return bounds;
 }
 
@@ -61,15 +75,50 @@ std::vector<Vec3d> polygon_around(const Sphere& sphere, const Camera& camera) {
   const Vec3d aside = std::abs(normal.x) < 0.5 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0);
   const Vec3d u = normalize(cross(normal, aside));
   const Vec3d v = cross(normal, u);
-  constexpr int corners = 16;
-  const double distance = radius * std::sqrt(1 - share) / std::cos(pi_double / corners);
+  const double distance = radius * std::sqrt(1 - share) / std::cos(pi_double / most_corners);
   std::vector<Vec3d> polygon;
-  for (int i = 0; i < corners; ++i) {
-    const double angle = 2 * pi_double * i / corners;
+  for (int i = 0; i < most_corners; ++i) {
+    const double angle = 2 * pi_double * i / most_corners;
     polygon.push_back(centre + axis * share +
                       (u * std::cos(angle) + v * std::sin(angle)) * distance);
   }
   return polygon;
+}
+
+// Whether all of a pixel's samples lie in a rectangle: nothing can be added to it.
+bool holds(const Bounds<Vec2d>& rectangle, const Vec2d& centre, double radius) {
+  const Vec2d low = rectangle.lower - centre;
+  const Vec2d high = rectangle.upper - centre;
+  return std::max(low.x, low.y) <= -radius && std::min(high.x, high.y) >= radius;
+}
+
+enum class Side : std::uint8_t { Within, Across, Beside };
+
+// Where a rectangle lies to a convex outline: for sure, by `slack`; Across where that is not known.
+Side side_of(const Vec2d& centre, const Vec2d& reach, const Vec2d& slack,
+             std::span<const Vec2d> outline, double orientation) {
+  Side side = Side::Within;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2d& a = outline[i];
+    const Vec2d edge = outline[i + 1 == outline.size() ? 0 : i + 1] - a;
+    const Vec2d inwards = orientation * Vec2d(-edge.y, edge.x);
+    const double distance = dot(inwards, centre - a);
+    const double wide = dot(glm::abs(inwards), reach + slack);
+    if (distance < -wide) return Side::Beside;
+    if (!(distance > wide)) side = Side::Across;
+  }
+  return side;
+}
+
+// 1 or -1: to which side of its edges a convex outline lies; 0 where it is a line or a point.
+double orientation_of(std::span<const Vec2d> outline) {
+  double area = 0;
+  for (std::size_t i = 2; i < outline.size(); ++i) {
+    const Vec2d u = outline[i - 1] - outline[0];
+    const Vec2d v = outline[i] - outline[0];
+    area += u.x * v.y - u.y * v.x;
+  }
+  return area > 0 ? 1 : area < 0 ? -1 : 0;
 }
 
 }  // namespace
@@ -81,36 +130,50 @@ LampViews::LampViews(const Camera& camera, const Bounds3f& bounds, const Filter&
       projection_(camera, extent_of(bounds)),
       width_(width),
       height_(height),
-      slack_(std::max(width, height) * 0x1p-20),
-      slots_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0u) {}
+      slack_(std::max(width, height) * 0x1p-20) {}
 
-LampViews::Rectangle& LampViews::rectangle_of(int x, int y) {
-  std::uint32_t& slot = slots_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                               static_cast<std::size_t>(x)];
-  if (slot == 0) {
-    rectangles_.emplace_back();
-    slot = static_cast<std::uint32_t>(rectangles_.size());
-  }
-  return rectangles_[slot - 1];
-}
-
-// If an outline is off by no more than `wrong`, so is what lies within a rectangle of what it
-// should be within one that is larger by that.
 void LampViews::add_outline(std::span<const Vec2d> outline, const Vec2d& wrong) {
-  const Vec2d slack = wrong + slack_;
-  const Vec2d reach = slack + static_cast<double>(filter_.radius());
+  const Vec2d reach = wrong + slack_ + static_cast<double>(filter_.radius());
   Rectangle all;
   for (const Vec2d& corner : outline) all.include(corner);
   all = widened(all, reach + 0.5);  // of the pixels' middles
-  const Vec2d last(width_ - 1, height_ - 1);
-  const glm::ivec2 low(glm::clamp(all.lower, Vec2d(0.0), last));
-  const glm::ivec2 high(glm::clamp(all.upper, Vec2d(0.0), last));
-  const Polygon polygon(outline.begin(), outline.end());
-  for (int y = low.y; y <= high.y; ++y)
-    for (int x = low.x; x <= high.x; ++x) {
+  const Vec2d size(width_, height_);
+  if (all.is_empty() || glm::any(glm::lessThan(all.upper, Vec2d(0.0))) ||
+      glm::any(glm::greaterThanEqual(all.lower, size)))
+    return;
+  const std::size_t first = corners_.size();
+  corners_.insert(corners_.end(), outline.begin(), outline.end());
+  outlines_.push_back(
+      {first,
+       corners_.size(),
+       wrong,
+       {glm::floor(glm::max(all.lower, Vec2d(0.0))), glm::floor(glm::min(all.upper, size - 1.0))}});
+}
+
+// In rows of the picture. If an outline is off by no more than `wrong`, so is what lies within a
+// rectangle of what it should be within one that is larger by that.
+void LampViews::see(const Outline& outline, int first, int end, std::span<Rectangle> seen) const {
+  const int first_y = std::max(first, static_cast<int>(outline.pixels.lower.y));
+  const int end_y = std::min(end, static_cast<int>(outline.pixels.upper.y) + 1);
+  if (first_y >= end_y) return;
+  const int first_x = static_cast<int>(outline.pixels.lower.x);
+  const int end_x = static_cast<int>(outline.pixels.upper.x) + 1;
+  const std::span<const Vec2d> corners =
+      std::span(corners_).subspan(outline.first, outline.end - outline.first);
+  const double orientation = orientation_of(corners);
+  const auto radius = static_cast<double>(filter_.radius());
+  const Vec2d slack = outline.wrong + slack_;
+  const Vec2d reach = slack + radius;
+  for (int y = first_y; y < end_y; ++y)
+    for (int x = first_x; x < end_x; ++x) {
+      Rectangle& pixel = seen[index(x, y - first)];
       const Vec2d centre(x + 0.5, y + 0.5);
-      const Rectangle seen = bounds_within(polygon, {centre - reach, centre + reach});
-      if (!seen.is_empty()) rectangle_of(x, y).include(widened(seen, slack));
+      if (holds(pixel, centre, radius)) continue;
+      const Side side = side_of(centre, reach, slack, corners, orientation);
+      if (side == Side::Beside) continue;
+      const Rectangle around{centre - reach, centre + reach};
+      const Rectangle part = side == Side::Within ? around : bounds_within(corners, around);
+      if (!part.is_empty()) pixel.include(widened(part, slack));
     }
 }
 
@@ -119,7 +182,7 @@ void LampViews::add_convex(std::span<const Projection::Point> corners) {
   const auto in_pixels = [&](const Vec2d& film) {
     return Vec2d((film.x + 1) * half_size.x, (1 - film.y) * half_size.y);
   };
-  Polygon outline;
+  Places outline;
   if (const std::optional<Vec2d> wrong = projection_.places(corners, outline)) {
     for (Vec2d& corner : outline) corner = in_pixels(corner);
     return add_outline(outline, *wrong * half_size);
@@ -159,17 +222,32 @@ void LampViews::add(const Sphere& sphere) {
   add_convex(points);
 }
 
-std::vector<LampView> LampViews::views() const {
+std::vector<LampView> LampViews::views_of_rows(int first, int end) const {
+  std::vector<Rectangle> seen(index(0, end - first));
+  for (const Outline& outline : outlines_) see(outline, first, end, seen);
   std::vector<LampView> views;
-  views.reserve(rectangles_.size());
-  for (std::size_t i = 0; i < slots_.size(); ++i) {
-    if (slots_[i] == 0) continue;
-    const auto x = static_cast<double>(i % static_cast<std::size_t>(width_));
-    const auto y = static_cast<double>(i / static_cast<std::size_t>(width_));
-    const Vec2d centre(x + 0.5, y + 0.5);
-    const Rectangle& seen = rectangles_[slots_[i] - 1];
-    const FilterPart part = filter_.part_within({seen.lower - centre, seen.upper - centre});
-    if (part.share() > 0) views.push_back({static_cast<std::uint32_t>(i), part});
+  for (int y = first; y < end; ++y)
+    for (int x = 0; x < width_; ++x) {
+      const Rectangle& pixel = seen[index(x, y - first)];
+      if (pixel.is_empty()) continue;
+      const Vec2d centre(x + 0.5, y + 0.5);
+      const FilterPart part = filter_.part_within({pixel.lower - centre, pixel.upper - centre});
+      if (part.share() > 0) views.push_back({static_cast<std::uint32_t>(index(x, y)), part});
+    }
+  return views;
+}
+
+std::vector<LampView> LampViews::views(const std::function<bool()>& is_over) const {
+  constexpr int rows = 16;
+  std::vector<std::vector<LampView>> strips(static_cast<std::size_t>((height_ + rows - 1) / rows));
+  parallel_for(strips.size(), [&](std::size_t i) {
+    const int first = static_cast<int>(i) * rows;
+    if (!is_over()) strips[i] = views_of_rows(first, std::min(first + rows, height_));
+  });
+  std::vector<LampView> views;
+  for (std::vector<LampView>& strip : strips) {
+    views.insert(views.end(), strip.begin(), strip.end());
+    strip = {};
   }
   return views;
 }

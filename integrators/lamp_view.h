@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -30,26 +31,38 @@ class LampViews {
   // Each triangle and sphere; not of an object that instances place.
   void add(const Geometry& geometry);
 
-  // By index.
-  [[nodiscard]] std::vector<LampView> views() const;
+  // By index; on all threads. `is_over`: asked between rows whether to leave out the rest.
+  [[nodiscard]] std::vector<LampView> views(const std::function<bool()>& is_over) const;
 
  private:
   using Rectangle = Bounds<Vec2d>;  // in pixels from the picture's upper left corner, y downwards
+  // Convex.
+  struct Outline {
+    std::size_t first = 0;  // corner
+    std::size_t end = 0;
+    Vec2d wrong{0.0};  // by how much it may be off
+    Rectangle pixels;  // by index, that it may be seen in
+  };
 
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x);
+  }
   void add(const Sphere& sphere);
   void add_convex(std::span<const Projection::Point> corners);
   void add_rectangle(const Rectangle& rectangle);
   void add_outline(std::span<const Vec2d> outline, const Vec2d& wrong);
-  [[nodiscard]] Rectangle& rectangle_of(int x, int y);
+  void see(const Outline& outline, int first, int end, std::span<Rectangle> seen) const;
+  [[nodiscard]] std::vector<LampView> views_of_rows(int first, int end) const;
 
   const Camera& camera_;
   const Filter& filter_;
   Projection projection_;
   int width_;
   int height_;
-  double slack_;                      // of where a sample lies, in pixels
-  std::vector<std::uint32_t> slots_;  // by pixel: of its rectangle, plus 1; 0: none
-  std::vector<Rectangle> rectangles_;
+  double slack_;  // of where a sample lies, in pixels
+  std::vector<Vec2d> corners_;
+  std::vector<Outline> outlines_;
 };
 
 }  // namespace candela

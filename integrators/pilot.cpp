@@ -9,11 +9,6 @@
 namespace candela {
 namespace {
 
-// --error, --relmse or --time.
-bool may_end_early(const RenderOptions& options) {
-  return options.target_relmse || options.time_limit_seconds;
-}
-
 // With all of the squares that share blocks: kernels ask for the samples of their pixels, too.
 PixelRect with_whole_squares(const PixelRect& crop, const RenderOptions& options) {
   const auto before = [](int i) { return i - i % shared_side; };

@@ -21,6 +21,9 @@ class PixelCover {
   // Cameras that map straight lines to straight lines: perspective without a lens, orthographic.
   [[nodiscard]] static bool has_projection(const Camera& camera);
 
+  // What a cover and its mask hold for each pixel.
+  static constexpr std::size_t bytes_a_pixel = sizeof(std::int32_t) + sizeof(PixelMask::value_type);
+
   // Of a whole picture of so many pixels. `bounds`: of all that will be added.
   PixelCover(const Camera& camera, const Bounds3f& bounds, const Filter& filter, int width,
              int height);

@@ -1,6 +1,7 @@
 #include "integrators/render.h"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 
@@ -13,6 +14,7 @@
 #include "integrators/render_rounds.h"
 #include "integrators/report/check_report.h"
 #include "integrators/report/report_context.h"
+#include "integrators/time_budget.h"
 #include "integrators/whitted/kernels.h"
 #include "renderer/math/white_balance.h"
 
@@ -34,14 +36,14 @@ auto observed_kernel(const Scene& scene) {
 
 template <class A>
 Kernel path_kernel(const Scene& scene, const A& accelerator, const Filter& filter,
-                   const RenderOptions& options) {
+                   const RenderOptions& options, const std::function<bool()>& is_over) {
   const PathKernel<A> kernel = path_instance<A>(scene, options);
   PathContext<A> context = make_path_context(scene, accelerator, filter, options);
-  const auto lamps = std::make_shared<const LampPixels>(find_lamp_pixels<media_features>(context));
+  const auto lamps =
+      std::make_shared<const LampPixels>(find_lamp_pixels<media_features>(context, is_over));
   context.lamps = lamps.get();
-  std::shared_ptr<const BackgroundPixels> background;
-  if (!options.use_general_kernel)
-    background = std::make_shared<const BackgroundPixels>(scene, filter, options);
+  // For the general kernel, too: which pixels share blocks must not depend on the kernel.
+  const auto background = std::make_shared<const BackgroundPixels>(scene, filter, options);
   context.background = background.get();
   return {"path/" + std::string(kernel.name),
           [render = kernel.render, observed = observed_kernel<A>(scene), context, lamps,
@@ -60,13 +62,14 @@ Kernel report_kernel(const Scene& scene, const A& accelerator, const Filter& fil
           }};
 }
 
-// What refers to its arguments lives as long as they do.
+// What refers to its arguments lives as long as they do. `is_over`: asked now and then whether to
+// leave out what takes time.
 template <class A>
 Kernel select_kernel(const Scene& scene, const A& accelerator, const Filter& filter,
-                     const RenderOptions& options) {
+                     const RenderOptions& options, const std::function<bool()>& is_over) {
   switch (options.integrator) {
     case IntegratorKind::Path:
-      return path_kernel(scene, accelerator, filter, options);
+      return path_kernel(scene, accelerator, filter, options, is_over);
     case IntegratorKind::Whitted:
       return whitted_kernel(scene, accelerator, options);
     case IntegratorKind::Raster:
@@ -75,6 +78,20 @@ Kernel select_kernel(const Scene& scene, const A& accelerator, const Filter& fil
       return report_kernel(scene, accelerator, filter, options);
   }
   throw std::invalid_argument("no such integrator");
+}
+
+// The options without what such scenes and strategies have none of.
+RenderOptions what_is_done(const Scene& scene, const RenderOptions& options) {
+  RenderOptions done = options;
+  if (!has_default_strategy(options)) done.guiding = Guiding::Off;
+  if (scene.features.media) {  // branches.h
+    done.guiding = Guiding::Off;
+    done.plan.splitting = 1;
+  }
+  done.chooses_roulette = options.chooses_roulette && options.integrator == IntegratorKind::Path &&
+                          done.plan.splitting == 1 && done.guiding == Guiding::Off &&
+                          has_default_strategy(options);
+  return done;
 }
 
 bool has_light(const Scene& scene) {
@@ -87,25 +104,22 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
                     const RenderOptions& options, ProgressSink* progress,
                     const CancelFlag* cancel) {
   const Filter filter = make_filter(options);
-  RenderOptions rounds = options;
-  if (!has_default_strategy(options)) rounds.guiding = Guiding::Off;
-  rounds.chooses_roulette = options.chooses_roulette &&
-                            options.integrator == IntegratorKind::Path &&
-                            options.plan.splitting == 1 && options.guiding == Guiding::Off &&
-                            has_default_strategy(options);
-  if (scene.features.media) {  // branches.h
-    rounds.guiding = Guiding::Off;
-    rounds.plan.splitting = 1;
-  }
+  const RenderOptions rounds = what_is_done(scene, options);
   RenderResult result{Film(options.width, options.height, rendered_rect(options), options.aovs,
                            film_replicates(options), film_balance(options)),
                       {},
                       {}};
+  const TimeBudget::Clock::time_point start = TimeBudget::Clock::now();
+  const TimeBudget budget(options.time_limit_seconds, start);
+  const auto is_over = [&] {
+    constexpr double share = 0.1;  // of the time, for what comes before the first sample
+    return (cancel != nullptr && cancel->load(std::memory_order_relaxed)) || budget.is_spent(share);
+  };
   std::visit(
       [&](const auto& backend) {
-        const Kernel kernel = select_kernel(scene, backend, filter, options);
+        const Kernel kernel = select_kernel(scene, backend, filter, options, is_over);
         const RoundsDone done = render_rounds(rounds, kernel.render_tile, result.film, progress,
-                                              cancel, has_light(scene));
+                                              cancel, has_light(scene), start);
         const TileCounts& counts = done.counts;
         result.statistics = {counts.rays,           counts.skipped, counts.invalid_samples,
                              counts.first_invalid,  kernel.name,    done.roulette.plan,

@@ -102,6 +102,11 @@ struct RenderOptions {
   float clamp = std::numeric_limits<float>::infinity();
 };
 
+// By another rule than the number of samples.
+[[nodiscard]] constexpr bool may_end_early(const RenderOptions& options) {
+  return options.target_relmse || options.time_limit_seconds;
+}
+
 struct RayCounts {
   std::uint64_t camera = 0;
   std::uint64_t indirect = 0;

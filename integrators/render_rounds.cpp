@@ -1,7 +1,5 @@
 #include "integrators/render_rounds.h"
 
-#include <chrono>
-
 #include "integrators/closer_look.h"
 #include "integrators/guiding/choose_guide.h"
 #include "integrators/pilot.h"
@@ -22,39 +20,18 @@ double deciding_relmse(const ErrorEstimate& error) {
   return (error.relmse + error.interval95.high) / 2;
 }
 
-// How many samples a pixel still fit into the time, from how long those so far took.
-class TimeBudget {
- public:
-  explicit TimeBudget(std::optional<double> limit_seconds) : limit_seconds_(limit_seconds) {}
-
-  [[nodiscard]] bool is_spent() const { return limit_seconds_ && seconds() >= *limit_seconds_; }
-  // In all, at the rate so far.
-  [[nodiscard]] double samples_in_time(std::uint32_t done) const {
-    if (!limit_seconds_ || done == 0) return std::numeric_limits<double>::infinity();
-    return done * *limit_seconds_ / seconds();
-  }
-
- private:
-  [[nodiscard]] double seconds() const {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-    return elapsed.count();
-  }
-
-  std::optional<double> limit_seconds_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 class Loop {
  public:
   Loop(const RenderOptions& options, const TileFunction& render_tile, Film& film,
-       ProgressSink* progress, const CancelFlag* cancel, bool has_light)
+       ProgressSink* progress, const CancelFlag* cancel, bool has_light,
+       TimeBudget::Clock::time_point start)
       : options_(options),
         render_tile_(render_tile),
         film_(film),
         progress_(progress),
         cancel_(cancel),
         has_light_(has_light),
-        budget_(options.time_limit_seconds),
+        budget_(options.time_limit_seconds, start),
         tiles_(tiles_of(film.crop(), options.tile_size)),
         pilot_(pilot_of(options)),
         look_(options, render_tile, [this] { return is_set(cancel_) || budget_.is_spent(); }) {}
@@ -235,8 +212,9 @@ class Loop {
 }  // namespace
 
 RoundsDone render_rounds(const RenderOptions& options, const TileFunction& render_tile, Film& film,
-                         ProgressSink* progress, const CancelFlag* cancel, bool has_light) {
-  return Loop(options, render_tile, film, progress, cancel, has_light).run();
+                         ProgressSink* progress, const CancelFlag* cancel, bool has_light,
+                         TimeBudget::Clock::time_point start) {
+  return Loop(options, render_tile, film, progress, cancel, has_light, start).run();
 }
 
 }  // namespace candela

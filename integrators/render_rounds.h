@@ -6,6 +6,7 @@
 #include "integrators/kernel.h"
 #include "integrators/render.h"
 #include "integrators/roulette/choose_roulette.h"
+#include "integrators/time_budget.h"
 
 namespace candela {
 
@@ -19,9 +20,10 @@ struct RoundsDone {
 
 // `has_light`: whether there is any to be met. Then a picture that has met none knows nothing of
 // its error, and states none, unless all of its samples were proven to see the background alone.
-[[nodiscard]] RoundsDone render_rounds(const RenderOptions& options,
-                                       const TileFunction& render_tile, Film& film,
-                                       ProgressSink* progress, const CancelFlag* cancel,
-                                       bool has_light = true);
+// `start`: of the time that there is.
+[[nodiscard]] RoundsDone render_rounds(
+    const RenderOptions& options, const TileFunction& render_tile, Film& film,
+    ProgressSink* progress, const CancelFlag* cancel, bool has_light = true,
+    TimeBudget::Clock::time_point start = TimeBudget::Clock::now());
 
 }  // namespace candela

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "renderer/film/film.h"
+#include "renderer/image/relmse.h"
 #include "renderer/sampling/hash.h"
 #include "renderer/sampling/sampler.h"
 
@@ -56,14 +57,13 @@ Vec3d run_block(TilePass pass, const TrialBlock& place, const RenderOptions& opt
 
 double picture_samples(const RenderOptions& options) {
   constexpr int surely = 128;  // a pixel
-  const bool is_open = options.target_relmse || options.time_limit_seconds;
-  const int samples =
-      is_open ? std::min(options.samples_per_pixel, surely) : options.samples_per_pixel;
+  const int samples = may_end_early(options) ? std::min(options.samples_per_pixel, surely)
+                                             : options.samples_per_pixel;
   return static_cast<double>(options.width) * options.height * samples;
 }
 
 double relative_weight(double mean, double picture_mean) {
-  return 1 / (mean * mean + 1e-2 * picture_mean * picture_mean);
+  return 1 / (mean * mean + relmse_epsilon(picture_mean));
 }
 
 double trimmed_sum(std::vector<double> noise) {

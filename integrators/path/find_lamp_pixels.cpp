@@ -1,5 +1,7 @@
 #include "integrators/path/find_lamp_pixels.h"
 
+#include "integrators/trial.h"
+
 namespace candela {
 namespace {
 
@@ -14,9 +16,8 @@ constexpr double cost_of_sample = 20;
 std::uint32_t affordable_blocks(double pixels, const RenderOptions& options) {
   constexpr double most = 4;
   constexpr double share = 0.01;
-  const double samples = pixel_count(options) * options.samples_per_pixel;
-  return static_cast<std::uint32_t>(
-      std::min(share * cost_of_sample * samples / (pixels * block_size), most));
+  const double affordable = share * cost_of_sample * picture_samples(options);
+  return static_cast<std::uint32_t>(std::min(affordable / (pixels * block_size), most));
 }
 
 template <class Views>
@@ -37,7 +38,8 @@ std::vector<LampView> whole_views(const PixelMask& mask) {
 
 }  // namespace
 
-LampTrial plan_lamp_trial(const Scene& scene, const Filter& filter, const RenderOptions& options) {
+LampTrial plan_lamp_trial(const Scene& scene, const Filter& filter, const RenderOptions& options,
+                          const std::function<bool()>& is_over) {
   const Camera& camera = scene.cameras[options.camera];
   if (options.lamp_rays == 0 || scene.features.media || filter.is_signed() ||
       !scene.features.area_lights || !PixelCover::has_projection(camera))
@@ -53,7 +55,7 @@ LampTrial plan_lamp_trial(const Scene& scene, const Filter& filter, const Render
   if (cover.sum() > most_outlines * pixel_count(options)) return {whole_views(mask), blocks};
   LampViews views(camera, scene.bounds, filter, options.width, options.height);
   add_lamps(scene, views);
-  return {views.views(), blocks};
+  return {views.views(is_over), blocks};
 }
 
 PixelMask lamp_edges(const std::vector<LampCoverage>& coverage, int width, int height) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 
 #include "integrators/lamp_pixels.h"
 #include "integrators/path/seen_lamps.h"
@@ -45,7 +46,8 @@ struct LampTrial {
   std::uint32_t blocks = 0;
 };
 [[nodiscard]] LampTrial plan_lamp_trial(const Scene& scene, const Filter& filter,
-                                        const RenderOptions& options);
+                                        const RenderOptions& options,
+                                        const std::function<bool()>& is_over);
 
 // Pixels, in rows of `width`, that are not covered like all of their neighbours: what the trial
 // missed of a lamp's edge lies beside what it found.
@@ -58,10 +60,12 @@ struct LampTrial {
 
 // Of the whole picture, by random numbers of its own: the same for any crop and threads. None in
 // scenes with media, with filters that have negative parts, or where finding out would take long.
+// `is_over`: asked now and then whether to give up; then none, too.
 template <FeatureSet F, class A>
-[[nodiscard]] LampPixels find_lamp_pixels(const PathContext<A>& context) {
+[[nodiscard]] LampPixels find_lamp_pixels(const PathContext<A>& context,
+                                          const std::function<bool()>& is_over) {
   const RenderOptions& options = context.options;
-  LampTrial trial = plan_lamp_trial(context.scene, context.filter, options);
+  LampTrial trial = plan_lamp_trial(context.scene, context.filter, options, is_over);
   if (trial.blocks == 0) return {};
   const std::uint64_t seed = seed_of(SeedStream::LampPixels, options.seed);
   const auto width = static_cast<std::uint32_t>(options.width);
@@ -70,6 +74,7 @@ template <FeatureSet F, class A>
       LampCoverage::None);
   constexpr std::size_t at_once = 64;
   parallel_for((trial.views.size() + at_once - 1) / at_once, [&](std::size_t chunk) {
+    if (is_over()) return;
     const std::size_t end = std::min((chunk + 1) * at_once, trial.views.size());
     for (std::size_t i = chunk * at_once; i < end; ++i) {
       const auto& [index, part] = trial.views[i];
@@ -79,6 +84,7 @@ template <FeatureSet F, class A>
                                          static_cast<int>(x), static_cast<int>(y), trial.blocks);
     }
   });
+  if (is_over()) return {};
   const PixelMask edges = lamp_edges(coverage, options.width, options.height);
   std::erase_if(trial.views, [&](const LampView& view) { return edges[view.index] == 0; });
   const std::uint32_t rays = affordable_lamp_rays(trial.views.size(), options);

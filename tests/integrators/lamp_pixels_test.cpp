@@ -6,6 +6,9 @@
 #include <numbers>
 
 #include "integrators/path/find_lamp_pixels.h"
+#include "integrators/path/kernels.h"
+#include "renderer/accel/bvh_accel.h"
+#include "renderer/base/parallel.h"
 #include "tests/light/map_images.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/exact_sphere.h"
@@ -78,6 +81,54 @@ TEST(Unit_LampPixels, HaveFewerRaysWhereTheyAreMany) {
   }
   EXPECT_EQ(rays, 0u);
   EXPECT_EQ(affordable_lamp_rays(0, options), 0u);
+}
+
+bool never() {
+  return false;
+}
+
+// The number that --time and --error go without ends no picture.
+TEST(Unit_LampPixels, ATrialTakesAShareOfTheSamplesThatAreSure) {
+  SceneDescription scene = empty_scene();
+  const auto lamp = add_material(scene, diffuse(Vec3d(0)), Vec3d(1));
+  add_mesh(scene, quad({-3, -3, 0}, {6, 0, 0}, {0, 6, 0}), lamp);
+  set_camera(scene, {0, 0, 1}, {0, 0, 0}, 60);
+  RenderOptions options = lamp_settings(20, 1 << 30, some_rays).options;
+  const Scene compiled_scene = compiled(scene, options);
+  const Filter filter = make_filter(options);
+  const auto blocks = [&] {
+    return plan_lamp_trial(compiled_scene, filter, options, never).blocks;
+  };
+  EXPECT_EQ(blocks(), 4u);
+  options.time_limit_seconds = 1;
+  EXPECT_EQ(blocks(), 1u);
+  options.time_limit_seconds.reset();
+  options.target_relmse = 1e-4;
+  EXPECT_EQ(blocks(), 1u);
+  options.samples_per_pixel = 16;
+  EXPECT_EQ(blocks(), 0u);
+}
+
+TEST(Unit_LampPixels, NoneWhereItIsOver) {
+  const RenderOptions options = lamp_settings(40, 64, some_rays).options;
+  const Scene scene = compiled(small_room(), options);
+  const BvhAccel accelerator(scene);
+  const Filter filter = make_filter(options);
+  const auto context = make_path_context(scene, accelerator, filter, options);
+  with_threads(1, [&] {
+    int asked = 0;
+    const auto is_over_after = [&](int questions) {
+      asked = 0;
+      return find_lamp_pixels<media_features>(context,
+                                              [&asked, questions] { return ++asked > questions; })
+          .rays_a_sample();
+    };
+    EXPECT_GT(is_over_after(1 << 30), 0u);
+    const int all = asked;
+    EXPECT_GT(all, 4);
+    for (int questions = 0; questions < all; ++questions)
+      EXPECT_EQ(is_over_after(questions), 0u) << questions;
+  });
 }
 
 TEST(Unit_LampPixels, AreFoundByTheirPlace) {

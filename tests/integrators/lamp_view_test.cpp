@@ -9,6 +9,7 @@
 #include "integrators/path/context.h"
 #include "integrators/path/find_lamp_pixels.h"
 #include "renderer/accel/bvh_accel.h"
+#include "renderer/base/parallel.h"
 #include "renderer/math/constants.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/exact_sphere.h"
@@ -27,12 +28,16 @@ RenderSettings settings_with(FilterKind filter, int size) {
   return settings;
 }
 
+bool never() {
+  return false;
+}
+
 std::vector<FilterPart> parts_of(const Scene& scene, const Filter& filter,
                                  const RenderOptions& options) {
   const FilterPart nothing{Vec2f(0), Vec2f(0)};
   std::vector<FilterPart> parts(
       static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height), nothing);
-  for (const LampView& view : plan_lamp_trial(scene, filter, options).views)
+  for (const LampView& view : plan_lamp_trial(scene, filter, options, never).views)
     parts[view.index] = view.part;
   return parts;
 }
@@ -135,6 +140,46 @@ TEST(Agreement_LampViews, ClaimLittleMoreThanIsSeen) {
     EXPECT_GT(found.seen, 0);
     EXPECT_EQ(found.outside, 0);
     EXPECT_LT(found.claimed, 1.5 * found.seen) << pixels;
+  }
+}
+
+TEST(Agreement_LampViews, AreTheSameByAnyNumberOfThreads) {
+  for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+    const RenderSettings settings = settings_with(FilterKind::Gaussian, 70);
+    const Scene scene = compiled(scattered_lamps(seed, false), settings.options);
+    const Filter filter = make_filter(settings.options);
+    const auto views_by = [&](int threads) {
+      std::vector<LampView> views;
+      with_threads(threads,
+                   [&] { views = plan_lamp_trial(scene, filter, settings.options, never).views; });
+      return views;
+    };
+    const std::vector<LampView> one = views_by(1);
+    const std::vector<LampView> five = views_by(5);
+    ASSERT_EQ(one.size(), five.size());
+    EXPECT_GT(one.size(), 20u);
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      EXPECT_EQ(one[i].index, five[i].index);
+      EXPECT_EQ(one[i].part.first, five[i].part.first);
+      EXPECT_EQ(one[i].part.size, five[i].part.size);
+      if (i > 0) {
+        EXPECT_LT(one[i - 1].index, one[i].index);
+      }
+    }
+  }
+}
+
+// Two triangles that fill the view: all of it but for the pixels at the edge that they share lies
+// within one.
+TEST(Unit_LampViews, HoldTheWholeOfPixelsWithinALamp) {
+  SceneDescription scene = with_camera({0, 0, 1}, 60);
+  const auto lamp = add_material(scene, diffuse(Vec3d(0)), Vec3d(1));
+  add_mesh(scene, quad({-3, -3, 0}, {6, 0, 0}, {0, 6, 0}), lamp);
+  for (const FilterKind filter : {FilterKind::Box, FilterKind::BlackmanHarris}) {
+    const RenderSettings settings = settings_with(filter, 40);
+    for (const FilterPart& part : parts_of(compiled(scene, settings.options),
+                                           make_filter(settings.options), settings.options))
+      EXPECT_TRUE(part.is_whole());
   }
 }
 

@@ -54,8 +54,7 @@ struct RenderReport {
   [[nodiscard]] bool is_interrupted() const { return statistics.stop == StopReason::Cancelled; }
   // --error or --time alone: as many as they need.
   [[nodiscard]] bool has_sample_limit() const {
-    return options.samples_per_pixel < max_samples_per_pixel ||
-           !(options.target_relmse || options.time_limit_seconds);
+    return options.samples_per_pixel < max_samples_per_pixel || !may_end_early(options);
   }
 };
 

@@ -1,16 +1,13 @@
 #include "tools/candela/render_settings.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include "integrators/pilot.h"
-#include "renderer/film/sample_density.h"
 #include "scene_io/text/file.h"
+#include "tools/candela/memory_need.h"
 #include "tools/candela/option_values.h"
 
 namespace candela::cli {
@@ -88,11 +85,6 @@ std::string_view integrator_name(const RenderOptions& options) {
   return name_of(options.integrator, integrator_choices());
 }
 
-// --error, --relmse or --time: the number of samples follows.
-bool has_other_rule(const RenderOptions& options) {
-  return options.target_relmse || options.time_limit_seconds;
-}
-
 int square_side_below(int samples) {
   return static_cast<int>(std::sqrt(static_cast<double>(samples)));
 }
@@ -157,7 +149,7 @@ void refuse_stop_rules(const RenderArguments& arguments, const RenderOptions& op
     throw Refusal{fmt::format("{} needs an error to go by, and --replicates 1 states none",
                               arguments.error_goal ? "--error" : "--relmse"),
                   ExitCode::Usage};
-  if (arguments.measures_ray_limit && has_other_rule(options) && !arguments.samples_per_pixel)
+  if (arguments.measures_ray_limit && may_end_early(options) && !arguments.samples_per_pixel)
     throw Refusal{"--ray-limit needs --spp, since no number of samples is known beforehand",
                   ExitCode::Usage};
 }
@@ -187,7 +179,7 @@ void settle_samples(const RenderArguments& arguments, const description::RenderD
                     RenderOptions& options, std::vector<std::string>& warnings) {
   constexpr int lab_samples = 16;
   if (is_lab_shading(options.integrator)) options.samples_per_pixel = lab_samples;
-  if (has_other_rule(options) && !arguments.samples_per_pixel) {
+  if (may_end_early(options) && !arguments.samples_per_pixel) {
     options.samples_per_pixel = max_samples_per_pixel;
     options.seed = arguments.seed.value_or(defaults.seed.value_or(options.seed));
     return;
@@ -297,37 +289,6 @@ void refuse_what_does_not_fit(const RenderArguments& arguments, const RenderOpti
                   ExitCode::Usage};
 }
 
-double pixels_of(const PixelRect& rect) {
-  return static_cast<double>(rect.width()) * rect.height();
-}
-
-// What the film and the image made of it, or before that a pilot, will hold at least; refused
-// before anything is loaded into it when it cannot fit, since an overcommitting kernel would end us
-// without a word.
-void refuse_giant(const RenderOptions& options) {
-  const PixelRect crop = options.crop.value_or(PixelRect{0, 0, options.width, options.height});
-  const double film_bytes =
-      static_cast<double>(Film::bytes_a_pixel(options.aovs, film_replicates(options)));
-  const double channel_bytes = 4.0 * (4 + 3 * std::popcount(options.aovs));
-  const Pilot pilot = pilot_of(options);
-  const double pilot_bytes =
-      static_cast<double>(SampleDensity::bytes_a_pixel) + (pilot.rect == crop ? 0 : film_bytes);
-  const double film = pixels_of(crop) * film_bytes;
-  const double without_pilot = film + pixels_of(crop) * channel_bytes;
-  const double with_pilot = pilot.samples > 0 ? film + pixels_of(pilot.rect) * pilot_bytes : 0;
-  const double present =
-      static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
-  const double needed = std::max(without_pilot, with_pilot);
-  if (!(present > 0) || needed <= present) return;
-  throw Refusal{
-      fmt::format(
-          "a picture of {}x{} needs {:.1f} GB of memory{}, this machine has {:.1f}; {}",
-          options.width, options.height, needed * 1e-9,
-          without_pilot <= present ? " for its pilot" : "", present * 1e-9,
-          without_pilot <= present ? "--adaptive off does without" : "--crop renders a part"),
-      ExitCode::Limit};
-}
-
 RenderSettings settled(const RenderArguments& arguments,
                        const description::SceneDescription& description) {
   RenderSettings settings;
@@ -361,7 +322,8 @@ RenderSettings settled(const RenderArguments& arguments,
     options.filter = FilterKind::Box;
     options.filter_radius.reset();
   }
-  refuse_giant(options);
+  if (const std::optional<std::string> sentence = missing_memory(options, description))
+    throw Refusal{*sentence, ExitCode::Limit};
   settings.display = {arguments.tone_map,
                       arguments.exposure.value_or(description.defaults.exposure.value_or(0))};
   return settings;
