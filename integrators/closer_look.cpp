@@ -1,6 +1,7 @@
 #include "integrators/closer_look.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "integrators/seed_stream.h"
@@ -42,25 +43,35 @@ TileCounts CloserLook::correct(const Film& film, const TilePass& settings, Pixel
   TileCounts counts;
   replace(film, errors);
   while (!is_over_()) {
-    std::vector<Part> parts = parts_to_render(film, errors);
+    const std::vector<Part> parts = parts_to_render(film, errors);
     if (parts.empty()) break;
-    parallel_for(parts.size(), [&](std::size_t i) {
-      if (!is_over_()) render_part(film, settings, parts[i]);
-    });
-    for (const Part& part : parts) {
-      if (part.film.pixel_count() == 0) continue;  // it was over
-      Seen& seen = seen_[part.index];
-      seen.means += part.film.mean(0);
-      seen.variances += variance_of_mean(part.film, 0);
-      ++seen.parts;
-      samples_ += part_samples;
-      counts.add(part.counts);
-    }
+    constexpr std::size_t at_once = 4096;  // what they tell is held in memory
+    for (std::size_t first = 0; first < parts.size(); first += at_once)
+      look_at(film, settings,
+              std::span(parts).subspan(first, std::min(at_once, parts.size() - first)), counts);
     replace(film, errors);
   }
   counts.rays = {};
   counts.skipped = {};
   return counts;
+}
+
+// Summed in the order of the parts.
+void CloserLook::look_at(const Film& film, const TilePass& settings, std::span<const Part> parts,
+                         TileCounts& counts) {
+  std::vector<std::optional<Look>> looks(parts.size());
+  parallel_for(parts.size(), [&](std::size_t i) {
+    if (!is_over_()) looks[i] = render_part(film, settings, parts[i]);
+  });
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!looks[i]) continue;
+    Seen& seen = seen_[parts[i].index];
+    seen.means += looks[i]->mean;
+    seen.variances += looks[i]->variance;
+    ++seen.parts;
+    samples_ += part_samples;
+    counts.add(looks[i]->counts);
+  }
 }
 
 void CloserLook::replace(const Film& film, PixelErrors& errors) const {
@@ -87,22 +98,25 @@ std::vector<CloserLook::Part> CloserLook::parts_to_render(const Film& film,
     const bool tells = end == wanted || end * part_samples >= enough * film.samples(pixel.index);
     if (end <= first || !tells) continue;
     for (auto number = first; number < end; ++number)
-      parts.push_back({pixel.index, static_cast<std::uint32_t>(number), {}, {}});
+      parts.push_back({pixel.index, static_cast<std::uint32_t>(number)});
     left -= end - first;
   }
   return parts;
 }
 
-void CloserLook::render_part(const Film& film, const TilePass& settings, Part& part) const {
+// What its samples tell; not the film, which takes more memory than the rest together.
+CloserLook::Look CloserLook::render_part(const Film& film, const TilePass& settings,
+                                         const Part& part) const {
   TilePass pass = settings;
   pass.tile = pixel_at(film, part.index);
   pass.range = {0, part_samples};
   pass.density = nullptr;
   const std::uint64_t seed = seed_of(SeedStream::CloserLook, options_.seed);
   pass.seed = hash_counter(seed, part.number);
-  part.film = Film(film.full_width(), film.full_height(), pass.tile, 0, part_replicates,
-                   film_balance(options_));
-  part.counts = render_tile_(pass, part.film);
+  Film own(film.full_width(), film.full_height(), pass.tile, 0, part_replicates,
+           film_balance(options_));
+  const TileCounts counts = render_tile_(pass, own);
+  return {own.mean(0), variance_of_mean(own, 0), counts};
 }
 
 }  // namespace candela

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <span>
 
 #include "integrators/kernel.h"
 #include "integrators/render.h"
@@ -34,14 +35,20 @@ class CloserLook {
   struct Part {
     std::size_t index = 0;  // of the pixel in the film
     std::uint32_t number = 0;
-    Film film;
+  };
+  struct Look {
+    Vec3d mean{0.0};
+    Vec3d variance{0.0};  // of the mean
     TileCounts counts;
   };
 
   void replace(const Film& film, PixelErrors& errors) const;
   [[nodiscard]] std::vector<Part> parts_to_render(const Film& film,
                                                   const PixelErrors& errors) const;
-  void render_part(const Film& film, const TilePass& settings, Part& part) const;
+  void look_at(const Film& film, const TilePass& settings, std::span<const Part> parts,
+               TileCounts& counts);
+  [[nodiscard]] Look render_part(const Film& film, const TilePass& settings,
+                                 const Part& part) const;
 
   const RenderOptions& options_;
   TileFunction render_tile_;

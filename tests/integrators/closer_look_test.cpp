@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <set>
 
 #include "integrators/render_rounds.h"
 #include "integrators/seed_stream.h"
+#include "renderer/base/parallel.h"
 #include "tests/film/synthetic_film.h"
 #include "tests/integrators/synthetic_tile.h"
 #include "tests/scenes/description.h"
@@ -79,6 +81,27 @@ TEST(Statistical_CloserLook, StatesTheTrueErrorOfRareLight) {
 
 bool never() {
   return false;
+}
+
+// What all looks of a round render into would take more memory than the picture.
+TEST(Unit_CloserLook, HoldsOneFilmAThread) {
+  const RenderSettings settings = settings_of(size, 256, 5);
+  Film film(size, size, {0, 0, size, size}, 0, 4);
+  flashing_tile({film.crop(), {0, 256}, nullptr, 5}, film);
+  PixelErrors errors = *estimate_pixel_errors(film);
+  std::set<const Film*> films;
+  std::size_t looks = 0;
+  const TileFunction remember = [&](const TilePass& pass, Film& of) {
+    films.insert(&of);
+    ++looks;
+    return flashing_tile(pass, of);
+  };
+  with_threads(1, [&] {
+    CloserLook look(settings.options, remember, never);
+    look.correct(film, {}, errors);
+  });
+  EXPECT_GT(looks, 16u);
+  EXPECT_LE(films.size(), 4u);
 }
 
 constexpr std::uint32_t many = 256;  // samples a pixel that are sure to meet the lamp in some
