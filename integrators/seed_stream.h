@@ -1,5 +1,5 @@
 // Random numbers of what is rendered beside a picture, to learn how to render it or how wrong it
-// is: others than the picture's own and than those of each other.
+// is: others than the picture's own and than those of each other, for any pictures' seeds.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ enum class SeedStream : std::uint64_t {
 };
 
 [[nodiscard]] constexpr std::uint64_t seed_of(SeedStream stream, std::uint64_t picture_seed) {
-  return mix_bits(picture_seed + static_cast<std::uint64_t>(stream));
+  return hash_combine(picture_seed, static_cast<std::uint64_t>(stream));
 }
 
 }  // namespace candela
