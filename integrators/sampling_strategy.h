@@ -13,8 +13,10 @@ namespace candela {
 //   Cosine   light samples               by the cosine    not counted
 //   Uniform  light samples               uniform          not counted
 //
-// All converge to the same picture but for what they cannot see: only Mis and Bsdf find light
-// through delta lobes, and Bsdf does not find delta lights (check_sampling.h refuses such scenes).
+// Lamps that a path meets after a delta lobe count for all, since no light sample has them. All
+// converge to the same picture but for what they cannot see: Cosine and Uniform do not draw a delta
+// lobe that others stand beside, and Bsdf does not find delta lights (check_sampling.h refuses such
+// scenes).
 enum class SamplingStrategy : std::uint8_t { Mis, Light, Bsdf, Cosine, Uniform };
 
 [[nodiscard]] constexpr std::string_view name_of(SamplingStrategy strategy) {

@@ -16,24 +16,13 @@ bool is_smooth(const ScalarInput& roughness) {
   return !roughness.map && roughness.factor < static_cast<double>(smallest_ggx_width);
 }
 
-// The delta lobe of a material, or "".
-struct NameOfDeltaLobe {
-  std::string_view operator()(const MirrorMaterial&) const { return "a mirror"; }
-  std::string_view operator()(const ConductorMaterial& m) const {
-    return is_smooth(m.roughness) ? "a smooth conductor" : "";
-  }
-  std::string_view operator()(const DielectricMaterial& m) const {
-    return m.is_thin || is_smooth(m.roughness) ? "a smooth dielectric" : "";
-  }
-  std::string_view operator()(const CoatedDiffuseMaterial& m) const {
-    return is_smooth(m.coat.roughness) ? "smoothly coated" : "";
-  }
-  std::string_view operator()(const CoatedConductorMaterial& m) const {
-    return is_smooth(m.coat.roughness) ? "smoothly coated" : "";
-  }
-  template <class Rough>
-  std::string_view operator()(const Rough&) const {
-    return "";
+// Whether a material has a delta lobe beside another. One alone is followed as it is.
+struct HasDeltaLobeBeside {
+  bool operator()(const CoatedDiffuseMaterial& m) const { return is_smooth(m.coat.roughness); }
+  bool operator()(const CoatedConductorMaterial& m) const { return is_smooth(m.coat.roughness); }
+  template <class Other>
+  bool operator()(const Other&) const {
+    return false;
   }
 };
 
@@ -65,12 +54,11 @@ void check_lobes(const SceneDescription& scene, SamplingStrategy strategy,
   const std::vector<bool> is_used = used_materials(scene);
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const Material& material = scene.materials[i];
-    const std::string_view lobe = std::visit(NameOfDeltaLobe{}, material.model);
-    if (is_used[i] && !lobe.empty())
+    if (is_used[i] && std::visit(HasDeltaLobeBeside{}, material.model))
       diagnostics.error(material.span,
-                        fmt::format("material '{}' is {}, in which sampling by '{}' cannot see "
-                                    "lights; expected mis or bsdf",
-                                    material.name, lobe, name_of(strategy)));
+                        fmt::format("material '{}' is smoothly coated, and sampling by '{}' does "
+                                    "not follow the coat's reflection; expected mis, bsdf or light",
+                                    material.name, name_of(strategy)));
   }
 }
 
@@ -90,8 +78,7 @@ void check_lights(const SceneDescription& scene, Diagnostics& diagnostics) {
 Diagnostics check_sampling(const SceneDescription& scene, SamplingStrategy strategy) {
   Diagnostics diagnostics;
   if (strategy == SamplingStrategy::Bsdf) check_lights(scene, diagnostics);
-  if (strategy != SamplingStrategy::Bsdf && strategy != SamplingStrategy::Mis)
-    check_lobes(scene, strategy, diagnostics);
+  if (!samples_bsdfs(strategy)) check_lobes(scene, strategy, diagnostics);
   return diagnostics;
 }
 

@@ -7,8 +7,8 @@
 
 namespace candela {
 
-// Errors: delta lobes without BSDF sampling of lamps, delta lights without light samples. What no
-// instance wears and what is black does not matter.
+// Errors: delta lobes beside others without BSDF samples, delta lights without light samples. What
+// no instance wears and what is black does not matter.
 [[nodiscard]] Diagnostics check_sampling(const description::SceneDescription& scene,
                                          SamplingStrategy strategy);
 

@@ -6,8 +6,10 @@
 #include "renderer/sampling/sobol.h"
 #include "tests/bsdf/bsdf_cases.h"
 #include "tests/scenes/description.h"
+#include "tests/scenes/render_scene.h"
 #include "tests/statistics/direction_sampling.h"
 #include "tests/statistics/distributions.h"
+#include "tests/statistics/moments.h"
 
 namespace candela {
 namespace {
@@ -23,35 +25,80 @@ std::string sentences(const description::SceneDescription& scene, SamplingStrate
   return text;
 }
 
-constexpr SamplingStrategy blind_to_delta_lobes[] = {
-    SamplingStrategy::Light, SamplingStrategy::Cosine, SamplingStrategy::Uniform};
+constexpr SamplingStrategy all_strategies[] = {SamplingStrategy::Mis, SamplingStrategy::Light,
+                                               SamplingStrategy::Bsdf, SamplingStrategy::Cosine,
+                                               SamplingStrategy::Uniform};
+
+description::SceneDescription with_ball_of(description::MaterialHandle material,
+                                           description::SceneDescription scene) {
+  add_mesh(scene, sphere({0, 0, 0}, 0.3, 3), material);
+  return scene;
+}
 
 template <class Model>
-void expect_unseen(Model model, const std::string& lobe) {
+void expect_refused(Model model) {
   description::SceneDescription scene = small_room();
   const auto material = add_material(scene, model);
   scene.materials.back().name = "odd";
-  for (const SamplingStrategy strategy : blind_to_delta_lobes)
+  for (const SamplingStrategy strategy : all_strategies) {
     EXPECT_EQ(sentences(scene, strategy), "") << "nothing wears the material";
-  add_mesh(scene, sphere({0, 0, 0}, 0.1, 1), material);
-  for (const SamplingStrategy strategy : blind_to_delta_lobes)
-    EXPECT_NE(sentences(scene, strategy).find("material 'odd' is " + lobe + ", in which"),
-              std::string::npos)
-        << sentences(scene, strategy);
-  for (const SamplingStrategy strategy : {SamplingStrategy::Bsdf, SamplingStrategy::Mis})
-    EXPECT_EQ(sentences(scene, strategy), "");
+    const std::string expected =
+        samples_bsdfs(strategy)
+            ? ""
+            : fmt::format(
+                  "error: material 'odd' is smoothly coated, and sampling by '{}' does not "
+                  "follow the coat's reflection; expected mis, bsdf or light\n",
+                  name_of(strategy));
+    EXPECT_EQ(sentences(with_ball_of(material, scene), strategy), expected);
+  }
 }
 
-TEST(Errors_SamplingStrategy, NamesTheDeltaLobe) {
-  expect_unseen(description::MirrorMaterial{}, "a mirror");
-  expect_unseen(description::ConductorMaterial{}, "a smooth conductor");
-  expect_unseen(description::DielectricMaterial{}, "a smooth dielectric");
-  description::DielectricMaterial rough;
-  rough.roughness.factor = 0.2;
+TEST(Errors_SamplingStrategy, NamesTheSmoothCoat) {
+  expect_refused(description::CoatedDiffuseMaterial{});
+  expect_refused(description::CoatedConductorMaterial{});
+}
+
+TEST(Errors_SamplingStrategy, AreNoneForRoughCoatsAndForDeltaLobesAlone) {
   description::SceneDescription scene = small_room();
-  add_mesh(scene, sphere({0, 0, 0}, 0.1, 1), add_material(scene, rough));
-  for (const SamplingStrategy strategy : blind_to_delta_lobes)
-    EXPECT_EQ(sentences(scene, strategy), "");
+  description::CoatedDiffuseMaterial rough;
+  rough.coat.roughness.factor = 0.2;
+  for (const auto material :
+       {add_material(scene, rough), add_material(scene, description::MirrorMaterial{}),
+        add_material(scene, description::ConductorMaterial{}),
+        add_material(scene, description::DielectricMaterial{})})
+    for (const SamplingStrategy strategy : all_strategies)
+      EXPECT_EQ(sentences(with_ball_of(material, scene), strategy), "");
+}
+
+// What no strategy refuses is the same picture by each: in mirrors and through glass, and, by those
+// with BSDF samples, in smooth coats.
+TEST(Statistical_SamplingStrategy, SamePictureWithDeltaLobes) {
+  description::SceneDescription scene = small_room();
+  const auto coated = add_material(scene, description::CoatedDiffuseMaterial{});
+  for (const auto material : {add_material(scene, description::MirrorMaterial{}),
+                              add_material(scene, description::DielectricMaterial{}), coated}) {
+    const description::SceneDescription with_ball = with_ball_of(material, scene);
+    const auto means_by = [&](SamplingStrategy strategy) {
+      statistics::Moments means;
+      for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+        RenderSettings settings = settings_of(24, 64, seed);
+        settings.options.sampling = strategy;
+        settings.options.crop = PixelRect{8, 8, 16, 16};  // the ball
+        const Scene compiled_scene = compiled(with_ball, settings.options);
+        means.add(mean_of(picture(compiled_scene, settings)));
+      }
+      return means;
+    };
+    const statistics::Moments by_mis = means_by(SamplingStrategy::Mis);
+    for (const SamplingStrategy strategy :
+         {SamplingStrategy::Light, SamplingStrategy::Cosine, SamplingStrategy::Uniform}) {
+      if (!samples_bsdfs(strategy) && material.index == coated.index) continue;
+      const statistics::Moments means = means_by(strategy);
+      EXPECT_LT(means.standard_error(), 0.03 * means.mean());
+      EXPECT_GT(welch_p_value(by_mis, means), 0.001)
+          << name_of(strategy) << " " << by_mis.mean() << " " << means.mean();
+    }
+  }
 }
 
 TEST(Errors_SamplingStrategy, NamesTheDeltaLight) {

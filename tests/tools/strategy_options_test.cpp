@@ -9,9 +9,11 @@ namespace candela::cli_test {
 namespace {
 
 TEST(Errors_StrategyOptions, AreRefusedInSentences) {
-  expect_refused({assets + "/glass_and_metal/glass_and_metal.yaml", "--sampling", "light"}, 3,
-                 "glass_and_metal.yaml:28:5: error: material 'glass' is a smooth dielectric, in "
-                 "which sampling by 'light' cannot see lights; expected mis or bsdf");
+  expect_refused(
+      {assets + "/pbrt_materials/pbrt_materials.pbrt", "--sampling", "cosine"}, 3,
+      "pbrt_materials.pbrt:42:19: error: material 'paint' is smoothly coated, and "
+      "sampling by 'cosine' does not follow the coat's reflection; expected mis, bsdf or "
+      "light");
   expect_refused({cornell_box, "--integrator", "whitted", "--sampling", "mis"}, 2,
                  "--sampling is for path and report, this is whitted");
   expect_refused({cornell_box, "--integrator", "report", "--sampling", "mis"}, 2,
