@@ -29,8 +29,9 @@ struct RecordOptions {
 using RecordedRays = std::array<std::vector<Ray>, 3>;
 
 // Camera rays on the pixel grid, bounces by the cosine about the geometric normal, at each hit a
-// shadow ray to a light picked by power. No material is asked, so that every surface bounces. None
-// where the scene lacks the camera. Traced by one thread.
+// shadow ray to a light: of those that the sampler always takes and one that it picks by power,
+// each equally often. No material is asked, so that every surface bounces. None where the scene
+// lacks the camera. Traced by one thread.
 [[nodiscard]] RecordedRays record_rays(const Scene& scene, const EmbreeAccel& accelerator,
                                        const RecordOptions& options);
 

@@ -8,7 +8,7 @@
 namespace candela {
 namespace {
 
-// Every sixteenth tile, spread over the picture by a stride that is coprime to most rows.
+// Every seventeenth tile: spread over the picture, since that is coprime to most rows' lengths.
 std::vector<PixelRect> share_of_tiles(const RenderOptions& options) {
   const std::vector<PixelRect> all =
       tiles_of({0, 0, options.width, options.height}, options.tile_size);

@@ -6,6 +6,7 @@
 #include "renderer/film/neighbour_level.h"
 #include "renderer/film/tiles.h"
 #include "renderer/film/variance.h"
+#include "renderer/image/relmse.h"
 
 namespace candela {
 namespace {
@@ -97,8 +98,7 @@ std::optional<PixelErrors> estimate_pixel_errors(const Film& film) {
   if (replicates < 2) return {};
   PixelErrors result;
   result.errors.resize(film.pixel_count());
-  const double mean = mean_radiance(film);
-  result.epsilon = 1e-2 * mean * mean;
+  result.epsilon = relmse_epsilon(mean_radiance(film));
   if (result.is_black()) return result;
   constexpr int block_size = 64;
   const std::vector<PixelRect> blocks = tiles_of(film.crop(), block_size);

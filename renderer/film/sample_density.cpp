@@ -8,6 +8,7 @@
 #include "renderer/base/parallel.h"
 #include "renderer/film/heavy_tails.h"
 #include "renderer/film/variance.h"
+#include "renderer/image/relmse.h"
 #include "renderer/sampling/sampler_block.h"
 
 namespace candela {
@@ -66,8 +67,7 @@ double mean_radiance(const Film& film, std::size_t colour) {
 // little of its error, by its own high mean: by all that such light brings it would decide for
 // those that are near by, where samples would seldom meet any.
 std::vector<Sign> signs_of(std::size_t colour, const Film& film) {
-  const double mean = mean_radiance(film, colour);
-  const double epsilon = 1e-2 * mean * mean;  // compare.h
+  const double epsilon = relmse_epsilon(mean_radiance(film, colour));
   std::vector<Sign> signs(film.pixel_count());
   for_each_pixel(film, colour, [&](std::size_t i) {
     signs[i].cost = film.cost(i);

@@ -11,6 +11,7 @@
 
 #include "renderer/base/floating_point_traps.h"
 #include "renderer/image/display_transform.h"
+#include "renderer/image/relmse.h"
 
 namespace candela {
 namespace {
@@ -70,7 +71,7 @@ Sums sums_of(const Image& image) {
 double epsilon_of(const Sums& reference, std::size_t pixels) {
   const double sum = reference.total[0] + reference.total[1] + reference.total[2];
   const double mean = sum / (3 * static_cast<double>(pixels));
-  return 1e-2 * mean * mean;
+  return relmse_epsilon(mean);
 }
 
 struct PixelError {

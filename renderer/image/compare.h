@@ -9,8 +9,7 @@
 
 namespace candela {
 
-// Relative errors have epsilon = 1e-2 mean(r)^2, the mean over all pixels and channels, so that
-// they do not change when both images are scaled.
+// Relative errors have relmse_epsilon() (relmse.h) of mean(r), over all pixels and channels.
 //
 // A pixel with a value that is not finite, in either image, has infinite error: rel_mse, mse and
 // r_mse are infinite then, psnr is -infinity, and the trimmed mean is finite only where such pixels
