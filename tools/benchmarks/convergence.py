@@ -25,6 +25,13 @@ CURVES = {
     "path, guided by a trial": {"guiding": "auto"},
     "path, 1 replicate": {"replicates": 1},
     "path, plain random numbers": {"sampler": "independent"},
+    "path, padded points": {"sampler": "padded"},
+    "path, no rays at lamps' edges": {"lamp_rays": 0},
+    "path, lights by power": {"light_cells": "off"},
+    "path, lamps by solid angle": {"light_sampling": "solid_angle"},
+    "path, samples of constant skies": {"sky_samples": "on"},
+    "path, skies as they are": {"sky_compensation": "off"},
+    "path, roulette from 1/2 on": {"roulette": 0.5},
     "path, not robust": {"robust": "off"},
     "report": {"integrator": "report"},
 }
