@@ -33,13 +33,15 @@ Lanes<float> nearer(const Lanes<float>& a, const Lanes<float>& b) {
   return least;
 }
 
-// Blocks of fewer rays take longer than the rays one by one, by Embree and by a list of faces
-// (docs/decisions.md, "From how many rays on a packet pays").
-constexpr std::uint32_t fewest_of_packet(Coherence coherence) {
-  return coherence == Coherence::Coherent ? 4 : 13;
-}
-constexpr std::uint32_t fewest_of_shadow_packet = 8;
+// A list of faces is asked for fewer rays one by one.
 constexpr std::uint32_t fewest_of_list = 4;
+
+// Calls visit(lanes, first) for those lanes of each packet of a block that count.
+void for_each_packet(std::uint32_t size, LaneMask lanes, const auto& visit) {
+  const LaneMask packet = (1u << size) - 1;
+  for (std::uint32_t first = 0; first < block_size; first += size)
+    if (const LaneMask part = lanes & packet << first; part != 0) visit(part, first);
+}
 
 LaneMask lanes_where(LaneMask lanes, const auto& holds) {
   LaneMask found = 0;
@@ -97,36 +99,60 @@ bool EmbreeAccel::State::occluded(RTCScene in, const Ray& ray) const {
   return embree_ray.tfar < 0;  // Embree's mark of an occluded ray: -infinity
 }
 
-HitBlock EmbreeAccel::State::intersect(RTCScene in, const RayBlock& rays, LaneMask lanes,
-                                       Coherence coherence) const {
-  HitBlock hits;
-  if (lane_count(lanes) < fewest_of_packet(coherence)) {
-    for_each_lane(lanes, [&](std::uint32_t i) { hits.set(i, intersect(in, rays[i])); });
-    return hits;
-  }
+template <std::size_t size>
+void EmbreeAccel::State::intersect_packet(RTCScene in, const RayBlock& rays, LaneMask lanes,
+                                          std::uint32_t first, Coherence coherence,
+                                          HitBlock& hits) const {
   embree::Query query;
   embree::initialise(query, nullptr, &rays);
-  RTCRayHit16 ray_hits;
-  const ValidLanes valid = set_rays(rays, lanes, ray_hits.ray);
-  std::fill_n(ray_hits.hit.geomID, block_size, none);
-  std::fill_n(ray_hits.hit.instID[0], block_size, none);
-  embree::intersect_block(in, valid.lanes.data(), ray_hits, query, coherence);
-
-  set_hits(ray_hits, hits);
-  for_each_lane(hits.instanced,
+  typename embree::PacketTypes<size>::RayHit ray_hits;
+  const ValidLanes<size> valid = set_rays(rays, lanes, first, ray_hits.ray);
+  std::fill_n(ray_hits.hit.geomID, size, none);
+  std::fill_n(ray_hits.hit.instID[0], size, none);
+  embree::intersect_packet<size>(in, valid.lanes.data(), ray_hits, query, coherence);
+  set_hits(ray_hits, first, hits);
+  for_each_lane(hits.instanced & lanes,
                 [&](std::uint32_t i) { hits.set(i, in_tables_of_instance(*scene, hits[i])); });
+}
+
+template <std::size_t size>
+LaneMask EmbreeAccel::State::occluded_packet(RTCScene in, const RayBlock& rays, LaneMask lanes,
+                                             std::uint32_t first) const {
+  embree::Query query;
+  embree::initialise(query, nullptr, &rays);
+  typename embree::PacketTypes<size>::Ray embree_rays;
+  const ValidLanes<size> valid = set_rays(rays, lanes, first, embree_rays);
+  embree::occluded_packet<size>(in, valid.lanes.data(), embree_rays, query);
+  return occluded_lanes(embree_rays, first) & lanes;
+}
+
+HitBlock EmbreeAccel::State::intersect(RTCScene in, const RayBlock& rays, LaneMask lanes,
+                                       Coherence coherence) const {
+  const std::uint32_t fewest =
+      coherence == Coherence::Coherent ? packets.fewest_coherent : packets.fewest_incoherent;
+  HitBlock hits;
+  for_each_packet(packets.size, lanes, [&](LaneMask part, std::uint32_t first) {
+    if (lane_count(part) < fewest)
+      for_each_lane(part, [&](std::uint32_t i) { hits.set(i, intersect(in, rays[i])); });
+    else if (packets.size == 16)
+      intersect_packet<16>(in, rays, part, first, coherence, hits);
+    else
+      intersect_packet<8>(in, rays, part, first, coherence, hits);
+  });
   return hits;
 }
 
 LaneMask EmbreeAccel::State::occluded(RTCScene in, const RayBlock& rays, LaneMask lanes) const {
-  if (lane_count(lanes) < fewest_of_shadow_packet)
-    return lanes_where(lanes, [&](std::uint32_t i) { return occluded(in, rays[i]); });
-  embree::Query query;
-  embree::initialise(query, nullptr, &rays);
-  RTCRay16 embree_rays;
-  const ValidLanes valid = set_rays(rays, lanes, embree_rays);
-  embree::occluded_block(in, valid.lanes.data(), embree_rays, query);
-  return occluded_lanes(embree_rays) & lanes;
+  LaneMask found = 0;
+  for_each_packet(packets.size, lanes, [&](LaneMask part, std::uint32_t first) {
+    if (lane_count(part) < packets.fewest_shadow)
+      found |= lanes_where(part, [&](std::uint32_t i) { return occluded(in, rays[i]); });
+    else if (packets.size == 16)
+      found |= occluded_packet<16>(in, rays, part, first);
+    else
+      found |= occluded_packet<8>(in, rays, part, first);
+  });
+  return found;
 }
 
 // What the list of faces does not know for certain the tree of everything is asked for. Else the

@@ -65,31 +65,62 @@ inline void occluded_one(RTCScene scene, RTCRay& ray, Query& query) {
 #endif
 }
 
-// `valid`: -1 in lanes that count, 0 in the others; 64-byte aligned.
-inline void intersect_block(RTCScene scene, const int* valid, RTCRayHit16& ray_hits, Query& query,
-                            Coherence coherence) {
+// Packets of sixteen and eight rays. `valid`: -1 in lanes that count, 0 in the others; aligned like
+// the rays.
+template <std::size_t size>
+struct PacketTypes;
+template <>
+struct PacketTypes<16> {
+  using Ray = RTCRay16;
+  using RayHit = RTCRayHit16;
+  static constexpr auto intersect = rtcIntersect16;
+  static constexpr auto occluded = rtcOccluded16;
+  static constexpr auto is_native = RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED;
+};
+template <>
+struct PacketTypes<8> {
+  using Ray = RTCRay8;
+  using RayHit = RTCRayHit8;
+  static constexpr auto intersect = rtcIntersect8;
+  static constexpr auto occluded = rtcOccluded8;
+  static constexpr auto is_native = RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED;
+};
+
+// Whether the processor has vectors for such packets. Without, Embree traces the rays of all lanes
+// one by one, whether they count or not.
+template <std::size_t size>
+[[nodiscard]] bool has_packets(RTCDevice device) {
+  return rtcGetDeviceProperty(device, PacketTypes<size>::is_native) != 0;
+}
+
+template <std::size_t size>
+void intersect_packet(RTCScene scene, const int* valid,
+                      typename PacketTypes<size>::RayHit& ray_hits, Query& query,
+                      Coherence coherence) {
   const FloatingPointTraps traps(Traps::Off);
 #if CANDELA_EMBREE_MAJOR >= 4
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
   arguments.context = &query.context;
   if (coherence == Coherence::Coherent) arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
-  rtcIntersect16(valid, scene, &ray_hits, &arguments);
+  PacketTypes<size>::intersect(valid, scene, &ray_hits, &arguments);
 #else
   if (coherence == Coherence::Coherent) query.context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect16(valid, scene, &query.context, &ray_hits);
+  PacketTypes<size>::intersect(valid, scene, &query.context, &ray_hits);
 #endif
 }
 
-inline void occluded_block(RTCScene scene, const int* valid, RTCRay16& rays, Query& query) {
+template <std::size_t size>
+void occluded_packet(RTCScene scene, const int* valid, typename PacketTypes<size>::Ray& rays,
+                     Query& query) {
   const FloatingPointTraps traps(Traps::Off);
 #if CANDELA_EMBREE_MAJOR >= 4
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);
   arguments.context = &query.context;
-  rtcOccluded16(valid, scene, &rays, &arguments);
+  PacketTypes<size>::occluded(valid, scene, &rays, &arguments);
 #else
-  rtcOccluded16(valid, scene, &query.context, &rays);
+  PacketTypes<size>::occluded(valid, scene, &query.context, &rays);
 #endif
 }
 

@@ -9,25 +9,24 @@ namespace candela {
 namespace {
 
 template <std::size_t size>
-void copy_lanes(const Lanes<float>& from, float (&to)[size]) {
-  static_assert(size == block_size);
-  std::copy(from.begin(), from.end(), to);
+void copy_lanes(const Lanes<float>& from, std::uint32_t first, float (&to)[size]) {
+  std::copy_n(from.begin() + first, size, to);
 }
 
-}  // namespace
-
-CANDELA_LANES ValidLanes set_rays(const RayBlock& rays, LaneMask lanes, RTCRay16& target) {
-  copy_lanes(rays.origin.x, target.org_x);
-  copy_lanes(rays.origin.y, target.org_y);
-  copy_lanes(rays.origin.z, target.org_z);
-  copy_lanes(rays.direction.x, target.dir_x);
-  copy_lanes(rays.direction.y, target.dir_y);
-  copy_lanes(rays.direction.z, target.dir_z);
-  copy_lanes(rays.t_max, target.tfar);
-  ValidLanes valid;
-  for (std::uint32_t i = 0; i < block_size; ++i) {
-    valid.lanes[i] = -static_cast<int>(lanes >> i & 1);
-    target.id[i] = i;
+template <std::size_t size, class Packet>
+inline ValidLanes<size> set_packet(const RayBlock& rays, LaneMask lanes, std::uint32_t first,
+                                   Packet& target) {
+  copy_lanes(rays.origin.x, first, target.org_x);
+  copy_lanes(rays.origin.y, first, target.org_y);
+  copy_lanes(rays.origin.z, first, target.org_z);
+  copy_lanes(rays.direction.x, first, target.dir_x);
+  copy_lanes(rays.direction.y, first, target.dir_y);
+  copy_lanes(rays.direction.z, first, target.dir_z);
+  copy_lanes(rays.t_max, first, target.tfar);
+  ValidLanes<size> valid;
+  for (std::uint32_t i = 0; i < size; ++i) {
+    valid.lanes[i] = -static_cast<int>(lanes >> (first + i) & 1);
+    target.id[i] = first + i;
     target.tnear[i] = 0;
     target.time[i] = 0;
     target.mask[i] = RTC_INVALID_GEOMETRY_ID;
@@ -36,27 +35,55 @@ CANDELA_LANES ValidLanes set_rays(const RayBlock& rays, LaneMask lanes, RTCRay16
   return valid;
 }
 
-CANDELA_LANES void set_hits(const RTCRayHit16& found, HitBlock& hits) {
-  LaneFlags met, instanced;
-  for (std::uint32_t i = 0; i < block_size; ++i) {
+template <std::size_t size, class Packet>
+inline void set_hits_of(const Packet& found, std::uint32_t first, HitBlock& hits) {
+  LaneFlags met{}, instanced{};
+  for (std::uint32_t i = 0; i < size; ++i) {
     const bool is_hit = found.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
     met[i] = is_hit ? 1 : 0;
     instanced[i] = found.hit.instID[0][i] != RTC_INVALID_GEOMETRY_ID ? 1 : 0;
-    hits.t[i] = is_hit ? found.ray.tfar[i] : infinity;
-    hits.u[i] = is_hit ? found.hit.u[i] : 0;
-    hits.v[i] = is_hit ? found.hit.v[i] : 0;
-    hits.geometry[i] = found.hit.geomID[i];
-    hits.triangle[i] = is_hit ? found.hit.primID[i] : 0;
-    hits.instance[i] = found.hit.instID[0][i];
+    hits.t[first + i] = is_hit ? found.ray.tfar[i] : infinity;
+    hits.u[first + i] = is_hit ? found.hit.u[i] : 0;
+    hits.v[first + i] = is_hit ? found.hit.v[i] : 0;
+    hits.geometry[first + i] = found.hit.geomID[i];
+    hits.triangle[first + i] = is_hit ? found.hit.primID[i] : 0;
+    hits.instance[first + i] = found.hit.instID[0][i];
   }
-  hits.met = mask_of(met);
-  hits.instanced = mask_of(instanced) & hits.met;
+  const LaneMask packet = ((1u << size) - 1) << first;
+  hits.met = (hits.met & ~packet) | mask_of(met) << first;
+  hits.instanced = (hits.instanced & ~packet) | ((mask_of(instanced) << first) & hits.met);
 }
 
-CANDELA_LANES LaneMask occluded_lanes(const RTCRay16& rays) {
-  LaneFlags flags;
-  for (std::uint32_t i = 0; i < block_size; ++i) flags[i] = std::signbit(rays.tfar[i]) ? 1 : 0;
-  return mask_of(flags);
+template <std::size_t size, class Packet>
+inline LaneMask occluded_of(const Packet& rays, std::uint32_t first) {
+  LaneFlags flags{};
+  for (std::uint32_t i = 0; i < size; ++i) flags[i] = std::signbit(rays.tfar[i]) ? 1 : 0;
+  return mask_of(flags) << first;
+}
+
+}  // namespace
+
+CANDELA_LANES ValidLanes<16> set_rays(const RayBlock& rays, LaneMask lanes, std::uint32_t first,
+                                      RTCRay16& target) {
+  return set_packet<16>(rays, lanes, first, target);
+}
+CANDELA_LANES ValidLanes<8> set_rays(const RayBlock& rays, LaneMask lanes, std::uint32_t first,
+                                     RTCRay8& target) {
+  return set_packet<8>(rays, lanes, first, target);
+}
+
+CANDELA_LANES void set_hits(const RTCRayHit16& found, std::uint32_t first, HitBlock& hits) {
+  set_hits_of<16>(found, first, hits);
+}
+CANDELA_LANES void set_hits(const RTCRayHit8& found, std::uint32_t first, HitBlock& hits) {
+  set_hits_of<8>(found, first, hits);
+}
+
+CANDELA_LANES LaneMask occluded_lanes(const RTCRay16& rays, std::uint32_t first) {
+  return occluded_of<16>(rays, first);
+}
+CANDELA_LANES LaneMask occluded_lanes(const RTCRay8& rays, std::uint32_t first) {
+  return occluded_of<8>(rays, first);
 }
 
 }  // namespace candela

@@ -79,9 +79,17 @@ void EmbreeAccel::State::throw_if_failed() {
   throw std::runtime_error("Embree: " + error_text);
 }
 
+PacketRules packet_rules_of(RTCDevice device) {
+  constexpr std::uint32_t never = block_size + 1;
+  if (embree::has_packets<16>(device)) return {16, 4, 4, 1};
+  if (embree::has_packets<8>(device)) return {8, 3, 4, 4};
+  return {block_size, never, never, never};
+}
+
 void EmbreeAccel::State::open_device() {
   device.reset(rtcNewDevice(nullptr));
   if (!device) throw std::runtime_error("Embree cannot open a device on this processor");
+  packets = packet_rules_of(device.get());
   callbacks.begin();
   rtcSetDeviceErrorFunction(device.get(), record_error, this);
   rtcSetDeviceMemoryMonitorFunction(device.get(), count_bytes, this);

@@ -38,6 +38,15 @@ static_assert(RTC_MAX_INSTANCE_LEVEL_COUNT == 1);
 
 }  // namespace embree
 
+// Of how many rays Embree's packets are, and how many of them must count at least for a packet to
+// take less time than its rays one by one (docs/decisions.md, "From how many rays on a packet
+// pays").
+struct PacketRules {
+  std::uint32_t size;
+  std::uint32_t fewest_coherent, fewest_incoherent, fewest_shadow;
+};
+[[nodiscard]] PacketRules packet_rules_of(RTCDevice device);
+
 struct EmbreeAccel::State {
   const Scene* scene = nullptr;
   EmbreeOptions options;
@@ -53,6 +62,7 @@ struct EmbreeAccel::State {
   embree::EmbreeScene world;
   embree::EmbreeScene rest;  // what no list of faces has; null where there is nothing, or no list
   FewFaces few;
+  PacketRules packets{};
 
   State(const Scene& s, EmbreeOptions o) : scene(&s), options(o) {
     if (o.faces) few = find_few_faces(s);
@@ -77,6 +87,13 @@ struct EmbreeAccel::State {
   [[nodiscard]] HitBlock intersect(RTCScene in, const RayBlock& rays, LaneMask lanes,
                                    Coherence coherence) const;
   [[nodiscard]] LaneMask occluded(RTCScene in, const RayBlock& rays, LaneMask lanes) const;
+  // Of the packet of a block that begins at lane `first`.
+  template <std::size_t size>
+  void intersect_packet(RTCScene in, const RayBlock& rays, LaneMask lanes, std::uint32_t first,
+                        Coherence coherence, HitBlock& hits) const;
+  template <std::size_t size>
+  [[nodiscard]] LaneMask occluded_packet(RTCScene in, const RayBlock& rays, LaneMask lanes,
+                                         std::uint32_t first) const;
 
   // By the list of faces, where there is one.
   [[nodiscard]] Hit nearest(const Ray& ray) const;
