@@ -29,14 +29,22 @@ def line_plot(path, curves, x_label, y_label, log=False, log_x=False, marks="o",
 
 
 def power_plot(path, curves, x_label, y_label):
-    """`curves` as line_plot's; both axes are logarithmic, to the base of ten."""
-    figure, axes = matplotlib.pyplot.subplots(figsize=(WIDTH, HEIGHT), layout="constrained")
-    for label, x, y, style, *error in curves:
+    """`curves` as line_plot's; both axes are logarithmic, to the base of ten. Where they are many
+    the legend stands beside the plot, and lines differ where colours begin anew."""
+    is_crowded = len(curves) > 6
+    figure, axes = matplotlib.pyplot.subplots(
+        figsize=(WIDTH * (1.6 if is_crowded else 1), max(HEIGHT, .17 * len(curves))),
+        layout="constrained")
+    for i, (label, x, y, style, *error) in enumerate(curves):
+        dashes = {"linestyle": ("-", "--", ":")[i // 10 % 3]}
         axes.errorbar(x, y, yerr=error[0] if error else None, label=label, marker="o",
-                      markersize=4, capsize=2, **style)
+                      markersize=4, capsize=2, **dashes | style)
     axes.set(xscale="log", yscale="log", xlabel=x_label, ylabel=y_label)
     axes.grid(alpha=.3)
-    axes.legend(fontsize=7, handlelength=3)
+    if is_crowded:
+        axes.legend(fontsize=7, handlelength=3, loc="center left", bbox_to_anchor=(1, .5))
+    else:
+        axes.legend(fontsize=7, handlelength=3)
     save(figure, path)
 
 
