@@ -179,11 +179,6 @@ bool EmbreeAccel::State::is_occluded(const Ray& ray) const {
 HitBlock EmbreeAccel::State::nearest(const RayBlock& rays, LaneMask lanes,
                                      Coherence coherence) const {
   if (few.faces.is_empty()) return intersect(world.get(), rays, lanes, coherence);
-  if (lane_count(lanes) < fewest_of_list) {
-    HitBlock hits;
-    for_each_lane(lanes, [&](std::uint32_t i) { hits.set(i, nearest(rays[i])); });
-    return hits;
-  }
   FaceList::BlockAnswer answer = few.faces.intersect(rays, lanes);
   for_each_lane(answer.open,
                 [&](std::uint32_t i) { answer.hits.set(i, intersect(world.get(), rays[i])); });
@@ -205,8 +200,6 @@ HitBlock EmbreeAccel::State::nearest(const RayBlock& rays, LaneMask lanes,
 
 LaneMask EmbreeAccel::State::are_occluded(const RayBlock& rays, LaneMask lanes) const {
   if (few.faces.is_empty()) return occluded(world.get(), rays, lanes);
-  if (lane_count(lanes) < fewest_of_list)
-    return lanes_where(lanes, [&](std::uint32_t i) { return is_occluded(rays[i]); });
   FaceList::BlockOcclusion answer = few.faces.occluded(rays, lanes);
   answer.occluded |=
       lanes_where(answer.open, [&](std::uint32_t i) { return occluded(world.get(), rays[i]); });
@@ -225,10 +218,14 @@ bool EmbreeAccel::occluded(const Ray& ray) const {
 }
 
 HitBlock EmbreeAccel::intersect(const RayBlock& rays, LaneMask lanes, Coherence coherence) const {
+  if (allows_any_company() && lane_count(lanes) < fewest_of_list)
+    return intersect_one_by_one(*this, rays, lanes);
   return state_->nearest(rays, lanes, coherence);
 }
 
 LaneMask EmbreeAccel::occluded(const RayBlock& rays, LaneMask lanes) const {
+  if (allows_any_company() && lane_count(lanes) < fewest_of_list)
+    return occluded_one_by_one(*this, rays, lanes);
   return state_->are_occluded(rays, lanes);
 }
 

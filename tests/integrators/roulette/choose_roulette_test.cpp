@@ -107,13 +107,21 @@ TEST(Agreement_ChooseRoulette, SameBitsOverKernels) {
   expect_part(special.film.to_image(true), picture(scene, settings), {0, 0, 64, 64});
 }
 
-// Neither is done in scenes with media.
-TEST(Unit_ChooseRoulette, NeitherGuidingNorSplittingStandsInItsWayInFog) {
+SceneDescription foggy_box() {
   SceneDescription foggy = bright_box();
   foggy.cameras[0].medium = add_medium(foggy, Vec3d(0.1), Vec3d(0.5));
+  return foggy;
+}
+RenderSettings choosing_in_fog() {
   RenderSettings settings = choosing(64, 128);
   settings.options.max_depth = 6;
-  const Scene scene = compiled(foggy, settings.options);
+  return settings;
+}
+
+// Neither is done in scenes with media.
+TEST(Unit_ChooseRoulette, NeitherGuidingNorSplittingStandsInItsWayInFog) {
+  RenderSettings settings = choosing_in_fog();
+  const Scene scene = compiled(foggy_box(), settings.options);
   const RenderResult plain = rendered(scene, settings);
   EXPECT_GT(plain.statistics.roulette_samples, 0u);
   settings.options.guiding = Guiding::Auto;
@@ -124,11 +132,8 @@ TEST(Unit_ChooseRoulette, NeitherGuidingNorSplittingStandsInItsWayInFog) {
 }
 
 TEST(Agreement_ChooseRoulette, SameBitsOverKernelsInFog) {
-  SceneDescription foggy = bright_box();
-  foggy.cameras[0].medium = add_medium(foggy, Vec3d(0.1), Vec3d(0.5));
-  RenderSettings settings = choosing(64, 128);
-  settings.options.max_depth = 6;
-  const Scene scene = compiled(foggy, settings.options);
+  RenderSettings settings = choosing_in_fog();
+  const Scene scene = compiled(foggy_box(), settings.options);
   const RenderResult special = rendered(scene, settings);
   EXPECT_GT(special.statistics.roulette_samples, 0u);
   settings.options.use_general_kernel = true;
