@@ -64,8 +64,8 @@ BackgroundPixels::BackgroundPixels(const Scene& scene, const Filter& filter,
     : width_(static_cast<std::size_t>(options.width)) {
   const Camera& camera = scene.cameras[options.camera];
   const std::optional<Rgb> background = constant_background(scene, options);
-  if (!background || filter.is_signed() || scene.features.media ||
-      !PixelCover::has_projection(camera) || scene.bounds.is_empty() ||
+  if (!options.savings.skips_background || !background || filter.is_signed() ||
+      scene.features.media || !PixelCover::has_projection(camera) || scene.bounds.is_empty() ||
       !is_worth_it(scene, options))
     return;
   sample_.radiance = *background;

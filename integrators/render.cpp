@@ -188,7 +188,8 @@ CompileOptions compile_options(const RenderOptions& options) {
           .compensates_sky = options.compensates_sky &&
                              options.integrator == IntegratorKind::Path &&
                              options.sampling == SamplingStrategy::Mis,
-          .light_cells = options.light_cells && options.integrator == IntegratorKind::Path};
+          .light_cells = options.light_cells && options.integrator == IntegratorKind::Path,
+          .opacity_grids = options.savings.opacity_grids};
 }
 
 }  // namespace candela

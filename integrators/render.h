@@ -40,6 +40,14 @@ enum class Guiding : std::uint8_t { Off, Auto, On };
 
 inline constexpr int max_lamp_rays = 64;
 
+// What costs a sample less and changes nothing that is expected of it; false is for comparisons.
+struct PathSavings {
+  bool skips_background = true;  // pixels that see nothing for sure (background_pixels.h)
+  bool shares_blocks = true;     // pixels whose own samples leave lanes empty (shared_block.h)
+  bool has_convoys = true;       // blocks travel together (convoy.h)
+  bool opacity_grids = true;     // compile() heeds it
+};
+
 struct RenderOptions {
   IntegratorKind integrator = IntegratorKind::Path;
   int width = 512;
@@ -94,6 +102,7 @@ struct RenderOptions {
   AovSet aovs = 0;
   bool transparent = false;         // camera rays that leave the scene are black with alpha 0
   bool use_general_kernel = false;  // whatever the scene's features are
+  PathSavings savings;              // path
   int tile_size = 16;
   float report_p_rr = 0.8f;  // Report: the probability P_RR to go on, in (0, 1]
   // The film shows daylight of so many kelvins as white (math/white_balance.h); none: no balance.

@@ -15,7 +15,9 @@ class Convoy {
  public:
   static constexpr std::size_t capacity = F.lanes ? 16 : 1;  // blocks
 
-  [[nodiscard]] bool is_full() const { return size_ == capacity; }
+  explicit Convoy(bool is_together = true) : most_(is_together ? capacity : 1) {}
+
+  [[nodiscard]] bool is_full() const { return size_ == most_; }
 
   // The next block, whose paths are to be started.
   template <class... Arguments>
@@ -101,6 +103,7 @@ class Convoy {
   std::array<PathBlock, capacity> blocks_;
   std::array<std::optional<BlockTrip<A>>, capacity> trips_;
   std::size_t size_ = 0;
+  std::size_t most_;
   PlainLanes lanes_;
   TripRays<F, A> rays_;
 };

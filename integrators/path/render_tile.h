@@ -107,15 +107,17 @@ class TileRenderer {
         pass_(pass),
         splitting_(F.media && context_.scene.features.media ? 1 : pass.plan.splitting),
         film_(film),
-        shared_(of_render.options) {
+        shared_(of_render.options),
+        convoy_(of_render.options.savings.has_convoys) {
     context_.roulette = pass.plan.roulette();
     context_.guide = pass.guide;
     context_.observer = pass.observer;
   }
 
   [[nodiscard]] TileCounts run() {
-    if (splitting_ == 1 && pass_.observer == nullptr && leaves_lanes_empty(pass_)) {
-      const RenderOptions& options = context_.options;
+    const RenderOptions& options = context_.options;
+    if (options.savings.shares_blocks && splitting_ == 1 && pass_.observer == nullptr &&
+        leaves_lanes_empty(pass_)) {
       for_each_square(pass_.tile, options.width, options.height,
                       [&](const PixelRect& square) { add_square(square); });
     } else {

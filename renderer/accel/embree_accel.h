@@ -12,6 +12,10 @@ struct EmbreeOptions {
   // RTC_SCENE_FLAG_ROBUST: no ray slips between triangles that share an edge, and none meets the
   // face that it left (docs/accuracy_stress.md tells what happens without, and what it costs).
   bool robust = true;
+  // Blocks of rays go to Embree as packets, from as many rays on as that pays.
+  bool packets = true;
+  // Trees as good as Embree builds them (RTC_BUILD_QUALITY_HIGH); false: RTC_BUILD_QUALITY_MEDIUM.
+  bool high_quality = true;
   // Scenes of few triangles are looked at face by face, as are walls of rooms with few dense things
   // in them, where that pays (few_faces.h); Embree is asked for the rest, and where rounding
   // matters.

@@ -80,24 +80,27 @@ void EmbreeAccel::State::throw_if_failed() {
 }
 
 PacketRules packet_rules_of(RTCDevice device) {
-  constexpr std::uint32_t never = block_size + 1;
   if (embree::has_packets<16>(device)) return {16, 4, 4, 1};
   if (embree::has_packets<8>(device)) return {8, 3, 4, 4};
-  return {block_size, never, never, never};
+  return no_packets;
 }
 
 void EmbreeAccel::State::open_device() {
   device.reset(rtcNewDevice(nullptr));
   if (!device) throw std::runtime_error("Embree cannot open a device on this processor");
-  packets = packet_rules_of(device.get());
+  packets = options.packets ? packet_rules_of(device.get()) : no_packets;
   callbacks.begin();
   rtcSetDeviceErrorFunction(device.get(), record_error, this);
   rtcSetDeviceMemoryMonitorFunction(device.get(), count_bytes, this);
 }
 
+RTCBuildQuality EmbreeAccel::State::quality() const {
+  return options.high_quality ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM;
+}
+
 EmbreeScene EmbreeAccel::State::new_scene() const {
   EmbreeScene made(rtcNewScene(device.get()));
-  rtcSetSceneBuildQuality(made.get(), RTC_BUILD_QUALITY_HIGH);
+  rtcSetSceneBuildQuality(made.get(), quality());
   rtcSetSceneFlags(made.get(), options.robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
   return made;
 }
@@ -119,7 +122,7 @@ EmbreeGeometry EmbreeAccel::State::triangles_of(std::uint32_t index) {
                              source.triangles.data(), 0, 3 * sizeof(std::uint32_t),
                              source.triangles.size());
   rtcSetGeometryMask(geometry, none);  // Embree 4's default sees the lowest bit only
-  rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
+  rtcSetGeometryBuildQuality(geometry, quality());
   if (source.has_cutouts) {
     rtcSetGeometryUserData(geometry, &user_data[index]);
     rtcSetGeometryIntersectFilterFunction(geometry, let_light_through);

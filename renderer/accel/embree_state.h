@@ -45,6 +45,7 @@ struct PacketRules {
   std::uint32_t size;
   std::uint32_t fewest_coherent, fewest_incoherent, fewest_shadow;
 };
+inline constexpr PacketRules no_packets{block_size, block_size + 1, block_size + 1, block_size + 1};
 [[nodiscard]] PacketRules packet_rules_of(RTCDevice device);
 
 struct EmbreeAccel::State {
@@ -70,6 +71,7 @@ struct EmbreeAccel::State {
 
   void open_device();
   void build();
+  [[nodiscard]] RTCBuildQuality quality() const;
   [[nodiscard]] embree::EmbreeScene new_scene() const;
   // Of geometries of the world, which keep their index as ID.
   [[nodiscard]] embree::EmbreeScene scene_of(std::span<const GeometryHandle> geometries);

@@ -9,4 +9,7 @@ namespace candela {
 // hint before first use: what is not granted stays as it is, and nothing grows.
 void advise_large_pages(void* begin, std::size_t bytes);
 
+// From now on this process gets small pages alone, whatever is asked for; for comparisons.
+void forbid_large_pages();
+
 }  // namespace candela

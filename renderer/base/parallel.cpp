@@ -1,6 +1,7 @@
 #include "renderer/base/parallel.h"
 
 #include <algorithm>
+#include <optional>
 
 #if defined(__SSE2__)
 #include <pmmintrin.h>
@@ -70,11 +71,12 @@ void parallel_for_chunks(std::size_t count, std::size_t grain,
   handover.end();
 }
 
-void with_threads(int threads, const std::function<void()>& work) {
+void with_threads(int threads, const std::function<void()>& work, Denormals denormals) {
   const int count = threads > 0 ? threads : available_threads();
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(std::max(count, 1)));
-  const FlushDenormals flush;
+  std::optional<FlushDenormals> flush;
+  if (denormals == Denormals::Flushed) flush.emplace();
   const FloatingPointTraps traps(Traps::On);  // in the arena's workers likewise
   tbb::task_arena arena(count);
   arena.execute(work);

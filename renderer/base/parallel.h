@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 
 namespace candela {
@@ -14,10 +15,14 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
 void parallel_for_chunks(std::size_t count, std::size_t grain,
                          const std::function<void(std::size_t, std::size_t)>& body);
 
-// Runs `work` in an arena of `threads` threads (0: as many as the process may use). What `work`
-// starts through parallel_for stays in that arena. FTZ/DAZ are set on every worker of the arena,
-// as Embree asks for.
-void with_threads(int threads, const std::function<void()>& work);
+// What becomes of denormal numbers: zero (FTZ and DAZ), as Embree asks for, or what IEEE 754 says,
+// for comparisons.
+enum class Denormals : std::uint8_t { Flushed, Kept };
+
+// Runs `work` in an arena of `threads` threads (0: as many as the process may use), all of which
+// treat denormal numbers alike. What `work` starts through parallel_for stays in that arena.
+void with_threads(int threads, const std::function<void()>& work,
+                  Denormals denormals = Denormals::Flushed);
 
 // Runs `work` of a library that uses oneTBB itself, with floating-point traps
 // (floating_point_traps.h) off in all threads. In builds without traps nothing but work().

@@ -122,7 +122,7 @@ Result<Scene> compile(const SceneDescription& description, const CompileOptions&
     scene.cameras.push_back(compile_camera(camera, scene.normalisation, options));
   if (options.keeps_media) compile_media(description, used, scene, dropped);
   compile_geometry(description, options, scene, dropped);
-  compile_coverage(scene);
+  if (options.opacity_grids) compile_coverage(scene);
   scene.bounds = bounds_of(scene);
   compile_lights(description, options, scene, dropped, diagnostics);
   scene.features = features_of(scene);

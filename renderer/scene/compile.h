@@ -31,6 +31,8 @@ struct CompileOptions {
   bool compensates_sky = false;
   // Whether lights are picked by what they may send to where they are asked for (light_cells.h).
   bool light_cells = false;
+  // Whether cut-outs have grids that tell where their opacity is 0 or 1 (coverage_grid.h).
+  bool opacity_grids = true;
 };
 
 // Validates, then compiles. Errors name the file and line of what cannot be rendered.

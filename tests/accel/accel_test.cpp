@@ -30,6 +30,7 @@ void expect_oracle_content(const Scene& scene, const Soup& rays_about) {
   expect_oracle_content(BvhAccel(scene), scene, rays);
   expect_oracle_content(EmbreeAccel(scene, {.robust = false}), scene, rays);
   expect_oracle_content(EmbreeAccel(scene, {.robust = true}), scene, rays);
+  expect_oracle_content(EmbreeAccel(scene, {.high_quality = false}), scene, rays);
 }
 
 std::vector<Instance> some_instances() {

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
 #include <cstddef>
+#include <cstdlib>
 #include <vector>
 
 namespace candela {
@@ -21,6 +26,19 @@ TEST(Unit_LargePages, LeaveWhatIsWritten) {
     changed += static_cast<std::size_t>(memory[i] != i % 251);
   EXPECT_EQ(changed, 0u);
 }
+
+#ifdef PR_GET_THP_DISABLE
+// In a process of its own, since it is for good; without its end of the program, since a fork has
+// none of the threads that it waits for.
+TEST(Unit_LargePages, CanBeForbidden) {
+  const auto forbidden = [] {
+    forbid_large_pages();
+    std::_Exit(prctl(PR_GET_THP_DISABLE, 0, 0, 0, 0));
+  };
+  ASSERT_EQ(prctl(PR_GET_THP_DISABLE, 0, 0, 0, 0), 0);
+  EXPECT_EXIT(forbidden(), testing::ExitedWithCode(1), "");
+}
+#endif
 
 }  // namespace
 }  // namespace candela

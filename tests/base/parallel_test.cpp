@@ -65,5 +65,13 @@ TEST(Unit_Parallel, WorkersFlushDenormalsToZero) {
   }
 }
 
+TEST(Unit_Parallel, WorkersKeepDenormalsWhereAsked) {
+  std::atomic<int> kept = 0;
+  with_threads(
+      3, [&] { parallel_for(100, [&](std::size_t) { kept += keeps_denormals(); }); },
+      Denormals::Kept);
+  EXPECT_EQ(kept, 100);
+}
+
 }  // namespace
 }  // namespace candela

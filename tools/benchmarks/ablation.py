@@ -39,6 +39,14 @@ TECHNIQUES = (  # a row is a line
               same_picture=True, timed_on={"kernel": "general"}),
     Technique("lists of few faces (off: Embree alone)", {"accel": "embree"}, same_picture=True),
     Technique("robust mode", {"robust": "off"}, same_picture=True),
+    Technique("packets of rays", {"without": "packets"}, same_picture=True),
+    Technique("trees of high quality", {"without": "high-quality"}, same_picture=True),
+    Technique("denormals as zero", {"without": "flushing"}, same_picture=True),
+    Technique("large pages for images", {"without": "large-pages"}, same_picture=True),
+    Technique("pixels that share blocks", {"without": "shared-blocks"}, same_picture=True),
+    Technique("blocks in convoys", {"without": "convoys"}, same_picture=True),
+    Technique("background without rays", {"without": "background"}, same_picture=True),
+    Technique("grids of opacity", {"without": "opacity-grids"}, same_picture=True),
     Technique("adaptive sampling", {"adaptive": "off"}),
     Technique("no splitting (off: by two)", {"splitting": 2}, both=USUAL_ROULETTE),
     Technique("no splitting (off: by four)", {"splitting": 4}, both=USUAL_ROULETTE),
@@ -78,12 +86,15 @@ def add_arguments(parser):
                         help="samples of a picture (128; adaptive sampling begins at 64)")
     parser.add_argument("--technique", action="append", metavar="WORDS",
                         help="only rows whose name has these words; may be given several times")
+    parser.add_argument("--same-picture", action="store_true",
+                        help="only rows that change time alone: no reference is needed")
     parser.add_argument("--threads", type=int, default=1, help="(1)")
 
 
 def wanted(options):
     words = options.technique or [""]
-    found = [t for t in TECHNIQUES if any(w.lower() in t.name.lower() for w in words)]
+    found = [t for t in TECHNIQUES if any(w.lower() in t.name.lower() for w in words)
+             and (t.same_picture or not options.same_picture)]
     if not found:
         names = ", ".join(f"'{t.name}'" for t in TECHNIQUES)
         raise CandelaFailed(f"no technique is called {' or '.join(words)}; there are {names}")
@@ -105,9 +116,11 @@ def run(options):
     techniques = wanted(options)
     rows = []
     for name, scene in scenes.items():
-        right = truth.reference(candela, name, scene, size, 16 * spp)
         common = {"size": f"{size}x{size}", "spp": spp, "threads": options.threads}
-        rate = rate_of(candela, scene, right, pairs, common)
+        right = rate = None
+        if not all(technique.same_picture for technique in techniques):
+            right = truth.reference(candela, name, scene, size, 16 * spp)
+            rate = rate_of(candela, scene, right, pairs, common)
         for technique in techniques:
             try:
                 rows.append(row(candela, name, scene, right, technique, pairs, common, rate))
@@ -131,12 +144,13 @@ def row(candela, name, scene, right, technique, pairs, common, rate):
     on, off = [], []
     for seed in range(1, pairs + 1):
         own = common | technique.both | {"seed": seed}
-        on.append(truth.measured(candela, scene, right, **own))
+        picture = None if technique.same_picture else right
+        on.append(truth.measured(candela, scene, picture, **own))
         if technique.timed_on:
-            timed = truth.measured(candela, scene, right, **own, **technique.timed_on)
+            timed = truth.measured(candela, scene, None, **own, **technique.timed_on)
             on[-1] = dataclasses.replace(on[-1], cpu_seconds=timed.cpu_seconds,
                                          seconds=timed.seconds)
-        off.append(truth.measured(candela, scene, right, **own, **technique.off))
+        off.append(truth.measured(candela, scene, picture, **own, **technique.off))
     word = None if technique.same_picture else truth.judged(
         right, *([run.relmse for run in runs] for runs in (on, off)))
     return ({"technique": technique.name, "scene": name}

@@ -82,10 +82,10 @@ def of_a_triangle(results, candela, triangle, quick):
         peak = (peak_megabytes(candela, name, path, SMALL) - baseline) * 1e6 / triangles
         rows.append({"scene": name, "triangles": triangles, "meshes": held["meshes"] / triangles,
                      "embree": held["embree"] / triangles, "both": both,
-                     "verdict": verdict(both < GOAL_BYTES), "peak": peak})
+                     "peak": peak, "verdict": verdict(max(both, peak) < GOAL_BYTES)})
     results.table("triangles", "Bytes a triangle, untextured", rows,
-                  f"Wanted of meshes and Embree together is less than {GOAL_BYTES}. peak: of a "
-                  f"render of {SMALL} pixels, less that of one triangle.")
+                  f"Wanted is less than {GOAL_BYTES} at the peak: that of a render of {SMALL} "
+                  "pixels, less that of one triangle.")
 
 
 def many_triangles(out, quick):

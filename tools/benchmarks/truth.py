@@ -6,6 +6,7 @@ own noise, which its seeds tell; it should be below 1/20 of what is claimed with
 
 import dataclasses
 import statistics
+from math import nan
 
 import references
 from chosen_scenes import safe
@@ -39,9 +40,12 @@ class Run:
 
 
 def measured(candela, scene, truth, counts_decoding=True, **options):
+    """Without a truth (None) only the times count, and errors are nan."""
     from exr import read_exr
     render = candela.render("measured", scene, png=False, filter="box", **options)
     decoding = 0 if counts_decoding else render.stats["cpu_seconds"]["decoding"]
+    if truth is None:
+        return Run(nan, nan, render.cpu_seconds - decoding, render.seconds, render.spp, nan)
     return run_of(read_exr(render.exr), truth, render.cpu_seconds - decoding, render.seconds,
                   render.spp)
 

@@ -13,6 +13,7 @@
 #include "renderer/accel/any_accel.h"
 #include "renderer/image/image_io.h"
 #include "scene_io/load.h"
+#include "tools/candela/savings.h"
 
 namespace candela::cli {
 
@@ -77,6 +78,7 @@ struct RenderArguments {
   AcceleratorKind accelerator = AcceleratorKind::Auto;
   EmbreeOptions embree;
   bool uses_general_kernel = false;
+  SavingSet without = 0;
   std::optional<FilterKind> filter;
   std::optional<double> exposure;
   ToneMap tone_map = ToneMap::Srgb;

@@ -108,6 +108,7 @@ void add_options(Json& json, const RenderReport& report) {
   json["threads"] = report.threads;
   json["accel"] = name_of(report.accelerator, accelerator_choices());
   json["robust"] = report.is_robust;
+  json["without"] = savings_text(report.without);
   json["kernel"] = report.statistics.kernel;
 }
 

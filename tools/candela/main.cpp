@@ -7,6 +7,7 @@
 
 #include "integrators/render.h"
 #include "renderer/accel/any_accel.h"
+#include "renderer/base/large_pages.h"
 #include "renderer/base/parallel.h"
 #include "renderer/image/image_io.h"
 #include "renderer/scene/compile.h"
@@ -50,7 +51,8 @@ ExitCode render_scene(const RenderArguments& arguments) {
   give_back_freed_memory();
 
   std::optional<AnyAccelerator> accelerator = run.timed(&StageSeconds::build, [&] {
-    return build_accelerator(*scene, arguments.accelerator, arguments.embree);
+    return build_accelerator(*scene, arguments.accelerator,
+                             without(arguments.without, arguments.embree));
   });
 
   ProgressSink* const progress = run.start_rendering(*scene);
@@ -72,7 +74,11 @@ ExitCode render_scene(const RenderArguments& arguments) {
 
 ExitCode run_command(const RenderArguments& arguments) {
   ExitCode code = ExitCode::Bug;
-  with_threads(arguments.threads, [&] { code = render_scene(arguments); });
+  if (has(arguments.without, Saving::LargePages)) forbid_large_pages();
+  const bool flushes = !has(arguments.without, Saving::FlushedDenormals);
+  with_threads(
+      arguments.threads, [&] { code = render_scene(arguments); },
+      flushes ? Denormals::Flushed : Denormals::Kept);
   return code;
 }
 ExitCode run_command(const InfoArguments& arguments) {

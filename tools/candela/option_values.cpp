@@ -57,16 +57,6 @@ constexpr Choice<Aov> aovs[] = {
 constexpr Choice<bool> switches[] = {{"on", true}, {"off", false}};
 constexpr Choice<bool> kernels[] = {{"special", false}, {"general", true}};
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const std::size_t end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
 template <class T>
 std::optional<T> whole(std::string_view text) {
   T value{};
@@ -137,6 +127,16 @@ std::span<const Choice<ToneMap>> tone_map_choices() {
 }
 std::span<const Choice<Aov>> aov_choices() {
   return aovs;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
 }
 
 std::string unknown_choice(std::string_view kind, std::string_view word,

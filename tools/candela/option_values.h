@@ -33,6 +33,9 @@ struct Choice {
 [[nodiscard]] std::span<const Choice<ToneMap>> tone_map_choices();
 [[nodiscard]] std::span<const Choice<Aov>> aov_choices();
 
+// The parts between separators, one at least.
+[[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
+
 // "unknown integrator 'pth', did you mean 'path'? Known: path".
 [[nodiscard]] std::string unknown_choice(std::string_view kind, std::string_view word,
                                          const std::vector<std::string_view>& known);

@@ -191,6 +191,9 @@ void add_render_machinery(CLI::App& command, RenderArguments& render) {
       command, "--kernel", "kernel", render.uses_general_kernel, kernel_choices(),
       "With path: the instance for what the scene needs, or the one for all scenes: the same "
       "bits [special]");
+  add_value(command, "--without", "LIST", render.without, parse_savings,
+            "Savings that are taken away, for comparisons: packets, high-quality, flushing, "
+            "large-pages, shared-blocks, convoys, background, opacity-grids [none]");
   command.add_flag("--ray-limit", render.measures_ray_limit,
                    "Also measure CPU time over that of the rays alone");
 }

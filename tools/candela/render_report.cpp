@@ -49,20 +49,24 @@ std::string guiding_text(const RenderOptions& options) {
   return fmt::format(" guiding={}", name_of(options.guiding, guiding_choices()));
 }
 
+std::string without_text(const RenderReport& report) {
+  return report.without == 0 ? "" : " without=" + savings_text(report.without);
+}
+
 // Everything that decides the pixels, in one line.
 std::string options_text(const RenderReport& report) {
   const RenderOptions& options = report.options;
   const PixelRect crop = report.rect();
   return fmt::format(
       "size={}x{} crop={},{},{},{} camera={} max_depth={} filter={} transparent={} accel={} "
-      "robust={} replicates={} adaptive={} splitting={} roulette={}/{}{}{}{}{}",
+      "robust={}{} replicates={} adaptive={} splitting={} roulette={}/{}{}{}{}{}",
       options.width, options.height, crop.x0, crop.y0, crop.x1, crop.y1, options.camera,
       depth_text(options.max_depth), name_of(options.filter, filter_choices()),
       options.transparent ? "yes" : "no", name_of(report.accelerator, accelerator_choices()),
-      report.is_robust ? "on" : "off", report.replicates, options.adaptive ? "on" : "off",
-      report.statistics.plan.splitting, report.statistics.plan.roulette_threshold,
-      report.statistics.plan.first_roulette_bounce, guiding_text(options), lab_text(options),
-      strategy_text(options), balance_text(options));
+      report.is_robust ? "on" : "off", without_text(report), report.replicates,
+      options.adaptive ? "on" : "off", report.statistics.plan.splitting,
+      report.statistics.plan.roulette_threshold, report.statistics.plan.first_roulette_bounce,
+      guiding_text(options), lab_text(options), strategy_text(options), balance_text(options));
 }
 
 }  // namespace

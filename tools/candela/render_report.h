@@ -29,6 +29,7 @@ struct RenderReport {
   RenderOptions options;
   AcceleratorKind accelerator = AcceleratorKind::Auto;
   bool is_robust = false;
+  SavingSet without = 0;
   DisplayTransform display;
   int threads = 0;
   std::uint32_t min_samples = 0;  // a pixel; less than asked where the render was interrupted

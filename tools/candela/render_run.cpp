@@ -83,6 +83,7 @@ RenderRun::RenderRun(const RenderArguments& arguments)
   report_.scene = arguments.scene.path;
   report_.accelerator = arguments.accelerator;
   report_.is_robust = arguments.embree.robust;
+  report_.without = arguments.without;
   report_.threads = arguments.threads > 0 ? arguments.threads : available_threads();
 }
 

@@ -125,6 +125,8 @@ void refuse_what_only_path_does(const RenderArguments& arguments, const RenderOp
   refuse(arguments.lamp_rays.has_value(), "--lamp-rays");
   refuse(arguments.light_sampling.has_value(), "--light-sampling");
   refuse(arguments.light_cells.has_value(), "--light-cells");
+  const std::string_view saving = saving_of_path(arguments.without);
+  refuse(!saving.empty(), fmt::format("--without {}", saving));
 }
 
 // What draws nothing at random has no error to state, and a grid is complete or has gaps.
@@ -165,6 +167,7 @@ void settle_stop_rules(const RenderArguments& arguments, RenderOptions& options)
   options.chooses_roulette = !roulette.threshold;
   options.guiding = arguments.guiding.value_or(options.guiding);
   options.use_general_kernel = arguments.uses_general_kernel;
+  options.savings = path_savings_without(arguments.without);
   if (arguments.error_goal) options.target_relmse = *arguments.error_goal * *arguments.error_goal;
   if (arguments.relmse_goal)
     options.target_relmse =

@@ -1,0 +1,44 @@
+// `--without LIST`: what makes a render cheaper and, noise apart, changes nothing of its picture,
+// taken away for comparisons.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "integrators/render.h"
+#include "renderer/accel/embree_accel.h"
+#include "renderer/base/result.h"
+
+namespace candela::cli {
+
+enum class Saving : std::uint8_t {
+  Packets,
+  HighQuality,
+  FlushedDenormals,
+  LargePages,
+  SharedBlocks,
+  Convoys,
+  Background,
+  OpacityGrids
+};
+
+using SavingSet = std::uint32_t;
+[[nodiscard]] constexpr SavingSet saving_bit(Saving saving) {
+  return SavingSet{1} << static_cast<unsigned>(saving);
+}
+[[nodiscard]] constexpr bool has(SavingSet set, Saving saving) {
+  return (set & saving_bit(saving)) != 0;
+}
+
+// "packets,convoys".
+[[nodiscard]] Result<SavingSet> parse_savings(std::string_view text);
+[[nodiscard]] std::string savings_text(SavingSet set);
+
+// The first of the set that path alone has; "" where there is none.
+[[nodiscard]] std::string_view saving_of_path(SavingSet set);
+
+[[nodiscard]] EmbreeOptions without(SavingSet set, EmbreeOptions options);
+[[nodiscard]] PathSavings path_savings_without(SavingSet set);
+
+}  // namespace candela::cli
