@@ -112,6 +112,7 @@ TEST(Unit_Bench, MeasuresBothBackEnds) {
       EXPECT_GT(bench[back_end]["mrays_per_second"][rays], 0) << back_end << rays;
     }
   }
+  for (const char* way : {"block", "single"}) EXPECT_GT(bench["number_nanoseconds"][way], 0) << way;
 }
 
 }  // namespace

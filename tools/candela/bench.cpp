@@ -1,6 +1,7 @@
 // candela bench SCENE
 #include <fmt/format.h>
 
+#include "integrators/ray_bench/number_bench.h"
 #include "integrators/ray_bench/ray_bench.h"
 #include "renderer/base/parallel.h"
 #include "tools/candela/commands.h"
@@ -20,7 +21,8 @@ std::string back_end_line(std::string_view name, const BackEndFigures& figures) 
   return text + "\n";
 }
 
-std::string to_text(const std::string& scene, const RayBenchResult& result) {
+std::string to_text(const std::string& scene, const RayBenchResult& result,
+                    const NumberFigures& numbers) {
   std::string text =
       fmt::format("{}: {} triangles, Embree {}, {} thread{}\n", scene, result.triangles,
                   result.embree_version, result.threads, result.threads == 1 ? "" : "s");
@@ -35,6 +37,8 @@ std::string to_text(const std::string& scene, const RayBenchResult& result) {
   text += fmt::format("\n  agree   {} of {} rays; {} disagree, {} at one distance, {} at an edge\n",
                       agreement.rays - agreement.disagreeing, agreement.rays, agreement.disagreeing,
                       agreement.same_distance, agreement.at_edge);
+  text += fmt::format("  numbers {:.2f} ns a dimension in blocks of sixteen, {:.2f} one by one\n",
+                      numbers.block_ns, numbers.single_ns);
   return text;
 }
 
@@ -48,8 +52,9 @@ ExitCode run_bench(const BenchArguments& arguments) {
   RayBenchOptions options;
   options.seconds_each = arguments.seconds_each;
   const RayBenchResult result = run_ray_bench(*read.scene, options, threads);
-  return print_result(arguments.as_json ? to_json(arguments.scene.path, result)
-                                        : to_text(arguments.scene.path, result),
+  const NumberFigures numbers = run_number_bench(arguments.seconds_each);
+  return print_result(arguments.as_json ? to_json(arguments.scene.path, result, numbers)
+                                        : to_text(arguments.scene.path, result, numbers),
                       console);
 }
 

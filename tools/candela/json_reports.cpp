@@ -206,7 +206,8 @@ std::string to_json(const SceneInfo& info) {
   return text_of(json);
 }
 
-std::string to_json(const std::string& scene, const RayBenchResult& result) {
+std::string to_json(const std::string& scene, const RayBenchResult& result,
+                    const NumberFigures& numbers) {
   const AgreementCounts& agreement = result.agreement;
   Json json;
   json["version"] = CANDELA_VERSION;
@@ -221,6 +222,7 @@ std::string to_json(const std::string& scene, const RayBenchResult& result) {
                        {"disagreeing", agreement.disagreeing},
                        {"same_distance", agreement.same_distance},
                        {"at_edge", agreement.at_edge}};
+  json["number_nanoseconds"] = {{"block", numbers.block_ns}, {"single", numbers.single_ns}};
   return text_of(json);
 }
 

@@ -275,8 +275,8 @@ struct CommandLine {
   }
 
   void add_bench() {
-    CLI::App& command =
-        *app.add_subcommand("bench", "Measure Embree against the reference BVH on a scene");
+    CLI::App& command = *app.add_subcommand(
+        "bench", "Measure Embree against the reference BVH on a scene, and random numbers");
     add_scene(command, bench.scene);
     add_threads(command, bench.threads);
     add_value(command, "--seconds", "S", bench.seconds_each, parse_positive_number,
