@@ -45,7 +45,7 @@ struct PathSavings {
   bool skips_background = true;  // pixels that see nothing for sure (background_pixels.h)
   bool shares_blocks = true;     // pixels whose own samples leave lanes empty (shared_block.h)
   bool has_convoys = true;       // blocks travel together (convoy.h)
-  bool opacity_grids = true;     // compile() heeds it
+  bool opacity_grids = true;     // compile() heeds it; report has them, too
 };
 
 struct RenderOptions {

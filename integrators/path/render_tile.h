@@ -116,8 +116,7 @@ class TileRenderer {
 
   [[nodiscard]] TileCounts run() {
     const RenderOptions& options = context_.options;
-    if (options.savings.shares_blocks && splitting_ == 1 && pass_.observer == nullptr &&
-        leaves_lanes_empty(pass_)) {
+    if (shares_blocks(options, pass_, splitting_)) {
       for_each_square(pass_.tile, options.width, options.height,
                       [&](const PixelRect& square) { add_square(square); });
     } else {

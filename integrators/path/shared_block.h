@@ -19,6 +19,13 @@ inline constexpr int shared_side = 4;
          pass.range.end % block_size != 0;
 }
 
+// Whether the pass has blocks of several pixels' samples.
+[[nodiscard]] inline bool shares_blocks(const RenderOptions& options, const TilePass& pass,
+                                        std::uint32_t splitting) {
+  return options.savings.shares_blocks && splitting == 1 && pass.observer == nullptr &&
+         leaves_lanes_empty(pass);
+}
+
 // Calls visit(square) for all aligned squares that have a pixel in the tile, cut at the picture's
 // edges.
 template <class Visit>

@@ -46,6 +46,12 @@ Diagnostics check_folder(const std::string& path, const std::string& folder) {
   return failure(fmt::format("'{}' cannot be written: '{}' is not a folder", path, folder));
 }
 
+// A pipe or device. Its name is not followed: /dev/stdout leads to a pipe that has none.
+bool is_stream(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
 }  // namespace
 
 OutputTarget find_output_target(const std::string& path) {
@@ -54,7 +60,8 @@ OutputTarget find_output_target(const std::string& path) {
     target.diagnostics = failure(fmt::format("'{}' cannot be written: it names no file", path));
     return target;
   }
-  target.path = follow_links(path);
+  target.is_stream = is_stream(path);
+  target.path = target.is_stream ? path : follow_links(path);
   target.folder = folder_of(target.path);
   target.diagnostics = check_folder(path, target.folder);
   if (target.diagnostics.has_errors()) return target;
@@ -65,7 +72,6 @@ OutputTarget find_output_target(const std::string& path) {
           failure(fmt::format("'{}' cannot be written: {}", path, system_message(errno)));
     return target;
   }
-  target.is_stream = !S_ISREG(status.st_mode);
   if (S_ISDIR(status.st_mode))
     target.diagnostics = failure(fmt::format("'{}' cannot be written: it is a directory", path));
   else if (::access(target.path.c_str(), W_OK) != 0)

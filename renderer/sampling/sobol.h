@@ -22,8 +22,8 @@ namespace candela {
 }
 
 // Shuffles the order of a sequence within every aligned block of a power of two, given and
-// returning reversed indices: a hash whose lower bits do not depend on the higher ones [Laine11;
-// the constants of Vegdahl21].
+// returning reversed indices: a hash whose lower bits do not depend on the higher ones [Laine11],
+// by the constants of [Vegdahl21].
 [[nodiscard]] constexpr std::uint32_t shuffle_reversed_index(std::uint32_t reversed_index,
                                                              std::uint32_t seed) {
   std::uint32_t x = reversed_index;

@@ -7,6 +7,8 @@
 
 #include "renderer/accel/any_accel.h"
 #include "tests/accel/ray_sets.h"
+#include "tests/scenes/coincident_walls.h"
+#include "tests/scenes/render_scene.h"
 #include "tests/scenes/soups.h"
 
 namespace candela {
@@ -84,6 +86,18 @@ TEST(Unit_RayBlock, EmbreeAnswersAsForSingleRays) {
     expect_single_answers(embree, pixel_blocks(2000, 1), Coherence::Coherent);
     expect_single_answers(embree, scattered_blocks(2000, 2), Coherence::Incoherent);
     expect_single_answers(embree, scattered_blocks(500, 3), Coherence::Coherent);
+  }
+}
+
+// Of surfaces in one place a packet may meet another one than its rays do one by one.
+TEST(Unit_RayBlock, WithoutPacketsEmbreeAnswersOneByOne) {
+  const Scene scene = test::compiled(test::walls_of_two_colours(), {});
+  const EmbreeAccel embree(scene, {.packets = false});
+  for (const RayBlock& rays : scattered_blocks(2000, 8)) {
+    const HitBlock found = embree.intersect(rays, all_lanes, Coherence::Incoherent);
+    for_each_lane(all_lanes, [&](std::uint32_t i) {
+      ASSERT_TRUE(are_equal(found[i], embree.intersect(rays[i])));
+    });
   }
 }
 

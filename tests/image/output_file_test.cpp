@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <functional>
 
@@ -71,6 +72,19 @@ TEST(Unit_OutputFile, WritesToDevicesAsTheyStand) {
   struct stat status {};
   ASSERT_EQ(::stat("/dev/null", &status), 0);
   EXPECT_TRUE(S_ISCHR(status.st_mode));
+}
+
+// As /dev/stdout is in a pipeline: a link to what has no name of its own.
+TEST(Unit_OutputFile, WritesToPipesWithoutANameOfTheirOwn) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  const std::string path = fmt::format("/proc/self/fd/{}", ends[1]);
+  EXPECT_EQ(first_message(check_writable_file(path)), "");
+  EXPECT_EQ(first_message(write_file_atomically(path, "light")), "");
+  std::array<char, 8> read{};
+  EXPECT_EQ(::read(ends[0], read.data(), read.size()), 5);
+  EXPECT_EQ(std::string(read.data()), "light");
+  for (const int end : ends) ::close(end);
 }
 
 TEST(Errors_OutputFile, NamesMissingFoldersDirectoriesAndFullDevices) {

@@ -1,5 +1,5 @@
 // What makes a path cheaper changes no bit of a picture where each ray is traced by itself, as the
-// reference BVH does; and what is taken away is not there.
+// reference BVH does.
 #include <gtest/gtest.h>
 
 #include "tests/image/crafted_files.h"

@@ -77,6 +77,16 @@ TEST(Unit_SharedBlock, IsForPassesThatDoNotFillBlocks) {
   EXPECT_TRUE(leaves_lanes_empty(pass));
 }
 
+TEST(Unit_SharedBlock, SplitPathsAndObserversHaveNone) {
+  TilePass pass;
+  pass.range = {0, 9};
+  RenderOptions options;
+  EXPECT_TRUE(shares_blocks(options, pass, 1));
+  EXPECT_FALSE(shares_blocks(options, pass, 2));
+  options.savings.shares_blocks = false;
+  EXPECT_FALSE(shares_blocks(options, pass, 1));
+}
+
 TEST(Agreement_SharedBlock, CompanyChangesNoBit) {
   for (const int samples : {1, 3, 7, 15}) {
     RenderSettings settings = settings_of(30, samples);

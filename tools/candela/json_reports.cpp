@@ -79,9 +79,6 @@ void add_options(Json& json, const RenderReport& report) {
   json["replicates"] = report.replicates;
   json["adaptive"] = options.adaptive;
   json["splitting"] = report.statistics.plan.splitting;
-  json["roulette"] = report.statistics.plan.roulette_threshold;
-  json["roulette_bounce"] = report.statistics.plan.first_roulette_bounce;
-  json["roulette_samples"] = report.statistics.roulette_samples;
   json["guiding"] = guiding_json(report);
   json["biased"] = biases_of(options);
   json["max_depth"] = or_null(options.max_depth);
@@ -92,6 +89,9 @@ void add_options(Json& json, const RenderReport& report) {
   if (!is_lab_shading(options.integrator)) {
     json["sampling"] = sampling_name(options);
     if (options.integrator == IntegratorKind::Path) {
+      json["roulette"] = report.statistics.plan.roulette_threshold;
+      json["roulette_bounce"] = report.statistics.plan.first_roulette_bounce;
+      json["roulette_samples"] = report.statistics.roulette_samples;
       json["heuristic"] = name_of(options.heuristic, heuristic_choices());
       json["sampler"] = name_of(options.sampler, sampler_choices());
       json["sky_samples"] = options.samples_constant_sky;

@@ -52,7 +52,7 @@ ExitCode render_scene(const RenderArguments& arguments) {
 
   std::optional<AnyAccelerator> accelerator = run.timed(&StageSeconds::build, [&] {
     return build_accelerator(*scene, arguments.accelerator,
-                             without(arguments.without, arguments.embree));
+                             embree_options_without(arguments.without, arguments.embree));
   });
 
   ProgressSink* const progress = run.start_rendering(*scene);

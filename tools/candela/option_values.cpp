@@ -54,6 +54,14 @@ constexpr Choice<Aov> aovs[] = {
     {"albedo", Aov::Albedo},     {"normal", Aov::Normal},          {"depth", Aov::Depth},
     {"position", Aov::Position}, {"material_id", Aov::MaterialId}, {"samples", Aov::Samples},
     {"variance", Aov::Variance}, {"interval", Aov::Interval},      {"heavy_tail", Aov::HeavyTail}};
+constexpr Choice<Saving> savings[] = {{"packets", Saving::Packets},
+                                      {"high-quality", Saving::HighQuality},
+                                      {"flushing", Saving::FlushedDenormals},
+                                      {"large-pages", Saving::LargePages},
+                                      {"shared-blocks", Saving::SharedBlocks},
+                                      {"convoys", Saving::Convoys},
+                                      {"background", Saving::Background},
+                                      {"opacity-grids", Saving::OpacityGrids}};
 constexpr Choice<bool> switches[] = {{"on", true}, {"off", false}};
 constexpr Choice<bool> kernels[] = {{"special", false}, {"general", true}};
 
@@ -127,6 +135,9 @@ std::span<const Choice<ToneMap>> tone_map_choices() {
 }
 std::span<const Choice<Aov>> aov_choices() {
   return aovs;
+}
+std::span<const Choice<Saving>> saving_choices() {
+  return savings;
 }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -267,13 +278,11 @@ Result<Vec3d> parse_rgb(std::string_view text) {
 }
 
 Result<AovSet> parse_aovs(std::string_view text) {
-  AovSet set = 0;
-  for (const std::string_view name : split(text, ',')) {
-    const Result<Aov> aov = choose("layer", name, aov_choices());
-    if (!aov) return Diagnostics(aov.diagnostics);
-    set |= aov_bit(*aov);
-  }
-  return AovSet(set);
+  return choose_set("layer", text, aov_choices(), aov_bit);
+}
+
+Result<SavingSet> parse_savings(std::string_view text) {
+  return choose_set("saving", text, saving_choices(), saving_bit);
 }
 
 Result<bool> parse_switch(std::string_view text) {

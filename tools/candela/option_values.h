@@ -32,6 +32,7 @@ struct Choice {
 [[nodiscard]] std::span<const Choice<bool>> kernel_choices();  // is it the general one?
 [[nodiscard]] std::span<const Choice<ToneMap>> tone_map_choices();
 [[nodiscard]] std::span<const Choice<Aov>> aov_choices();
+[[nodiscard]] std::span<const Choice<Saving>> saving_choices();
 
 // The parts between separators, one at least.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
@@ -56,6 +57,19 @@ template <class T>
   for (const Choice<T>& choice : choices)
     if (choice.value == value) return choice.name;
   return "";
+}
+
+// "albedo,normal": the bits of the named values, bit_of(value) each.
+template <class T>
+[[nodiscard]] Result<std::uint32_t> choose_set(std::string_view kind, std::string_view text,
+                                               std::span<const Choice<T>> choices, auto bit_of) {
+  std::uint32_t set = 0;
+  for (const std::string_view name : split(text, ',')) {
+    const Result<T> value = choose(kind, name, choices);
+    if (!value) return Diagnostics(value.diagnostics);
+    set |= bit_of(*value);
+  }
+  return std::uint32_t(set);
 }
 
 // A whole number within [low, high].
@@ -83,6 +97,8 @@ template <class T>
 [[nodiscard]] Result<Vec3d> parse_rgb(std::string_view text);
 // "albedo,normal".
 [[nodiscard]] Result<AovSet> parse_aovs(std::string_view text);
+// "packets,convoys".
+[[nodiscard]] Result<SavingSet> parse_savings(std::string_view text);
 // "on" or "off".
 [[nodiscard]] Result<bool> parse_switch(std::string_view text);
 

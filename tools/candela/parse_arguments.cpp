@@ -192,8 +192,7 @@ void add_render_machinery(CLI::App& command, RenderArguments& render) {
       "With path: the instance for what the scene needs, or the one for all scenes: the same "
       "bits [special]");
   add_value(command, "--without", "LIST", render.without, parse_savings,
-            "Savings that are taken away, for comparisons: packets, high-quality, flushing, "
-            "large-pages, shared-blocks, convoys, background, opacity-grids [none]");
+            "Savings taken away, for comparisons, by comma: " + joined_names(saving_choices()));
   command.add_flag("--ray-limit", render.measures_ray_limit,
                    "Also measure CPU time over that of the rays alone");
 }

@@ -129,6 +129,13 @@ void refuse_what_only_path_does(const RenderArguments& arguments, const RenderOp
   refuse(!saving.empty(), fmt::format("--without {}", saving));
 }
 
+void refuse_savings(const RenderArguments& arguments) {
+  const std::string_view saving = saving_of_embree(arguments.without);
+  if (!saving.empty() && arguments.accelerator == AcceleratorKind::Bvh)
+    throw Refusal{fmt::format("--without {} is for Embree, this is --accel bvh", saving),
+                  ExitCode::Usage};
+}
+
 // What draws nothing at random has no error to state, and a grid is complete or has gaps.
 void refuse_stop_rules(const RenderArguments& arguments, const RenderOptions& options) {
   const auto refuse = [&](bool is_said, std::string_view option) {
@@ -175,6 +182,7 @@ void settle_stop_rules(const RenderArguments& arguments, RenderOptions& options)
   options.time_limit_seconds = arguments.time_limit_seconds;
   if (arguments.clamp) options.clamp = static_cast<float>(*arguments.clamp);
   refuse_what_only_path_does(arguments, options);
+  refuse_savings(arguments);
   refuse_stop_rules(arguments, options);
 }
 

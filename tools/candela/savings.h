@@ -8,7 +8,6 @@
 
 #include "integrators/render.h"
 #include "renderer/accel/embree_accel.h"
-#include "renderer/base/result.h"
 
 namespace candela::cli {
 
@@ -31,14 +30,14 @@ using SavingSet = std::uint32_t;
   return (set & saving_bit(saving)) != 0;
 }
 
-// "packets,convoys".
-[[nodiscard]] Result<SavingSet> parse_savings(std::string_view text);
+// "packets,convoys"; "" where there are none.
 [[nodiscard]] std::string savings_text(SavingSet set);
 
-// The first of the set that path alone has; "" where there is none.
+// The first of the set that only path has, and that only Embree has; "" where there is none.
 [[nodiscard]] std::string_view saving_of_path(SavingSet set);
+[[nodiscard]] std::string_view saving_of_embree(SavingSet set);
 
-[[nodiscard]] EmbreeOptions without(SavingSet set, EmbreeOptions options);
+[[nodiscard]] EmbreeOptions embree_options_without(SavingSet set, EmbreeOptions options);
 [[nodiscard]] PathSavings path_savings_without(SavingSet set);
 
 }  // namespace candela::cli
