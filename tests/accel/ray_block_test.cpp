@@ -93,8 +93,8 @@ TEST(Unit_RayBlock, EmbreeAnswersAsForSingleRays) {
 TEST(Unit_RayBlock, WithoutPacketsEmbreeAnswersOneByOne) {
   const Scene scene = test::compiled(test::walls_of_two_colours(), {});
   const EmbreeAccel embree(scene, {.packets = false});
-  for (const RayBlock& rays : scattered_blocks(2000, 8)) {
-    const HitBlock found = embree.intersect(rays, all_lanes, Coherence::Incoherent);
+  for (const RayBlock& rays : pixel_blocks(2000, 8)) {
+    const HitBlock found = embree.intersect(rays, all_lanes, Coherence::Coherent);
     for_each_lane(all_lanes, [&](std::uint32_t i) {
       ASSERT_TRUE(are_equal(found[i], embree.intersect(rays[i])));
     });
