@@ -6,6 +6,7 @@
 import contextlib
 import dataclasses
 import json
+import math
 import pathlib
 import sys
 
@@ -13,17 +14,25 @@ ROOT = pathlib.Path(sys.argv[1])
 sys.path += [str(ROOT / "tools" / "benchmarks"), str(ROOT / "tools" / "dev" / "shared")]
 
 import ablation  # noqa: E402
+import adaptive  # noqa: E402
+import arguments  # noqa: E402
 import before  # noqa: E402
 import budget  # noqa: E402
 import calibration  # noqa: E402
+import calibration_goals  # noqa: E402
 import callgrind  # noqa: E402
+import convergence  # noqa: E402
 import fits  # noqa: E402
+import generated  # noqa: E402
 import limit  # noqa: E402
 import main  # noqa: E402
 import numpy  # noqa: E402
 import peers  # noqa: E402
+import processes  # noqa: E402
 import references  # noqa: E402
+import renders  # noqa: E402
 import results  # noqa: E402
+import scaling  # noqa: E402
 import times as times_module  # noqa: E402
 import truth  # noqa: E402
 
@@ -63,13 +72,21 @@ def geometric_mean(values):
     return fits.geometric_mean(json.loads(values))
 
 
+def with_factor(values):
+    return fits.with_factor(json.loads(values))
+
+
+def growth(x, y):
+    return fits.growth(json.loads(x), json.loads(y)).exponent
+
+
 def x_where(wanted, x, y):
     return fits.x_where(float(wanted), json.loads(x), json.loads(y))
 
 
 def runs_of(rows):
-    """[[relmse, CPU seconds, seconds], ...]"""
-    return [truth.Run(relmse, relmse, cpu, wall, 16, 1) for relmse, cpu, wall in rows]
+    """[[relmse, CPU seconds, seconds], ...]; making scene and trees takes one CPU second more."""
+    return [truth.Run(relmse, relmse, cpu, wall, 16, 1, cpu + 1) for relmse, cpu, wall in rows]
 
 
 def compared(on, off, same_picture, rate):
@@ -81,11 +98,34 @@ def error_rate(fewer, more):
     return truth.rate_of_runs(runs_of(json.loads(fewer)), runs_of(json.loads(more)))
 
 
-def verdicts(ratios):
-    """`ratios`: of the first technique, by scene."""
-    name = ablation.TECHNIQUES[0].name
-    return ablation.verdicts([{"technique": name, "scene": scene, "time_to_error": ratio}
-                              for scene, ratio in json.loads(ratios).items()])
+def verdicts(rows):
+    """The lines, and what is noted. `rows`: of the first technique, {scene: [time to the same
+    error, factor by which it may be off, reference's word, whether it is used]}."""
+    name, notes = ablation.TECHNIQUES[0].name, []
+    lines = ablation.verdicts(
+        [{"technique": name, "scene": scene, "time_to_error": ratio, "low": ratio / factor,
+          "high": ratio * factor, "cpu_with_making": 1.0, "reference": reference, "used": used}
+         for scene, (ratio, factor, reference, used) in json.loads(rows).items()], notes.append)
+    return lines, notes
+
+
+def used(name, stats, info, on, off):
+    """Of the technique, by errors with it on and off."""
+    technique = next(t for t in ablation.TECHNIQUES if t.name.startswith(name))
+    on, off = ([truth.Run(error, error, 1, 1, 16, stats=json.loads(stats))
+                for error in json.loads(errors)] for errors in (on, off))
+    return ablation.used_word(technique, on, off, json.loads(info))
+
+
+def counted(rows, key):
+    """Scenes that count, and what is noted."""
+    notes = []
+    rows = truth.counted(json.loads(rows), (key,), notes.append)
+    return [row["scene"] for row in rows], notes
+
+
+def adaptive_gain(off, on, twice):
+    return adaptive.compared(*(runs_of(json.loads(runs)) for runs in (off, on, twice)))
 
 
 def before_and_now(pairs, rate):
@@ -127,12 +167,18 @@ def asked_of_cycles(folder, counts):
             for jobs in (cycles.jobs, references_asked)]
 
 
-def better_setting(costs):
-    """`costs`: {setting: [relMSE * seconds of the last point, by pair]}."""
-    costs = json.loads(costs)
-    count = len(next(iter(costs.values())))
-    return peers.better_setting([{setting: runs_of([[9, 9, 9], [1, values[i], 1]])
-                                  for setting, values in costs.items()} for i in range(count)])
+def better_setting(ours, ladders):
+    """Of one pair."""
+    return peers.better_setting([(runs_of(json.loads(ours)), {
+        setting: runs_of(runs) for setting, runs in json.loads(ladders).items()})])
+
+
+def their_cpu_seconds(seconds, taken_off):
+    from blender.cycles_renders import Picture
+    grey = numpy.ones((2, 2, 3))
+    right = references.with_weight(grey, 0 * grey)
+    return peers.their_run(Picture(grey, 4, 1.0, float(seconds)), right,
+                           float(taken_off)).cpu_seconds
 
 
 def compared_with_cycles(files):
@@ -177,20 +223,110 @@ def techniques():
     return [dataclasses.asdict(technique) for technique in ablation.TECHNIQUES]
 
 
+def compared_with():
+    """Of curves, the one to compare each with."""
+    return {curve: convergence.compared_with(curve) for curve in convergence.CURVES}
+
+
+def rendering_cpu_seconds(told):
+    return renders.rendering_cpu_seconds(json.loads(told))
+
+
+def generated_once(folder):
+    """Whether a scene is left as it is, and what makes it anew: another parameter in its stamp, or
+    no stamp, since it was stopped half-way."""
+    out = pathlib.Path(folder)
+
+    def is_made():
+        file = generated.generated(out, "soup", triangles=10)
+        is_new = "touched" not in file.read_text()
+        file.write_text("touched")
+        return is_new
+
+    found = [is_made(), is_made()]
+    stamp, = out.rglob("stamp")
+    stamp.write_text("another generator's")
+    found.append(is_made())
+    stamp.unlink()
+    return found + [is_made()]
+
+
+class StopsHalfWay(renders.Candela):
+    """Stands for candela, whose render is stopped."""
+
+    def version(self):
+        return "1"
+
+    def info(self, _):
+        return {"scene_hash": "a"}
+
+    def render(self, name, scene, png, **options):
+        raise renders.CandelaFailed("stopped\nby hand")
+
+
+def vouches_after_a_stop(folder):
+    """Whether a picture counts as that of other options, whose render was stopped."""
+    candela = StopsHalfWay("candela", folder)
+    asked = candela.folder / "r.asked.json"
+    asked.write_text("of other options")
+    with contextlib.suppress(processes.ProgramFailed):
+        candela.cached("r", "scene")
+    return asked.exists()
+
+
+def attempted(folder):
+    """What a measurement goes on with where a program fails."""
+    made = results.Results(pathlib.Path(folder), "Some", "", "")
+    with made.attempt("box"):
+        raise renders.CandelaFailed("out of memory\nmore")
+    return made.parts[-1]
+
+
+def exit_status(words):
+    return results.status(json.loads(words))
+
+
+def scaling_verdicts(thread_rows, exponents):
+    """`exponents`: of soup and terrain [[exponent, error], ...], of a ray and of its bare call."""
+    costs = [of.format(shape) for shape in scaling.SHAPES for of in (scaling.RENDER, scaling.ALONE)]
+    powers = [fits.Power(*pair, 1) for pair in json.loads(exponents)]
+    rows = [{"threads": n, "times_faster": faster} for n, faster in json.loads(thread_rows)]
+    return [row["verdict"] for row in scaling.verdicts(rows, dict(zip(costs, powers)))]
+
+
+def is_allowed(least, text):
+    try:
+        return arguments.at_least(int(least))(text)
+    except Exception as problem:
+        return str(problem)
+
+
 def perf(report):
     return [(share, limit.kind_of(where, what), limit.short(what))
             for share, where, what in limit.perf_shares(report)]
 
 
 def calibration_misses(rows, stop_rows):
-    """`rows`: [[is analytic, samples, stated / true, pixels covered or null], ...]; `stop_rows`:
-    [[share of at most 1.1, of at least .8], ...]"""
-    rows = [{"scene": "s", "is_analytic": analytic, "spp": spp, "stated_over_true": ratio,
-             "plus_minus": .1, "pixels_covered": float("nan") if covered is None else covered}
-            for analytic, spp, ratio, covered in json.loads(rows)]
+    """What is missed, and what is noted. `rows`: [[is analytic, samples, stated / true or null,
+    pixels covered or null, how unsure the reference is], ...]; `stop_rows`: [[share of at most 1.1,
+    of at least .8], ...]"""
+    def number(value):
+        return math.nan if value is None else value
+
+    rows = [{"scene": "s", "is_analytic": analytic, "spp": spp, "stated_over_true": number(ratio),
+             "plus_minus": .1, "pixels_covered": number(covered), "reference_unsure": unsure}
+            for analytic, spp, ratio, covered, unsure in json.loads(rows)]
     stop_rows = [{"scene": "s", "goal": .1, "at_most_1.1": most, "at_least_0.8": least}
                  for most, least in json.loads(stop_rows)]
-    return list(calibration.misses(rows, stop_rows))
+    notes = []
+    return list(calibration_goals.misses(calibration_goals.sure(rows, notes.append),
+                                         stop_rows)), notes
+
+
+def jackknife(errors):
+    """`errors`: [[stated, true], ...]"""
+    return calibration.ratio_with_range([calibration.Stopped(stated, true, True, 1)
+                                         for stated, true in json.loads(errors)])
 
 
 def page(folder, rows):
@@ -210,4 +346,15 @@ def answer():
         return globals()[question](*arguments)
 
 
-print(json.dumps(answer()))
+def plain(value):
+    """For JSON, which knows no nan."""
+    if isinstance(value, dict):
+        return {key: plain(of) for key, of in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(of) for of in value]
+    if callable(value):
+        return str(value)
+    return None if isinstance(value, float) and math.isnan(value) else value
+
+
+print(json.dumps(plain(answer())))

@@ -3,17 +3,43 @@
 A scene's picture is rendered with everything on and with one technique off, in pairs of one seed
 that take turns; above 1 the technique pays. relMSE falls as a power of the time, which pictures of
 half the samples tell; so the time to the same error follows from both ratios. On by default stays
-what gains 5 % in the geometric mean and loses no more than 3 % on any scene.
+what gains 5 % in the geometric mean and, beyond noise, anything at all, and of which no scene says
+beyond noise that it loses more than 3 %. low and high: twice the standard error of the logarithm.
+cpu_with_making: CPU time with what the scene and its trees took to make.
 """
 
 import dataclasses
+import math
+from collections.abc import Callable
 
 import chosen_scenes
 import truth
-from fits import geometric_mean, ratio_of_errors, spread, times_to_same_error, with_factor
+from arguments import at_least
+from fits import (geometric_mean, mean_with_factor, ratio_of_errors, spread, times_to_same_error,
+                  with_factor)
+from processes import ProgramFailed
+from references import square
 from renders import CandelaFailed
+from results import first_line
 
 ABOUT = "each technique off in turn: time to the same error"
+
+
+@dataclasses.dataclass(frozen=True)
+class Seen:
+    """What tells whether a scene has any use for a technique."""
+    stats: dict  # of a picture with everything on
+    info: dict
+    differs: bool  # whether any picture's error is another one without the technique
+
+
+def has_walks(seen):
+    return seen.stats["roulette_samples"] > 0
+
+
+def has_other_pictures(seen):
+    """Of what is decided as the scene is made and costs nothing where it is not needed."""
+    return seen.differs
 
 
 @dataclasses.dataclass(frozen=True)
@@ -28,42 +54,57 @@ class Technique:
     # Other strategies, splitting and guiding have no walks that choose a roulette (render.cpp). So
     # that this does not count as theirs, these options hold on both sides.
     both: dict = dataclasses.field(default_factory=dict)
+    # Whether the scene uses it: where not, both sides are one program. None: that is not told.
+    is_used: Callable[[Seen], bool] | None = None
 
 
 SAME_KERNEL = {"heuristic": "balance"}
 USUAL_ROULETTE = {"roulette": .5}  # what is taken where nothing is chosen (path_plan.h)
 
 TECHNIQUES = (  # a row is a line
-    Technique("kernel for what the scene needs", {"kernel": "general"}, same_picture=True),
+    Technique("kernel for what the scene needs", {"kernel": "general"}, same_picture=True,
+              is_used=lambda seen: seen.stats["kernel"] != "path/general"),
     Technique("Embree and lists of few faces (off: reference BVH)", {"accel": "bvh"},
               same_picture=True, timed_on={"kernel": "general"}),
-    Technique("lists of few faces (off: Embree alone)", {"accel": "embree"}, same_picture=True),
+    Technique("lists of few faces (off: Embree alone)", {"accel": "embree"}, same_picture=True,
+              is_used=lambda seen: seen.info["faces"] > 0),
     Technique("robust mode", {"robust": "off"}, same_picture=True),
     Technique("packets of rays", {"without": "packets"}, same_picture=True),
-    Technique("trees of high quality", {"without": "high-quality"}, same_picture=True),
+    Technique("trees of high quality, without robust mode", {"without": "high-quality"},
+              same_picture=True, both={"robust": "off"}),
     Technique("denormals as zero", {"without": "flushing"}, same_picture=True),
-    Technique("large pages for images", {"without": "large-pages"}, same_picture=True),
+    Technique("large pages (images and trees)", {"without": "large-pages"}, same_picture=True),
     Technique("pixels that share blocks", {"without": "shared-blocks"}, same_picture=True),
     Technique("blocks in convoys", {"without": "convoys"}, same_picture=True),
-    Technique("background without rays", {"without": "background"}, same_picture=True),
+    Technique("background without rays", {"without": "background"}, same_picture=True,
+              is_used=lambda seen: seen.stats["skipped"]["samples"] > 0),
     Technique("grids of opacity", {"without": "opacity-grids"}, same_picture=True),
     Technique("adaptive sampling", {"adaptive": "off"}),
     Technique("no splitting (off: by two)", {"splitting": 2}, both=USUAL_ROULETTE),
     Technique("no splitting (off: by four)", {"splitting": 4}, both=USUAL_ROULETTE),
-    Technique("roulette by what walks tell (off: from 1/2 on)", {"roulette": .5}),
-    Technique("roulette by what walks tell (off: from 1/4 on)", {"roulette": .25}),
-    Technique("roulette by what walks tell (off: at any throughput)", {"roulette": 1}),
+    Technique("roulette by what walks tell (off: from 1/2 on)", {"roulette": .5},
+              is_used=has_walks),
+    Technique("roulette by what walks tell (off: from 1/4 on)", {"roulette": .25},
+              is_used=has_walks),
+    Technique("roulette by what walks tell (off: at any throughput)", {"roulette": 1},
+              is_used=has_walks),
     Technique("no path guiding (off: everywhere)", {"guiding": "on"}, both=USUAL_ROULETTE),
     Technique("no path guiding (off: where a trial says that it pays)", {"guiding": "auto"},
               both=USUAL_ROULETTE),
     Technique("Sobol points (off: plain random numbers)", {"sampler": "independent"}),
     Technique("pairs of a path together (off: each shuffled by itself)", {"sampler": "padded"}),
-    Technique("no light samples for a constant sky", {"sky_samples": "on"}),
-    Technique("dim parts of skies left to BSDF samples", {"sky_compensation": "off"}),
-    Technique("more camera rays at lamps' edges", {"lamp_rays": 0}),
-    Technique("two triangles as one lamp (off: apart)", {"light_sampling": "triangles"}),
-    Technique("lights by place (off: by power)", {"light_cells": "off"}),
-    Technique("near lamps by area (off: by solid angle)", {"light_sampling": "solid_angle"}),
+    Technique("no light samples for a constant sky", {"sky_samples": "on"},
+              is_used=has_other_pictures),
+    Technique("dim parts of skies left to BSDF samples", {"sky_compensation": "off"},
+              is_used=has_other_pictures),
+    Technique("more camera rays at lamps' edges", {"lamp_rays": 0},
+              is_used=lambda seen: seen.stats["rays"]["lamp"] > 0),
+    Technique("two triangles as one lamp (off: apart)", {"light_sampling": "triangles"},
+              is_used=has_other_pictures),
+    Technique("lights by place (off: by power)", {"light_cells": "off"},
+              is_used=lambda seen: seen.info["light_cells"] > 0),
+    Technique("near lamps by area (off: by solid angle)", {"light_sampling": "solid_angle"},
+              is_used=has_other_pictures),
     Technique("four replicates (off: one, no stated error)", {"replicates": 1}),
     Technique("light and BSDF samples (off: light alone)", {"sampling": "light"},
               timed_on=SAME_KERNEL, both=USUAL_ROULETTE),
@@ -80,24 +121,25 @@ GAIN, LOSS = 1.05, .97
 def add_arguments(parser):
     chosen_scenes.add_argument(parser, "the shipped and the generated ones")
     parser.add_argument("--quick", action="store_true", help="48x48, 16 spp, 3 pairs")
-    parser.add_argument("--pairs", type=int, help="pictures with and without (8)")
-    parser.add_argument("--size", type=int, metavar="N", help="pixels a side (96)")
-    parser.add_argument("--spp", type=int,
+    parser.add_argument("--pairs", type=at_least(1), help="pictures with and without (8)")
+    parser.add_argument("--size", type=at_least(1), metavar="N", help="pixels a side (96)")
+    parser.add_argument("--spp", type=at_least(2),
                         help="samples of a picture (128; adaptive sampling begins at 64)")
     parser.add_argument("--technique", action="append", metavar="WORDS",
                         help="only rows whose name has these words; may be given several times")
     parser.add_argument("--same-picture", action="store_true",
                         help="only rows that change time alone: no reference is needed")
-    parser.add_argument("--threads", type=int, default=1, help="(1)")
+    parser.add_argument("--threads", type=at_least(1), default=1, help="(1)")
 
 
 def wanted(options):
     words = options.technique or [""]
-    found = [t for t in TECHNIQUES if any(w.lower() in t.name.lower() for w in words)
-             and (t.same_picture or not options.same_picture)]
+    allowed = [t for t in TECHNIQUES if t.same_picture or not options.same_picture]
+    found = [t for t in allowed if any(w.lower() in t.name.lower() for w in words)]
     if not found:
-        names = ", ".join(f"'{t.name}'" for t in TECHNIQUES)
-        raise CandelaFailed(f"no technique is called {' or '.join(words)}; there are {names}")
+        kind = "technique that changes time alone" if options.same_picture else "technique"
+        names = ", ".join(f"'{t.name}'" for t in allowed)
+        raise CandelaFailed(f"no {kind} is called {' or '.join(words)}; there are {names}")
     return found
 
 
@@ -108,82 +150,140 @@ def run(options):
     out = options.out.resolve()
     candela = Candela(options.program, out / "renders")
     results = Results(out, "Ablation", __doc__, candela.version())
-    size = options.size or (48 if options.quick else 96)
-    spp = options.spp or (16 if options.quick else 128)
-    pairs = options.pairs or (3 if options.quick else 8)
+    plan = Plan(options.size or (48 if options.quick else 96),
+                options.spp or (16 if options.quick else 128),
+                options.pairs or (3 if options.quick else 8), options.threads)
     scenes = chosen_scenes.chosen(candela, out, options.scenes, default_scenes(),
                                   results.note)
     techniques = wanted(options)
     rows = []
     for name, scene in scenes.items():
-        common = {"size": f"{size}x{size}", "spp": spp, "threads": options.threads}
-        right = rate = None
-        if not all(technique.same_picture for technique in techniques):
-            right = truth.reference(candela, name, scene, size, 16 * spp)
-            rate = rate_of(candela, scene, right, pairs, common)
-        for technique in techniques:
-            try:
-                rows.append(row(candela, name, scene, right, technique, pairs, common, rate))
-            except CandelaFailed as reason:
-                results.note(f"{name}, {technique.name}: left out. {str(reason).splitlines()[0]}")
-        print(f"{name}: done", flush=True)
-    results.table("ablation", f"Off over on, {size}x{size}, {spp} spp, {pairs} pairs", rows)
-    results.table("verdicts", "Time to the same error, off over on, over all scenes",
-                  verdicts(rows))
+        with results.attempt(name):
+            rows += rows_of(candela, name, scene, techniques, plan, results.note)
+            results.keep("ablation", rows)
+            print(f"{name}: done", flush=True)
+    title = f"Off over on, {square(plan.size)}, {plan.spp} spp, {plan.pairs} pairs"
+    results.table("ablation", title, rows,
+                  "used: no where the scene has no use for it, so that both sides are one program.")
+    results.table("verdicts", "Time to the same error, off over on, over the scenes that use it",
+                  verdicts(rows, results.note),
+                  "with_making: mean of CPU time with what the scene and its trees took to make.")
     results.finish()
 
 
-def rate_of(candela, scene, right, pairs, common):
+@dataclasses.dataclass(frozen=True)
+class Plan:
+    size: int  # pixels a side
+    spp: int
+    pairs: int
+    threads: int
+
+    def options(self, seed, spp=None):
+        """candela's, of every picture."""
+        return {"size": square(self.size), "spp": spp or self.spp, "threads": self.threads,
+                "seed": seed}
+
+    def seeds(self):
+        return range(1, self.pairs + 1)
+
+
+def rows_of(candela, name, scene, techniques, plan, note):
+    right = rate = None
+    info = candela.info(scene)
+    if not all(technique.same_picture for technique in techniques):
+        right = truth.reference(candela, name, scene, plan.size, 16 * plan.spp)
+        rate = rate_of(candela, scene, right, plan)
+    rows = []
+    for technique in techniques:
+        try:
+            on, off = pictures(candela, scene, right, technique, plan)
+        except ProgramFailed as reason:
+            note(f"{name}, {technique.name}: left out. {first_line(reason)}")
+            continue
+        rows.append({"technique": technique.name, "scene": name}
+                    | compared(on, off, technique.same_picture, rate)
+                    | {"reference": reference_word(right, technique, on, off),
+                       "used": used_word(technique, on, off, info)})
+    return rows
+
+
+def rate_of(candela, scene, right, plan):
     """With everything on."""
-    fewer, more = ([truth.measured(candela, scene, right, seed=seed, **common | {"spp": spp})
-                    for seed in range(1, pairs + 1)] for spp in (common["spp"] // 2, common["spp"]))
+    fewer, more = ([truth.measured(candela, scene, right, **plan.options(seed, spp))
+                    for seed in plan.seeds()] for spp in (plan.spp // 2, plan.spp))
     return truth.rate_of_runs(fewer, more)
 
 
-def row(candela, name, scene, right, technique, pairs, common, rate):
+def pictures(candela, scene, right, technique, plan):
+    """Runs with everything on, and without the technique."""
     on, off = [], []
-    for seed in range(1, pairs + 1):
-        own = common | technique.both | {"seed": seed}
+    for seed in plan.seeds():
+        own = plan.options(seed) | technique.both
         picture = None if technique.same_picture else right
         on.append(truth.measured(candela, scene, picture, **own))
         if technique.timed_on:
             timed = truth.measured(candela, scene, None, **own, **technique.timed_on)
             on[-1] = dataclasses.replace(on[-1], cpu_seconds=timed.cpu_seconds,
-                                         seconds=timed.seconds)
+                                         seconds=timed.seconds,
+                                         built_cpu_seconds=timed.built_cpu_seconds)
         off.append(truth.measured(candela, scene, picture, **own, **technique.off))
-    word = None if technique.same_picture else truth.judged(
-        right, *([run.relmse for run in runs] for runs in (on, off)))
-    return ({"technique": technique.name, "scene": name}
-            | compared(on, off, technique.same_picture, rate) | {"reference": word})
+    return on, off
+
+
+def reference_word(right, technique, on, off):
+    if technique.same_picture:
+        return None
+    return truth.judged(right, *([run.relmse for run in runs] for runs in (on, off)))
+
+
+def used_word(technique, on, off, info):
+    if technique.is_used is None:
+        return None
+    differs = any(a.relmse != b.relmse for a, b in zip(on, off))
+    return "yes" if technique.is_used(Seen(on[0].stats, info, differs)) else "no"
 
 
 def compared(on, off, same_picture, rate):
     """Ratios off / on: of CPU time by pairs, of error by medians, and of both together by pairs:
     the geometric mean, with twice its standard error; nan where an error is lost in the
     reference's noise."""
-    cpu = spread(b.cpu_seconds / a.cpu_seconds for a, b in zip(on, off))
-    wall = spread(b.seconds / a.seconds for a, b in zip(on, off))
-    row = {"cpu": cpu.median, "cpu_low": cpu.low, "cpu_high": cpu.high, "wall": wall.median}
-    if same_picture:
-        return row | {"relmse": 1.0, "rate": rate, "time_to_error": cpu.median, "low": cpu.low,
-                      "high": cpu.high}
-    error = spread(r.relmse for r in off).median / spread(r.relmse for r in on).median
-    mean, factor = with_factor(times_to_same_error(b.cpu_seconds / a.cpu_seconds,
-                                                   ratio_of_errors(b.relmse, a.relmse), rate)
-                               for a, b in zip(on, off))
-    return row | {"relmse": error, "rate": rate, "time_to_error": mean, "low": mean / factor,
-                  "high": mean * factor}
+    cpu, built, wall = (spread(getattr(b, key) / getattr(a, key) for a, b in zip(on, off))
+                        for key in ("cpu_seconds", "built_cpu_seconds", "seconds"))
+    times = [b.cpu_seconds / a.cpu_seconds for a, b in zip(on, off)]
+    if not same_picture:
+        times = [times_to_same_error(time, ratio_of_errors(b.relmse, a.relmse), rate)
+                 for time, a, b in zip(times, on, off)]
+    mean, factor = with_factor(times)
+    medians = (spread(run.relmse for run in runs).median for runs in (off, on))
+    return {"cpu": cpu.median, "cpu_low": cpu.low, "cpu_high": cpu.high,
+            "cpu_with_making": built.median, "wall": wall.median,
+            "relmse": 1.0 if same_picture else ratio_of_errors(*medians), "rate": rate,
+            "time_to_error": mean, "low": mean / factor, "high": mean * factor}
 
 
-def verdicts(rows):
+def verdicts(rows, note):
+    """A line a technique, over the scenes that use it and of which the errors are known."""
     lines = []
     for technique in TECHNIQUES:
-        own = [r for r in rows if r["technique"] == technique.name and r["time_to_error"] > 0]
-        if not own:
-            continue
-        least = min(own, key=lambda r: r["time_to_error"])
-        mean = geometric_mean(r["time_to_error"] for r in own)
-        lines.append({"technique": technique.name, "scenes": len(own), "geometric_mean": mean,
-                      "least": least["time_to_error"], "where": least["scene"],
-                      "pays": "yes" if mean >= GAIN and least["time_to_error"] >= LOSS else "no"})
+        every = [r for r in rows if r["technique"] == technique.name]
+        own = [r for r in every if r["used"] != "no"]
+        if every and not own:
+            note(f"{technique.name}: no scene uses it")
+        own = truth.counted(own, ("time_to_error",), note, f"{technique.name}: the mean")
+        if own:
+            lines.append({"technique": technique.name} | verdict(own)
+                         | {"with_making": geometric_mean(r["cpu_with_making"] for r in own)})
     return lines
+
+
+def verdict(rows):
+    """It gains where the mean does, and is above 1 beyond noise; a scene loses where that is no
+    noise. Of single pairs no noise is known: nothing is said."""
+    mean, factor = mean_with_factor((r["time_to_error"] for r in rows),
+                                    (r["high"] / r["time_to_error"] for r in rows))
+    least = min(rows, key=lambda r: r["time_to_error"])
+    losing = [r["scene"] for r in rows if r["high"] < LOSS]
+    pays = "yes" if mean >= GAIN and mean / factor > 1 and not losing else "no"
+    return {"scenes": len(rows), "geometric_mean": mean, "low": mean / factor,
+            "high": mean * factor, "least": least["time_to_error"], "where": least["scene"],
+            "loses": ", ".join(losing), "pays": None if math.isnan(factor) else pays}

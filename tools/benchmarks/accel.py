@@ -1,55 +1,74 @@
 """Embree against the reference SAH BVH: building, memory, rays a second, and how they grow.
 
 All figures are those of `candela bench SCENE --json`: rays of real paths through bare calls, by CPU
-time of one thread. Growth is told by generated soups and terrains of 10^2 to 10^7 triangles: the
-exponent of cost over triangles, fitted from 10^4 on, where a tree no longer fits into the nearest
-cache.
+time of one thread, of several rounds the best: all of Embree's, then all of the BVH's. build_s is
+wall time of all threads. Growth is told by generated soups and terrains of 10^2 to 10^7 triangles:
+the exponent of cost over triangles, fitted from 10^4 on, where a tree no longer fits into the
+nearest cache. Fails where the two answer any ray differently.
 """
 
+import itertools
+
 import chosen_scenes
-from fits import fit_power, geometric_mean
+from arguments import at_least
+from fits import geometric_mean, growth
 from generated import generated
 
 ABOUT = "Embree against the reference BVH: build, memory, rays a second, growth"
 CLASSES = ("camera", "bounce", "shadow")
 BACK_ENDS = ("embree", "bvh")
 SHAPES = ("soup", "terrain")
-GROWN_FROM = 10_000  # triangles
 
 
 def add_arguments(parser):
     chosen_scenes.add_argument(parser)
     parser.add_argument("--quick", action="store_true",
                         help="generated ones up to 10^4 triangles, short measurements")
-    parser.add_argument("--most", type=int, metavar="N", help="largest power of ten (7)")
+    parser.add_argument("--most", type=at_least(3), metavar="N", help="largest power of ten (7)")
     parser.add_argument("--seconds", type=float, metavar="S",
                         help="for each kind of rays (0.5)")
 
 
 def run(options):
     from renders import Candela
-    from results import Results
+    from results import FAILED, Results
     out = options.out.resolve()
     candela = Candela(options.program, out / "renders")
     results = Results(out, "Embree and the reference BVH", __doc__, candela.version())
     seconds = options.seconds or (.05 if options.quick else .5)
     most = options.most or (4 if options.quick else 7)
     scenes = chosen_scenes.chosen(candela, out, options.scenes, chosen_scenes.names())
-    rows = [row(candela, name, scene, seconds) for name, scene in scenes.items()]
+    rows = []
+    for name, scene in scenes.items():
+        with results.attempt(name):
+            rows.append(row(candela, name, scene, seconds))
+            results.keep("scenes", rows)
     results.table("scenes", "Scenes", rows)
-    for key in CLASSES:
-        results.note(f"{key} rays, Embree's a second over the BVH's, geometric mean: "
-                     f"{geometric_mean(r[f'embree_{key}'] / r[f'bvh_{key}'] for r in rows):.2f}")
-    grown = [row(candela, f"{shape} 10^{power}",
-                 generated(out, shape, triangles=10 ** power), seconds) | {"shape": shape}
-             for shape in SHAPES for power in range(2, most + 1)]
+    tell_means(results, rows)
+    grown = []
+    for shape, power in itertools.product(SHAPES, range(2, most + 1)):
+        name = f"{shape} 10^{power}"
+        with results.attempt(name):
+            scene = generated(out, shape, triangles=10 ** power)
+            grown.append(row(candela, name, scene, seconds) | {"shape": shape})
+            results.keep("generated", grown)
     results.table("generated", "Generated scenes", grown)
-    results.table("growth", "Exponents over triangles (standard error)", growth(grown))
+    results.table("growth", "Exponents over triangles (standard error)", exponents(grown))
     for file, caption in plotted(out, grown):
         results.plot(file, caption)
     disagreeing = sum(r["disagreeing"] for r in rows + grown)
     results.note(f"{disagreeing} of {sum(r['rays'] for r in rows + grown)} rays disagree")
     results.finish()
+    return FAILED if disagreeing else 0
+
+
+def tell_means(results, rows):
+    for key in CLASSES:
+        traced = [r for r in rows if r[f"embree_{key}"] > 0 < r[f"bvh_{key}"]]  # some are unlit
+        if traced:
+            mean = geometric_mean(r[f"embree_{key}"] / r[f"bvh_{key}"] for r in traced)
+            results.note(f"{key} rays, Embree's a second over the BVH's, geometric mean of "
+                         f"{len(traced)} scenes: {mean:.2f}")
 
 
 def row(candela, name, scene, seconds):
@@ -61,27 +80,29 @@ def row(candela, name, scene, seconds):
         figures |= {f"{back_end}_build_s": of["build_seconds"],
                     f"{back_end}_bytes_a_triangle": of["bytes"] / max(found["triangles"], 1)}
         figures |= {f"{back_end}_{key}": of["mrays_per_second_one_thread"][key] for key in CLASSES}
-    figures |= {"rays": found["agreement"]["rays"], "disagreeing": found["agreement"]["disagreeing"]}
+    figures |= {key: found["agreement"][key] for key in ("rays", "disagreeing")}
     print(f"{name}: {found['triangles']} triangles", flush=True)
     return figures
 
 
-def growth(rows):
-    """A line a shape and figure, a column a back end."""
+# What grows, and how it follows from a row's figure.
+COSTS = {"build": ("build_s", lambda seconds, _: seconds),
+         "bytes": ("bytes_a_triangle", lambda bytes_, triangles: bytes_ * triangles)
+         } | {f"{key} ray": (key, lambda mrays, _: 1 / mrays) for key in CLASSES}
+
+
+def exponents(rows):
+    """A line a shape and cost, a column a back end."""
     lines = []
     for shape in SHAPES:
-        own = [r for r in rows if r["shape"] == shape and r["triangles"] >= .9 * GROWN_FROM]
-        own = own if len(own) > 1 else [r for r in rows if r["shape"] == shape]
+        own = [r for r in rows if r["shape"] == shape]
         triangles = [r["triangles"] for r in own]
-        for figure in ("build_s", *CLASSES):
+        for cost, (figure, of) in COSTS.items() if len(own) > 1 else ():
             if not all(r[f"{b}_{figure}"] > 0 for r in own for b in BACK_ENDS):
                 continue  # nothing was lit: no shadow rays
-            line = {"shape": shape, "cost": "build" if figure == "build_s" else f"{figure} ray"}
-            for back_end in BACK_ENDS:
-                values = [r[f"{back_end}_{figure}"] for r in own]
-                costs = values if figure == "build_s" else [1 / v for v in values]
-                line[back_end] = str(fit_power(triangles, costs))
-            lines.append(line)
+            lines.append({"shape": shape, "cost": cost} | {
+                b: str(growth(triangles, [of(r[f"{b}_{figure}"], r["triangles"]) for r in own]))
+                for b in BACK_ENDS})
     return lines
 
 

@@ -12,12 +12,13 @@ import json
 import os
 import pathlib
 import statistics
-import subprocess
 
 import chosen_scenes
 import truth
+from arguments import at_least
 from fits import geometric_mean, ratio_columns, ratio_of_errors, spread, times_to_same_error
-from renders import CandelaFailed
+from processes import cpu_seconds_of
+from renders import rendering_cpu_seconds
 
 ABOUT = "against another build of candela: time to the same error"
 SAME_MEANS = .03  # by how much the two pictures' means may differ before that is told
@@ -25,12 +26,12 @@ SAME_MEANS = .03  # by how much the two pictures' means may differ before that i
 
 def add_arguments(parser):
     parser.add_argument("before", type=pathlib.Path, metavar="PROGRAM", help="the other candela")
-    chosen_scenes.add_argument(parser)
+    chosen_scenes.add_argument(parser, "all")
     parser.add_argument("--quick", action="store_true", help="64x64, 64 spp, 2 pairs")
-    parser.add_argument("--pairs", type=int, help="pictures of each program (5)")
-    parser.add_argument("--size", type=int, metavar="N", help="pixels a side (128)")
-    parser.add_argument("--spp", type=int, help="samples of a picture (128)")
-    parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)),
+    parser.add_argument("--pairs", type=at_least(1), help="pictures of each program (5)")
+    parser.add_argument("--size", type=at_least(1), metavar="N", help="pixels a side (128)")
+    parser.add_argument("--spp", type=at_least(2), help="samples of a picture (128)")
+    parser.add_argument("--threads", type=at_least(1), default=len(os.sched_getaffinity(0)),
                         help="of both (all processors)")
 
 
@@ -48,14 +49,13 @@ def run(options):
     for name, scene in chosen_scenes.chosen(candela, out, options.scenes, default,
                                             results.note).items():
         words = [scene, "--size", f"{size}x{size}", "--threads", options.threads]
-        try:
+        with results.attempt(name):
             programs = [Program(path.resolve(), out / "renders", words)
                         for path in (options.before, options.program)]
             right = truth.reference(candela, name, scene, size, 16 * spp)
             rows.append({"scene": name} | row(programs, right, spp, range(1, pairs + 1)))
             print(f"{name}: {shown(rows[-1]['cpu_ratio'])}", flush=True)
-        except CandelaFailed as reason:
-            results.note(f"{name} is left out: {str(reason).splitlines()[0]}")
+            results.keep("before", rows)
     results.table("before", f"Before over now, {size}x{size}, {spp} spp, {pairs} pairs", rows)
     tell_all(results, rows)
     results.finish()
@@ -67,19 +67,19 @@ def tell_all(results, rows):
             results.note(f"{r['scene']}: the earlier pictures' mean is "
                          f"{r['means_before_over_now']:.3f} of these; where that is no noise, it "
                          "counts as their error")
-    found = [r for r in rows if r["cpu_ratio"]]
+    found = truth.counted(rows, ("cpu_ratio", "wall_ratio"), results.note)
     if found:
-        results.note(f"geometric mean {geometric_mean(r['cpu_ratio'] for r in found):.2f} by CPU "
-                     f"time, {geometric_mean(r['wall_ratio'] for r in found):.2f} by wall time; "
+        results.note(f"geometric mean of {len(found)} scenes: "
+                     f"{geometric_mean(r['cpu_ratio'] for r in found):.2f} by CPU time, "
+                     f"{geometric_mean(r['wall_ratio'] for r in found):.2f} by wall time; "
                      f"least {min(r['cpu_ratio'] for r in found):.2f}")
 
 
 def row(programs, right, spp, seeds):
     """`programs`: the earlier one and this one."""
-    is_told = all(program.tells_cpu_seconds for program in programs)
-    pairs = [[program.measured(spp, seed, right, is_told) for program in programs]
-             for seed in seeds]
-    fewer = [programs[1].measured(spp // 2, seed, right, is_told) for seed in seeds]
+    told = programs[0].told & programs[1].told
+    pairs = [[program.measured(spp, seed, right, told) for program in programs] for seed in seeds]
+    fewer = [programs[1].measured(spp // 2, seed, right, told) for seed in seeds]
     return (compared(pairs, truth.rate_of_runs(fewer, [now for _, now in pairs]))
             | {"reference": truth.judged(right, *([run.relmse for run in runs]
                                                   for runs in zip(*pairs)))})
@@ -92,33 +92,22 @@ class Program:
         self.path, self.words = path, words
         self.exr, self.stats = folder / "before.exr", folder / "before.json"
         self.start = statistics.median(self.process_cpu_seconds(1, seed) for seed in range(5))
-        self.tells_cpu_seconds = "cpu_seconds" in self.read_stats()
+        self.told = set(self.read_stats().get("cpu_seconds", {}))
 
     def process_cpu_seconds(self, spp, seed):
-        return cpu_of([self.path, "render", *self.words, "--spp", spp, "--seed", seed, "--filter",
-                       "box", "-o", self.exr, "--stats", self.stats, "--quiet"])
+        return cpu_seconds_of([self.path, "render", *self.words, "--spp", spp, "--seed", seed,
+                               "--filter", "box", "-o", self.exr, "--stats", self.stats, "--quiet"])
 
     def read_stats(self):
         return json.loads(self.stats.read_text())
 
-    def measured(self, spp, seed, right, is_told):
+    def measured(self, spp, seed, right, told):
+        """`told`: of `cpu_seconds`, what both programs tell."""
         from exr import read_exr
         process, stats = self.process_cpu_seconds(spp, seed), self.read_stats()
-        cpu = (stats["cpu_seconds"]["render"] if is_told
-               else max(process - self.start, 1e-6) * spp / (spp - 1))
+        cpu = (rendering_cpu_seconds({key: stats["cpu_seconds"][key] for key in told})
+               if "render" in told else max(process - self.start, 1e-6) * spp / (spp - 1))
         return truth.run_of(read_exr(self.exr), right, cpu, stats["seconds"]["render"], spp)
-
-
-def cpu_of(words):
-    """CPU seconds of a process, children and all."""
-    process = subprocess.Popen(list(map(str, words)), stdout=subprocess.DEVNULL,
-                               stderr=subprocess.PIPE, text=True)
-    error = process.stderr.read()
-    _, status, usage = os.wait4(process.pid, 0)
-    process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode != 0:
-        raise CandelaFailed(error.strip() or f"{words[0]} ended with {process.returncode}")
-    return usage.ru_utime + usage.ru_stime
 
 
 def compared(pairs, rate):

@@ -3,17 +3,21 @@
 The true relMSE is measured against a long reference of other seeds, whose own variance is taken
 off; the stated one is what the program says of itself. docs/accuracy.md tells what came out."""
 
-import argparse
 import dataclasses
 import math
 import pathlib
+import statistics
 import sys
 
 import analytic_scenes
+import calibration_goals as goals
+from arguments import at_least, numbers
 from chosen_scenes import safe
+from fits import spread
 from references import (SEEDS, layers, reference, rendered_once, side_by_side, square,
                         with_weight)
-from renders import Candela
+from renders import Candela, CandelaFailed
+from results import FAILED, Results
 
 ABOUT = "the stated error against the true one"
 
@@ -29,32 +33,23 @@ LONGEST = 1 << 20
 # its error is held against decides then, and rare light can be half of it.
 HEAVY_SHARE = .01
 HEAVY_PIXEL_SPP = 1 << 22
-# How unsure it may be, as `unsure` tells.
-SURE = .05
 
 # Few pictures hold most of the error of these: highlights of small lamps and of the sun, narrower
 # than a pixel. Twenty would say nothing of the mean.
 RARE = ("lab3/sports_car", "pbrt/veach-mis")
 
 
-def at_least_two(text):
-    number = int(text)
-    if number < 2:
-        raise argparse.ArgumentTypeError(f"{text} is no number of at least 2")
-    return number
-
-
 def none_or_two(text):
-    return 0 if text == "0" else at_least_two(text)
+    return 0 if text == "0" else at_least(2)(text)
 
 
 def add_arguments(parser):
     parser.add_argument("--quick", action="store_true",
                         help="4 to 64 samples a pixel only, references accordingly")
     parser.add_argument("--scenes", metavar="NAMES", help="only these, by comma")
-    parser.add_argument("--spp", metavar="LIST", help="only these, by comma")
-    parser.add_argument("--seeds", type=at_least_two, default=20, help="pictures a case (20)")
-    parser.add_argument("--rare-seeds", type=at_least_two, default=200, metavar="N",
+    parser.add_argument("--spp", type=numbers(2), metavar="LIST", help="only these, by comma")
+    parser.add_argument("--seeds", type=at_least(2), default=20, help="pictures a case (20)")
+    parser.add_argument("--rare-seeds", type=at_least(2), default=200, metavar="N",
                         help="the same of scenes where few pictures hold most of the error (200)")
     parser.add_argument("--stops", type=none_or_two, default=200, metavar="N",
                         help="pictures that end by --error, a case (200); 0: none")
@@ -74,10 +69,12 @@ def all_scenes(options):
     scenes = [Scene(name, path) for name, path in found.items()]
     for name, path, radiance in analytic_scenes.write(options.out / "scenes"):
         scenes.append(Scene(name, path, radiance))
-    if options.scenes:
-        wanted = options.scenes.split(",")
-        scenes = [s for s in scenes if s.name in wanted]
-    return scenes
+    names = [scene.name for scene in scenes]
+    wanted = options.scenes.split(",") if options.scenes else names
+    for name in wanted:
+        if name not in names:
+            raise CandelaFailed(f"no scene '{name}'; expected one of " + ", ".join(names))
+    return [scene for scene in scenes if scene.name in wanted]
 
 
 def size_of(spp):
@@ -173,6 +170,8 @@ def ratio_with_range(pictures):
     stated, true = (sum(getattr(p, k) for p in pictures) for k in ("stated", "true"))
     ratio = stated / true
     n = len(pictures)
+    if any(p.true == true for p in pictures):
+        return ratio, math.nan  # one picture has all of the error
     without = [(stated - p.stated) / (true - p.true) for p in pictures]
     centre = sum(without) / n
     error = math.sqrt((n - 1) / n * sum((r - centre) ** 2 for r in without))
@@ -199,7 +198,7 @@ def measured(candela, scene, spp, most, options):
                          min(REFERENCE_LENGTH * most * longer, LONGEST))
         truth = with_heavy_pixels(candela, scene, size_of(spp), renders, truth)
         doubt = unsure(renders, truth)
-        if doubt <= SURE:
+        if doubt <= goals.SURE:
             break
     return [picture(render, truth) for render in renders], truth, doubt
 
@@ -223,34 +222,39 @@ def case_row(scene, spp, pictures, truth):
             "looked_at": mean(p.looked_at for p in pictures)}
 
 
-def cases(candela, options, counts):
+def cases(results, candela, options, counts):
+    rows = []
     for scene in all_scenes(options):
         for spp in counts:
-            most = max(n for n in counts if size_of(n) == size_of(spp))
-            pictures, truth, doubt = measured(candela, scene, spp, most, options)
-            if is_exact(pictures):
-                continue
-            row = case_row(scene, spp, pictures, truth) | {"reference_unsure": doubt}
-            print(" ".join(f"{k}={v:.4g}" if isinstance(v, float) else f"{k}={v}"
-                           for k, v in row.items()), file=sys.stderr, flush=True)
-            yield row
+            with results.attempt(f"{scene.name} at {spp} samples"):
+                most = max(n for n in counts if size_of(n) == size_of(spp))
+                pictures, truth, doubt = measured(candela, scene, spp, most, options)
+                if is_exact(pictures):
+                    continue
+                rows.append(case_row(scene, spp, pictures, truth) | {"reference_unsure": doubt})
+                results.keep("calibration", rows)
+                print(" ".join(f"{k}={v:.4g}" if isinstance(v, float) else f"{k}={v}"
+                               for k, v in rows[-1].items()), file=sys.stderr, flush=True)
+    return rows
 
 
 STOP_SCENES = ("cornell_box_diffuse", "cornell_box", "cutouts", "glass_and_metal", "furnace")
 STOP_SPP = (64, 256)  # what errors are asked for: those of that many samples
 
 
-def stops(candela, options):
+def stops(results, candela, options):
     """Does --error X end with a true error near X, and is what is stated then still true?"""
-    size = 64
+    size, rows = 64, []
     for scene in all_scenes(options):
         if scene.name not in STOP_SCENES:
             continue
-        truth = truth_of(candela, scene, size, 1 << 13)
-        for spp in STOP_SPP:
-            row = stop_row(candela, scene, size, spp, truth, options)
-            print(row, file=sys.stderr, flush=True)
-            yield row
+        with results.attempt(f"{scene.name} by --error"):
+            truth = truth_of(candela, scene, size, 1 << 13)
+            for spp in STOP_SPP:
+                rows.append(stop_row(candela, scene, size, spp, truth, options))
+                results.keep("stops", rows)
+                print(rows[-1], file=sys.stderr, flush=True)
+    return rows
 
 
 @dataclasses.dataclass
@@ -277,13 +281,12 @@ def stop_row(candela, scene, size, spp, truth, options):
     runs = side_by_side(lambda seed: stopped(candela, scene, size, goal, seed, truth),
                         range(1, options.stops + 1))
     ratios = sorted(math.sqrt(max(run.true, 0)) / goal for run in runs)
-    samples = sorted(run.samples for run in runs)
     ratio, reach = ratio_with_range(runs)
     return {"scene": scene.name, "goal": goal, "runs": len(runs),
-            "samples": samples[len(samples) // 2],
+            "samples": statistics.median(run.samples for run in runs),
             "at_most_1.1": mean(float(r <= 1.1) for r in ratios),
             "at_least_0.8": mean(float(r >= .8) for r in ratios),
-            "least": ratios[0], "median": ratios[len(ratios) // 2], "most": ratios[-1],
+            "least": ratios[0], "median": statistics.median(ratios), "most": ratios[-1],
             "stated_over_true": ratio, "plus_minus": reach,
             "interval_holds": mean(float(run.interval_holds) for run in runs)}
 
@@ -307,40 +310,6 @@ def table(rows):
     return "\n".join(lines)
 
 
-# What is wanted (docs/accuracy.md): of the ratio of means from 16 samples on, of the median of all,
-# of the share of pixels within their intervals from 64 samples on, where the radiance is known and
-# elsewhere; and of the pictures that end by --error.
-GOAL = (.8, 1.25)
-MEDIAN_GOAL = (.95, 1.05)
-COVERED_GOAL = {True: (.93, .97), False: (.9, .98)}
-STOPS_GOAL = .95
-
-
-def is_within(value, goal):
-    return math.isnan(value) or goal[0] <= value <= goal[1]
-
-
-def median_ratio(rows):
-    return sorted(r["stated_over_true"] for r in rows)[len(rows) // 2]
-
-
-def misses(rows, stop_rows):
-    """What of that is not so, a sentence each."""
-    if rows and not is_within(median_ratio(rows), MEDIAN_GOAL):
-        yield f"the median of stated / true is {median_ratio(rows):.3f}"
-    for r in rows:
-        case = f"{r['scene']} at {r['spp']} samples"
-        if r["spp"] >= 16 and not is_within(r["stated_over_true"], GOAL):
-            yield f"{case}: stated / true is {r['stated_over_true']:.2f} +- {r['plus_minus']:.2f}"
-        if r["spp"] >= 64 and not is_within(r["pixels_covered"], COVERED_GOAL[r["is_analytic"]]):
-            yield f"{case}: {r['pixels_covered']:.1%} of the pixels lie within their interval"
-    for r in stop_rows:
-        for key, what in (("at_most_1.1", "at most 1.1"), ("at_least_0.8", "at least 0.8")):
-            if r[key] < STOPS_GOAL:
-                yield (f"{r['scene']}: of runs that end by --error {r['goal']:g}, "
-                       f"{r[key]:.1%} have {what} of it")
-
-
 SHOWN = (.25, 4)  # what lies beyond is drawn at the edge
 
 
@@ -355,11 +324,11 @@ def plot(out, rows):
                   [min(max(r["stated_over_true"], SHOWN[0]), SHOWN[1]) for r in mine],
                   marks[index % len(marks)] + "-", lw=.6, ms=5, label=scene)
     counts = sorted({r["spp"] for r in rows})
-    axes.axhspan(*GOAL, color="0.9", label="goal from 16 on")
+    axes.axhspan(*goals.RATIO, color="0.9", label="goal from 16 on")
     axes.set_xscale("log", base=2)
     axes.set_xticks(counts, counts)
     axes.set_yscale("log", base=2)
-    ticks = [SHOWN[0], .5, *GOAL, 1, 2, SHOWN[1]]
+    ticks = [SHOWN[0], .5, *goals.RATIO, 1, 2, SHOWN[1]]
     axes.set_yticks(ticks, [f"{t:g}" for t in ticks])
     axes.set(xlabel="samples a pixel", ylabel="stated / true relMSE", ylim=(.22, 4.5))
     axes.legend(loc="center left", bbox_to_anchor=(1, .5), fontsize=8)
@@ -367,30 +336,32 @@ def plot(out, rows):
 
 
 def run(options):
-    from results import Results
     options.out = options.out.resolve()
     candela = Candela(options.program, options.out / "renders")
     results = Results(options.out, "Calibration", __doc__, candela.version())
-    counts = (4, 16, 64) if options.quick else (4, 16, 64, 256, 1024)
-    if options.spp:
-        counts = tuple(at_least_two(n) for n in options.spp.split(","))
+    counts = options.spp or ((4, 16, 64) if options.quick else (4, 16, 64, 256, 1024))
     rows, stop_rows = [], []
     if not options.no_cases:
-        rows = list(cases(candela, options, counts))
+        rows = cases(results, candela, options, counts)
         if not rows:
             sys.exit("tools/bench: none of these scenes has anything random")
-        results.table("calibration", "Stated over true", rows)
-        ratios = [r["stated_over_true"] for r in rows]
-        results.note(f"stated / true: median {median_ratio(rows):.3f}, "
-                     f"from {min(ratios):.3f} to {max(ratios):.3f}")
-        (options.out / "calibration.md").write_text(table(rows))
-        plot(options.out, rows)
-        results.plot("calibration.png", "Stated over true relMSE, by samples a pixel")
+        tell_cases(results, rows)
     if options.stops:
-        stop_rows = list(stops(candela, options))
+        stop_rows = stops(results, candela, options)
         results.table("stops", "Pictures that end by --error", stop_rows)
-    missed = list(misses(rows, stop_rows))
+    missed = list(goals.misses(goals.sure(rows, results.note), stop_rows))
     for sentence in missed:
         results.note(f"missed: {sentence}")
     results.finish()
-    return 6 if missed else 0
+    return FAILED if missed else 0
+
+
+def tell_cases(results, rows):
+    results.table("calibration", "Stated over true", rows)
+    for key, what in (("stated_over_true", "stated / true"),
+                      ("interval_holds", "share of the pictures within their interval")):
+        of = spread(r[key] for r in rows)
+        results.note(f"{what}: median {of.median:.3f}, from {of.low:.3f} to {of.high:.3f}")
+    (results.out / "calibration.md").write_text(table(rows))
+    plot(results.out, rows)
+    results.plot("calibration.png", "Stated over true relMSE, by samples a pixel")

@@ -26,7 +26,7 @@ def names():
     return [*present(), *(f"gen/{name}" for name in GENERATED)]
 
 
-def add_argument(parser, default="all"):
+def add_argument(parser, default="all but " + ", ".join(ANALYTIC)):
     parser.add_argument("scenes", nargs="*", metavar="SCENE",
                         help=f"names ({default}); gen/NAME is what tools/scene_gen NAME writes: "
                         + ", ".join(all_names()).replace("%", "%%"))

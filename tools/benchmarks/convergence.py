@@ -1,13 +1,18 @@
 """relMSE against CPU seconds and against samples a pixel, for each way of sampling and each option.
 
 Every curve is measured against a long reference of the same size and box filter, of seeds that no
-picture has, made once and kept. Points are medians over seeds; runs of all curves take turns.
+picture has, made once and kept. Points are medians over seeds; runs of all curves take turns. Other
+strategies, splitting and guiding have no walks that choose a roulette: these curves are to be
+compared with that whose roulette is theirs, from 1/2 on.
 """
 
 import chosen_scenes
 import truth
+from ablation import USUAL_ROULETTE
+from arguments import at_least
 from fits import fit_power, x_where
 from renders import CandelaFailed
+from turns import in_turn
 
 ABOUT = "relMSE against seconds and samples, by sampling and option"
 # A curve is one line here. What a scene does not allow (only BSDF samples under a point light) is
@@ -15,14 +20,14 @@ ABOUT = "relMSE against seconds and samples, by sampling and option"
 CURVES = {
     "path": {},
     "path, not adaptive": {"adaptive": "off"},
-    "path, balance heuristic": {"heuristic": "balance"},
-    "path, light samples": {"sampling": "light"},
-    "path, BSDF samples": {"sampling": "bsdf"},
-    "path, cosine": {"sampling": "cosine"},
-    "path, uniform": {"sampling": "uniform"},
-    "path, split by four": {"splitting": 4},
-    "path, guided": {"guiding": "on"},
-    "path, guided by a trial": {"guiding": "auto"},
+    "path, balance heuristic": USUAL_ROULETTE | {"heuristic": "balance"},
+    "path, light samples": USUAL_ROULETTE | {"sampling": "light"},
+    "path, BSDF samples": USUAL_ROULETTE | {"sampling": "bsdf"},
+    "path, cosine": USUAL_ROULETTE | {"sampling": "cosine"},
+    "path, uniform": USUAL_ROULETTE | {"sampling": "uniform"},
+    "path, split by four": USUAL_ROULETTE | {"splitting": 4},
+    "path, guided": USUAL_ROULETTE | {"guiding": "on"},
+    "path, guided by a trial": USUAL_ROULETTE | {"guiding": "auto"},
     "path, 1 replicate": {"replicates": 1},
     "path, plain random numbers": {"sampler": "independent"},
     "path, padded points": {"sampler": "padded"},
@@ -31,7 +36,7 @@ CURVES = {
     "path, lamps by solid angle": {"light_sampling": "solid_angle"},
     "path, samples of constant skies": {"sky_samples": "on"},
     "path, skies as they are": {"sky_compensation": "off"},
-    "path, roulette from 1/2 on": {"roulette": 0.5},
+    "path, roulette from 1/2 on": USUAL_ROULETTE,
     "path, not robust": {"robust": "off"},
     "report": {"integrator": "report"},
 }
@@ -41,12 +46,14 @@ GOALS = (1e-2, 1e-3)
 def add_arguments(parser):
     chosen_scenes.add_argument(parser, "the shipped and the generated ones")
     parser.add_argument("--quick", action="store_true", help="48x48, 4 and 16 spp, 2 seeds")
-    parser.add_argument("--seeds", type=int, help="pictures a point (5)")
-    parser.add_argument("--size", type=int, metavar="N", help="pixels a side (96)")
-    parser.add_argument("--most", type=int, metavar="SPP", help="samples of the last point (256)")
+    parser.add_argument("--seeds", type=at_least(1), help="pictures a point (5)")
+    parser.add_argument("--size", type=at_least(1), metavar="N", help="pixels a side (96)")
+    parser.add_argument("--most", type=at_least(4), metavar="SPP",
+                        help="samples of the last point (256)")
     parser.add_argument("--curve", action="append", choices=CURVES, metavar="NAME",
                         help="only this one; may be given several times: " + ", ".join(CURVES))
-    parser.add_argument("--threads", type=int, default=1, help="of the measured pictures (1)")
+    parser.add_argument("--threads", type=at_least(1), default=1,
+                        help="of the measured pictures (1)")
 
 
 def default_scenes():
@@ -67,20 +74,22 @@ def run(options):
     scenes = chosen_scenes.chosen(candela, out, options.scenes, default_scenes())
     rows, ends = [], []
     for name, scene in scenes.items():
-        right = truth.reference(candela, name, scene, size, 16 * most)
-        allowed = [curve for curve in curves if is_allowed(results, candela, name, scene, curve)]
-        own = [{"scene": name, "curve": curve, "spp": spp} | truth.summary(runs, right)
-               for spp in counts
-               for curve, runs in in_turn(candela, scene, right, allowed, spp, size, seeds,
-                                          options.threads).items()]
-        rows += own
-        ends += [end_of(name, curve, [r for r in own if r["curve"] == curve]) for curve in allowed]
-        for file, caption in plotted(out, name, allowed, own):
-            results.plot(file, caption)
-        print(f"{name}: {len(own)} points", flush=True)
+        with results.attempt(name):
+            right = truth.reference(candela, name, scene, size, 16 * most)
+            allowed = [c for c in curves if is_allowed(results, candela, name, scene, c)]
+            common = {"size": f"{size}x{size}", "threads": options.threads}
+            own = points(candela, name, scene, right, allowed, counts, seeds, common)
+            rows += own
+            results.keep("convergence", rows)
+            ends += [end_of(name, curve, [r for r in own if r["curve"] == curve], right)
+                     for curve in allowed]
+            for file, caption in plotted(out, name, allowed, own):
+                results.plot(file, caption)
+            print(f"{name}: {len(own)} points", flush=True)
     results.table("convergence", f"All points, {size}x{size}, {len(seeds)} seeds", rows)
-    results.table("goals", "CPU seconds to a relMSE, where the curve gets there; exponent of relMSE "
-                  "over samples", ends, "-1 for independent samples.")
+    results.table("goals", "CPU seconds to a relMSE, where the curve gets there; exponent of "
+                  "relMSE over samples, with its standard error", ends,
+                  "-1 for independent samples. beside: the curve to compare with.")
     results.finish()
 
 
@@ -93,24 +102,33 @@ def is_allowed(results, candela, name, scene, curve):
         return False
 
 
-def in_turn(candela, scene, right, curves, spp, size, seeds, threads):
-    """{curve: [Run by seed]}"""
-    found = {curve: [] for curve in curves}
-    for seed in seeds:
-        for curve in curves:
-            found[curve].append(truth.measured(candela, scene, right, spp=spp, seed=seed,
-                                               size=f"{size}x{size}", threads=threads,
-                                               **CURVES[curve]))
-    return found
+def points(candela, name, scene, right, curves, counts, seeds, common):
+    """Rows, by count and curve."""
+    rows = []
+    for spp in counts:
+        found = in_turn(curves, seeds, lambda curve, seed: truth.measured(
+            candela, scene, right, spp=spp, seed=seed, **common, **CURVES[curve]))
+        rows += [{"scene": name, "curve": curve, "spp": spp} | truth.summary(runs, right)
+                 for curve, runs in found.items()]
+    return rows
 
 
-def end_of(name, curve, rows):
+def compared_with(curve):
+    """The curve that differs from this one in one thing alone."""
+    usual = next(name for name, options in CURVES.items() if options == USUAL_ROULETTE)
+    return usual if "roulette" in CURVES[curve] and curve != usual else "path"
+
+
+def end_of(name, curve, rows, right):
+    """`rows`: the curve's points."""
     seconds, relmse = ([row[key] for row in rows] for key in ("cpu_s", "relmse"))
     positive = [(row["spp"], row["relmse"]) for row in rows if row["relmse"] > 0]
-    line = {"scene": name, "curve": curve,
-            "exponent": fit_power(*zip(*positive)).exponent if len(positive) > 1 else None}
+    fit = fit_power(*zip(*positive)) if len(positive) > 1 else None
+    line = {"scene": name, "curve": curve, "beside": compared_with(curve),
+            "exponent": fit and fit.exponent, "exponent_error": fit and fit.error}
     for goal in GOALS:
-        line[f"s_to_{goal:g}"] = x_where(goal, seconds, relmse)
+        line |= {f"s_to_{goal:g}": x_where(goal, seconds, relmse),
+                 f"reference_{goal:g}": truth.judged(right, [goal])}
     return line | {"relmse_cpu_s": rows[-1]["relmse_cpu_s"], "reference": rows[-1]["reference"]}
 
 

@@ -17,13 +17,13 @@ import numpy
 
 import chosen_scenes
 import truth
+from arguments import at_least
 
 ABOUT = "the same scenes by Blender's Cycles: equal pictures?"
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENES = {"cornell_box_diffuse": ROOT / "assets/cornell_box_diffuse/cornell_box_diffuse.yaml"
           } | chosen_scenes.ANALYTIC
 SIZE = (128, 96)  # multiples of the blocks' side, and of 32
-FAILED = 6  # the exit status of comparisons
 # Blender's unit is the metre, the Cornell box's the millimetre. Where that is taken for metres,
 # Cycles is wrong by a percent on the back wall: see closed_forms().
 SCALES = {"cornell_box_diffuse": .001}
@@ -46,8 +46,10 @@ QUICK = Scale(8, 32, (.1, .05), 3, 8, 128)
 
 def add_arguments(parser):
     parser.add_argument("--quick", action="store_true", help="fewer samples: under 2 minutes")
-    parser.add_argument("--spp", type=int, metavar="N", help="samples a pixel and seed (128)")
-    parser.add_argument("--seeds", type=int, metavar="N", help="seeds of each renderer (16)")
+    parser.add_argument("--spp", type=at_least(1), metavar="N",
+                        help="samples a pixel and seed (128)")
+    parser.add_argument("--seeds", type=at_least(2), metavar="N",
+                        help="seeds of each renderer (16)")
     parser.add_argument("--scene", action="append", choices=SCENES, metavar="NAME",
                         help="only this one; may be given several times: " + ", ".join(SCENES))
     parser.add_argument("--no-threshold", action="store_true",
@@ -61,7 +63,7 @@ def run(options):
     from blender import blender_scene, pictures
     from blender.cycles_renders import Cycles
     from renders import Candela
-    from results import Results
+    from results import FAILED, Results
 
     scale = scale_of(options)
     out = options.out.resolve()
@@ -87,7 +89,7 @@ def run(options):
     if options.docs:
         copy_to_docs(out)
     results.finish()
-    return FAILED if failures else None
+    return FAILED if failures else 0
 
 
 def scale_of(options):

@@ -45,6 +45,18 @@ def fit_power(x, y):
     return Power(slope, error, math.exp(mean_y - slope * mean_x))
 
 
+GROWN_FROM = 10_000  # triangles: their tree no longer fits into the nearest cache
+
+
+def growth(triangles, costs):
+    """The power of the triangles' number with which a cost grows, from GROWN_FROM on; of all points
+    where fewer than two are so large."""
+    points = list(zip(triangles, costs))
+    # Grids have nearly as many triangles as are asked for.
+    large = [point for point in points if point[0] >= .9 * GROWN_FROM]
+    return fit_power(*zip(*(large if len(large) > 1 else points)))
+
+
 def times_to_same_error(cpu_ratio, error_ratio, rate):
     """How many times as long it takes to the same error where a picture takes `cpu_ratio` times as
     long and has `error_ratio` times the error, if error falls as time^-rate. With Sobol points rate
@@ -54,7 +66,9 @@ def times_to_same_error(cpu_ratio, error_ratio, rate):
 
 def error_rate(error_ratio, time_ratio):
     """The exponent with which error falls over time, where it is divided by `error_ratio` in
-    `time_ratio` times the time; at least 1, that of plain random numbers."""
+    `time_ratio` times the time; at least 1, that of plain random numbers. nan where that is."""
+    if math.isnan(error_ratio):
+        return math.nan
     if not error_ratio > 1 < time_ratio:
         return 1
     return max(math.log(error_ratio) / math.log(time_ratio), 1)
@@ -70,14 +84,21 @@ def ratio_of_errors(above, below):
 
 
 def with_factor(ratios):
-    """Geometric mean, and the factor by which it may be off: twice its logarithm's standard error.
-    nan where a ratio is: the other pairs' alone would be those with the larger errors."""
+    """Geometric mean, and the factor by which it may be off: twice its logarithm's standard error,
+    nan of a single ratio. Both are nan where a ratio is: the other pairs' alone would be those with
+    the larger errors."""
     ratios = list(ratios)
-    if not all(ratio > 0 for ratio in ratios):
+    if not ratios or not all(ratio > 0 for ratio in ratios):
         return math.nan, math.nan
     logs = [math.log(ratio) for ratio in ratios]
-    error = statistics.stdev(logs) / math.sqrt(len(logs)) if len(logs) > 1 else 0
+    error = statistics.stdev(logs) / math.sqrt(len(logs)) if len(logs) > 1 else math.nan
     return math.exp(statistics.fmean(logs)), math.exp(2 * error)
+
+
+def mean_with_factor(means, factors):
+    """Geometric mean of several, and the factor by which it may be off, from theirs."""
+    means, logs = list(means), [math.log(factor) for factor in factors]
+    return geometric_mean(means), math.exp(math.hypot(*logs) / len(means))
 
 
 def ratio_columns(key, ratios):

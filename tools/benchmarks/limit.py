@@ -3,7 +3,7 @@
 The ratio is candela's own (`candela render --ray-limit`): CPU time of a share of the tiles over that
 of the same rays through bare calls of Embree, tile by tile in turn. Where the rest goes is told
 twice: by perf, which samples time, and by callgrind, which counts instructions and knows the source
-line of what was inlined.
+line of what was inlined, as `tools/bench budget` does. Fails where a ratio is above its goal.
 """
 
 import collections
@@ -13,9 +13,13 @@ import re
 import shutil
 import subprocess
 
+import budget
 import callgrind
 import chosen_scenes
+from arguments import at_least
 from fits import geometric_mean, spread
+from processes import ProgramFailed
+from results import Results, status
 
 ABOUT = "CPU time over that of the rays alone, and where the rest of it goes"
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -26,7 +30,7 @@ MANY_TRIANGLES = 50_000
 def add_arguments(parser):
     chosen_scenes.add_argument(parser)
     parser.add_argument("--quick", action="store_true", help="small pictures, 2 runs a scene")
-    parser.add_argument("--runs", type=int, help="measurements a scene (5)")
+    parser.add_argument("--runs", type=at_least(1), help="measurements a scene (5)")
     parser.add_argument("--no-profile", action="store_true", help="ratios only")
 
 
@@ -39,7 +43,6 @@ def goal_of(info):
 
 def run(options):
     from renders import Candela
-    from results import Results
     out = options.out.resolve()
     candela = Candela(options.program, out / "renders")
     results = Results(out, "Nearness to the rays alone", __doc__, candela.version())
@@ -50,15 +53,19 @@ def run(options):
     scenes = chosen_scenes.chosen(candela, out, options.scenes, chosen_scenes.names())
     rows = []
     for name, scene in scenes.items():
-        rows.append(row(candela, name, scene, runs, size=size, spp=spp))
-        print(f"{name}: {rows[-1]['ratio']:.3f}", flush=True)
+        with results.attempt(name):
+            rows.append(row(candela, name, scene, runs, size=size, spp=spp))
+            results.keep("limit", rows)
+            print(f"{name}: {rows[-1]['ratio']:.3f}", flush=True)
     results.table("limit", f"CPU time over that of the rays alone, {size}, {spp} spp, {runs} runs",
                   rows)
-    results.note(f"geometric mean {geometric_mean(r['ratio'] for r in rows):.3f}")
+    if rows:
+        results.note(f"geometric mean {geometric_mean(r['ratio'] for r in rows):.3f}")
     if not options.no_profile:
         for name, scene in scenes.items():
             profile(results, candela, name, scene, options.quick)
     results.finish()
+    return status(row["met"] for row in rows)
 
 
 def row(candela, name, scene, runs, **options):
@@ -79,14 +86,16 @@ def row(candela, name, scene, runs, **options):
 def profile(results, candela, name, scene, quick):
     folder, safe = candela.folder, chosen_scenes.safe(name)
     if shutil.which("perf"):
-        rows = perf_rows(candela, folder / f"{safe}.perf", scene, 3.0 if quick else 10.0)
-        results.table(f"time_{safe}", f"{name}: where the time goes, by perf", rows)
+        with results.attempt(f"{name}: where the time goes"):
+            rows = perf_rows(candela, folder / f"{safe}.perf", scene, 3.0 if quick else 10.0)
+            results.table(f"time_{safe}", f"{name}: where the time goes, by perf", rows)
     else:
         results.note("perf is not installed (Debian's linux-perf): no profile of time")
     if shutil.which("valgrind"):
-        rows = instruction_rows(candela, folder / f"{safe}.callgrind", scene)
-        results.table(f"instructions_{safe}", f"{name}: instructions a camera sample by source "
-                      "file, inlined or not", rows)
+        with results.attempt(f"{name}: instructions"):
+            rows = instruction_rows(candela, folder / f"{safe}.callgrind", scene)
+            results.table(f"instructions_{safe}", f"{name}: instructions a camera sample by source "
+                          "file, inlined or not", rows)
     else:
         results.note("valgrind is not installed: no profile of instructions")
 
@@ -95,12 +104,9 @@ def perf_rows(candela, file, scene, seconds):
     """Of one thread that renders for so long; what starts the program is left out."""
     words = [candela.program, "render", scene, "-o", file.with_suffix(".exr"), "--size", "256x256",
              "--time", seconds, "--threads", 1, "--quiet"]
-    environment = os.environ | {"DEBUGINFOD_URLS": ""}
-    subprocess.run(["perf", "record", "-q", "-e", "cpu-clock", "-F", "1999", "-o", str(file), "--",
-                    *map(str, words)], capture_output=True, check=True, env=environment)
-    report = subprocess.run(["perf", "report", "-i", str(file), "--stdio", "--no-children", "-g",
-                             "none", "--sort", "dso,symbol", "-t", ";", "--percent-limit", "0"],
-                            capture_output=True, text=True, check=True, env=environment).stdout
+    perf("record", "-q", "-e", "cpu-clock", "-F", "1999", "-o", file, "--", *words)
+    report = perf("report", "-i", file, "--stdio", "--no-children", "-g", "none", "--sort",
+                  "dso,symbol", "-t", ";", "--percent-limit", "0")
     shares = [(share, where, what) for share, where, what in perf_shares(report)
               if not where.startswith("ld-linux")]
     whole = sum(share for share, _, _ in shares)
@@ -112,6 +118,15 @@ def perf_rows(candela, file, scene, seconds):
            if kind_of(where, what) == "candela"][:SHOWN]
     return rows + [{"what": f"candela: {short(what)}", "share": share / whole}
                    for share, what in own]
+
+
+def perf(*words):
+    """What it prints; it may not be allowed to look."""
+    done = subprocess.run(["perf", *map(str, words)], capture_output=True, text=True,
+                          env=os.environ | {"DEBUGINFOD_URLS": ""})
+    if done.returncode != 0:
+        raise ProgramFailed(done.stderr.strip() or f"perf ended with {done.returncode}")
+    return done.stdout
 
 
 def perf_shares(report):
@@ -137,7 +152,7 @@ def short(symbol):
 def instruction_rows(candela, file, scene):
     side, spp = 24, 16
     words = [candela.program, "render", scene, "-o", file.with_suffix(".exr"), "--size",
-             f"{side}x{side}", "--spp", spp, "--threads", 1, "--quiet"]
+             f"{side}x{side}", "--spp", spp, *budget.OPTIONS]
     counted = callgrind.count(file, words)
     samples = side * side * spp
     embree, _ = callgrind.embree_of(counted)

@@ -1,5 +1,5 @@
 """Measures candela; tools/bench calls this. Every measurement is a module of its own here, with
-ABOUT (a line for --help), add_arguments(parser) and run(options)."""
+ABOUT (a line for --help), add_arguments(parser) and run(options), which gives the exit status."""
 
 import argparse
 import importlib
@@ -11,8 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "tools" / "dev" / "shared"))  # what tools/figures uses too
 
 NAMES = ("ablation", "accel", "adaptive", "before", "budget", "calibration", "convergence", "cycles",
-         "limit", "memory", "peers", "replicates", "robust", "sampler", "scaling", "stress",
-         "times")
+         "limit", "memory", "peers", "replicates", "sampler", "scaling", "stress", "times")
 
 
 def parser_and_commands():
@@ -33,10 +32,9 @@ def parser_and_commands():
 
 def main():
     options = parser_and_commands()[0].parse_args()
-    from renders import CandelaFailed
     try:
         sys.exit(options.run(options))
-    except (CandelaFailed, OSError) as problem:
+    except OSError as problem:  # a program that fails is one too (processes.py)
         sys.exit(f"tools/bench: {problem}")
 
 

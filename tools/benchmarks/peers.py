@@ -14,8 +14,9 @@ With --nearest pbrt's scenes are compared where Blender has only something near 
 coats and shapes: one answer each, two pictures that are alike. What is only near is listed, scene
 by scene.
 
-With --all candela has its replicates and its adaptive sampling, and Cycles the better, by its last
-point, of a fixed number of samples and of its noise threshold.
+With --all candela has its replicates and its adaptive sampling, and Cycles the better of a fixed
+number of samples and of its noise threshold: the one to whose last error candela takes the longer,
+over Cycles' own time.
 """
 
 import dataclasses
@@ -27,6 +28,7 @@ import statistics
 
 import chosen_scenes
 import truth
+from arguments import at_least
 from fits import geometric_mean, ratio_columns, ratio_of_errors, x_where
 
 ABOUT = "the same scenes by Blender's Cycles: time to the same error; Embree's path tracer's speed"
@@ -53,10 +55,11 @@ def add_arguments(parser):
                         help="all that candela has against the better of Cycles' settings")
     parser.add_argument("--nearest", action="store_true",
                         help="pbrt/NAME: Blender gets the nearest to what it has nothing exact for")
-    parser.add_argument("--pairs", type=int, help="runs of each renderer (5)")
-    parser.add_argument("--size", type=int, metavar="N", help="pixels a side (128)")
-    parser.add_argument("--most", type=int, metavar="SPP", help="samples of the last point (256)")
-    parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)),
+    parser.add_argument("--pairs", type=at_least(1), help="runs of each renderer (5)")
+    parser.add_argument("--size", type=at_least(1), metavar="N", help="pixels a side (128)")
+    parser.add_argument("--most", type=at_least(4), metavar="SPP",
+                        help="samples of the last point (256)")
+    parser.add_argument("--threads", type=at_least(1), default=len(os.sched_getaffinity(0)),
                         help="of both (all processors)")
     parser.add_argument("--blender", default="blender", metavar="PROGRAM", help="Blender (blender)")
 
@@ -80,33 +83,43 @@ def run(options):
     scenes = described(candela, out, files, options.nearest)
     tell_approximated(results, scenes)
     for name, scene in scenes.items():
-        own_points, own_ratios, references = bench.measure(name, files[name], scene)
-        points += own_points
-        ratios += own_ratios
-        means.append({"scene": name} | means_of(*references) | {
-            "approximated": "; ".join(part["what"] for part in scene["approximated"])})
-        seen.append((name, *references))
-        print(f"{name}: time to Cycles' last error, Cycles / candela: "
-              f"{shown(own_ratios[-1]['cpu_ratio'])}", flush=True)
+        with results.attempt(name):
+            own_points, own_ratios, references = bench.measure(name, files[name], scene)
+            points += own_points
+            ratios += own_ratios
+            results.keep("points", points)
+            results.keep("ratios", ratios)
+            means.append({"scene": name} | means_of(*references) | {
+                "approximated": "; ".join(part["what"] for part in scene["approximated"])})
+            seen.append((name, *references))
+            print(f"{name}: time to Cycles' last error, Cycles / candela: "
+                  f"{shown(own_ratios[-1]['cpu_ratio'])}", flush=True)
     results.table("points", f"All points, {bench.size}x{bench.size}, {bench.pairs} pairs", points)
     results.table("ratios", "Cycles over candela: times as slow to the same error", ratios,
                   "To the relMSE that Cycles has at so many samples, and to a relMSE where both "
                   "get there; ranges over the pairs; plus_minus is twice the standard error of the "
                   "mean's logarithm. relmse_cpu_s: relMSE times CPU seconds at so many samples.")
     results.table("means", "The references' means, candela's over Cycles'", means)
-    from blender import pictures
-    pictures.references(out / "references.png", seen)
-    results.plot("references.png", "The references, and how far candela's is above Cycles' in "
-                 "blocks of 4 x 4 pixels")
+    show_references(results, seen)
     tell_all(results, bench.counts[-1], ratios)
     from blender import embree_path_tracer
-    embree_path_tracer.compare(results, candela, out / "embree", bench.size, bench.pairs,
-                               options.threads)
+    with results.attempt("Embree's tutorial path tracer"):
+        embree_path_tracer.compare(results, candela, out / "embree", bench.size, bench.pairs,
+                                   options.threads)
     results.finish()
 
 
+def show_references(results, seen):
+    from blender import pictures
+    if seen:
+        pictures.references(results.out / "references.png", seen)
+        results.plot("references.png", "The references, and how far candela's is above Cycles' in "
+                     "blocks of 4 x 4 pixels")
+
+
 def tell_all(results, count, ratios):
-    last = [r for r in ratios if r["by"] == f"{count} spp" and r["cpu_ratio"]]
+    last = truth.counted([r for r in ratios if r["by"] == f"{count} spp"],
+                         [f"{key}_ratio" for key, *_ in MEASURES], results.note)
     if not last:
         return
     without = geometric_mean(r["trimmed_cpu_ratio"] for r in last)
@@ -172,7 +185,7 @@ class Bench:
         apart = float(ours.image.mean() / theirs.image.mean())
         pairs = [(self.our_ladder(file, ours, seed), self.their_ladders(name, scene, theirs, seed))
                  for seed in range(1, self.pairs + 1)]
-        setting = better_setting([ladders for _, ladders in pairs])
+        setting = better_setting(pairs)
         pairs = [(own, ladders[setting]) for own, ladders in pairs]
         points = []
         for i in range(len(self.counts)):
@@ -186,10 +199,8 @@ class Bench:
 
     def our_ladder(self, file, right, seed):
         # Cycles tells no error of a picture: without --all candela does not either.
-        # Nor does it count reading images, which candela does when a path first meets them.
-        return [truth.measured(self.candela, file, right, counts_decoding=False,
-                               size=f"{self.size}x{self.size}", spp=spp, seed=seed,
-                               threads=self.threads, max_depth="none",
+        return [truth.measured(self.candela, file, right, size=f"{self.size}x{self.size}", spp=spp,
+                               seed=seed, threads=self.threads, max_depth="none",
                                replicates=4 if self.with_all else 1,
                                adaptive="on" if self.with_all and spp >= PILOTS else "off")
                 for spp in self.counts]
@@ -238,16 +249,21 @@ class Bench:
 
 
 def their_run(picture, right, taken_off):
-    cpu = max(picture.cpu_seconds - taken_off, 0) * picture.spp / (picture.spp - 1)
+    """CPU seconds are nan where they are lost in what a picture costs once."""
+    cpu = (picture.cpu_seconds - taken_off) * picture.spp / (picture.spp - 1)
+    cpu = cpu if cpu > 0 else math.nan
     return truth.run_of(picture.colour, right, cpu, picture.seconds, picture.spp)
 
 
-def better_setting(ladders):
-    """`ladders`: {setting: [Run by point]} of each pair."""
+def better_setting(pairs):
+    """Of Cycles' settings the one that is worse for candela. `pairs`: (candela's runs, {setting:
+    Cycles' runs}), by point. One of which nothing can be told counts as that: better no figure
+    than too good a one."""
     def cost(setting):
-        last = [of[setting][-1] for of in ladders]
-        return statistics.median(run.relmse * run.cpu_seconds for run in last)
-    return min(ladders[0], key=cost)
+        ratios = [time_to_their_error(ours, ladders[setting], -1, "relmse", "cpu_seconds")
+                  for ours, ladders in pairs]
+        return 0 if any(map(math.isnan, ratios)) else statistics.median(ratios)
+    return min(pairs[0][1], key=cost)
 
 
 def ratios_of(pairs, counts):
@@ -294,14 +310,11 @@ def judged(row, *references):
 
 
 def times_to(goal, pairs, error, seconds):
-    """How many times as long Cycles takes to an error, of those pairs in which both get there."""
-    ratios = []
-    for pair in pairs:
-        ours, theirs = (x_where(goal, [getattr(run, seconds) for run in runs],
-                                [getattr(run, error) for run in runs]) for runs in pair)
-        if ours and theirs:
-            ratios.append(theirs / ours)
-    return ratios
+    """How many times as long Cycles takes to an error, by pairs; none unless both get there in
+    all: the other pairs' alone would be those with the smaller errors."""
+    times = [[x_where(goal, [getattr(run, seconds) for run in runs],
+                      [getattr(run, error) for run in runs]) for runs in pair] for pair in pairs]
+    return [theirs / ours for ours, theirs in times] if all(map(all, times)) else []
 
 
 def time_to_their_error(ours, theirs, i, error, seconds):

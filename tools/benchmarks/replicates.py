@@ -4,6 +4,7 @@ import math
 import pathlib
 
 import truth
+from arguments import at_least
 from references import layers, reference, side_by_side, square
 
 ABOUT = "what stating an error costs: noise with more replicates over that with one"
@@ -16,7 +17,7 @@ CASES = ("cornell_box_diffuse", "cornell_box", "glass_and_metal", "cutouts")
 
 
 def add_arguments(parser):
-    parser.add_argument("--seeds", type=int, default=16, help="pictures a case (16)")
+    parser.add_argument("--seeds", type=at_least(2), default=16, help="pictures a case (16)")
 
 
 def relmse(candela, path, right, spp, replicates, seeds):

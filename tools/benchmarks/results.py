@@ -1,5 +1,6 @@
 """What a measurement leaves behind: its numbers as CSV files and one HTML page with all of them."""
 
+import contextlib
 import csv
 import datetime
 import html
@@ -8,10 +9,15 @@ import shlex
 import sys
 
 from page_parts import STYLE, picture, processor
+from processes import ProgramFailed
+
+FAILED = 6  # the exit status where a goal is missed
+MISSED = {"no", "exceeded", "missed"}  # the words of verdicts that say so
 
 
 class Results:
-    """Tables are printed and written as soon as they are there; finish() writes the page."""
+    """Tables are printed and written as soon as they are there; finish() writes the page.
+    keep() is for what of a table is there already."""
 
     def __init__(self, out, title, about, version):
         self.out, self.title = out, title
@@ -30,6 +36,17 @@ class Results:
         print(f"\n{title}\n{text_table(rows)}", flush=True)
         self.parts.append(f"<h2>{html.escape(title)}</h2>"
                           + (f"<p>{html.escape(text)}</p>" if text else "") + html_table(rows))
+
+    def keep(self, name, rows):
+        write_csv(self.out / f"{name}.csv", rows)
+
+    @contextlib.contextmanager
+    def attempt(self, what):
+        """Where a program fails within, that is told, and the rest goes on."""
+        try:
+            yield
+        except ProgramFailed as reason:
+            self.note(f"{what} is left out: {first_line(reason)}")
 
     def plot(self, file, caption):
         """A PNG file within the folder."""
@@ -53,6 +70,15 @@ class Results:
 </body></html>
 """)
         print(f"\n{self.out / 'index.html'}")
+
+
+def status(verdicts):
+    """The exit status."""
+    return FAILED if MISSED & set(verdicts) else 0
+
+
+def first_line(reason):
+    return (str(reason).splitlines() or ["for no reason that was told"])[0]
 
 
 def shown(value):

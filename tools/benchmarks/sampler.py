@@ -1,16 +1,17 @@
 """Scrambled Sobol points against plain random numbers: by how much relMSE is lower.
 
-Without splitting and adaptive sampling, box filter. The ratio is of means over seeds; the range
-that of the pictures in pairs of one seed. cpu: the CPU time with Sobol points over that without.
-Last, what such points take by themselves.
+Without splitting and adaptive sampling, box filter. Ratios are those of pictures in pairs of one
+seed: median, range and geometric mean, with twice the standard error of the mean's logarithm
+(plus_minus); none where an error is lost in the reference's noise. cpu: the CPU time with Sobol
+points over that without. Last, what such points take by themselves.
 """
 
 import pathlib
-import statistics
 
 import chosen_scenes
 import truth
-from fits import ratio_of_errors, spread
+from arguments import at_least
+from fits import ratio_columns, ratio_of_errors, spread
 
 ABOUT = "scrambled Sobol points against plain random numbers: by how much relMSE is lower"
 # Squares far smaller than a pixel, so that every sample is a toss of a coin.
@@ -27,8 +28,8 @@ Shape "bilinearmesh" "point3 P" [-1 -1 0  1 -1 0  -1 1 0  1 1 0] "point2 uv" [0 
 
 def add_arguments(parser):
     parser.add_argument("--quick", action="store_true", help="48x48, 2 seeds")
-    parser.add_argument("--seeds", type=int, help="pictures of each kind (8)")
-    parser.add_argument("--size", type=int, metavar="N", help="pixels a side (96)")
+    parser.add_argument("--seeds", type=at_least(1), help="pictures of each kind (8)")
+    parser.add_argument("--size", type=at_least(1), metavar="N", help="pixels a side (96)")
 
 
 def run(options):
@@ -66,8 +67,6 @@ def gain(candela, scene, right, seeds, **options):
                                          adaptive="off", splitting=1, sampler=sampler, **options)
                           for sampler in ("independent", "sobol")] for seed in seeds))
     errors = [[run.relmse for run in runs] for runs in (plain, sobol)]
-    range_ = spread(map(ratio_of_errors, *errors))
-    return {"ratio": ratio_of_errors(*map(statistics.fmean, errors)), "low": range_.low,
-            "high": range_.high,
-            "cpu": spread(s.cpu_seconds / p.cpu_seconds for p, s in zip(plain, sobol)).median,
-            "reference": truth.judged(right, *errors)}
+    cpu = spread(s.cpu_seconds / p.cpu_seconds for p, s in zip(plain, sobol))
+    return (ratio_columns("relmse", map(ratio_of_errors, *errors))
+            | {"cpu": cpu.median, "reference": truth.judged(right, *errors)})

@@ -1,70 +1,95 @@
 """How the cost of a render grows with threads, pixels, triangles and lights.
 
 Costs are CPU seconds of rendering alone, medians over runs that take turns, and each growth is an
-exponent fitted over all runs of a series. For triangles the cost of the same rays through bare calls
-of Embree stands beside it (`--ray-limit`): a sample may grow no faster than its rays.
+exponent fitted to the medians of a series; over triangles from 10^4 on. For these the cost of the
+same rays through bare calls of Embree stands beside it (`--ray-limit`). Fails where two threads are
+not nearly twice as fast as one, or a ray grows dearer faster than its bare call.
 """
 
+import functools
+import math
 import os
 
-from fits import fit_power, spread
+from arguments import at_least
+from fits import fit_power, growth, spread
 from generated import generated
+from turns import in_turn
 
 ABOUT = "threads, image size, triangles, lights: fitted exponents"
+TWICE = 1.95  # times as fast with two threads, at least
+SHAPES = ("soup", "terrain")
+RENDER, ALONE = "render, a ray, {}", "the same rays alone, {}"  # costs over triangles, by shape
 
 
 def add_arguments(parser):
     parser.add_argument("--quick", action="store_true", help="short series, 2 runs each")
-    parser.add_argument("--runs", type=int, help="of each point (5)")
+    parser.add_argument("--runs", type=at_least(1), help="of each point (5)")
 
 
 def run(options):
     from renders import Candela
-    from results import Results
+    from results import Results, status
     out = options.out.resolve()
     candela = Candela(options.program, out / "renders")
     results = Results(out, "Scaling", __doc__, candela.version())
-    runs = options.runs or (2 if options.quick else 5)
-    series = [threads(candela, out, runs, options.quick), pixels(candela, out, runs, options.quick),
-              *(triangles(candela, out, shape, runs, options.quick) for shape in ("soup", "terrain")),
-              lights(candela, out, runs, options.quick)]
-    for name, title, rows, _ in series:
-        results.table(name, title, rows)
-    fitted = [fit for *_, fits in series for fit in fits]
-    results.table("exponents", "Exponents (standard error)", fitted,
+    seeds = range(1, 1 + (options.runs or (2 if options.quick else 5)))
+    series = []
+    for measure in (threads, pixels, *(functools.partial(triangles, shape) for shape in SHAPES),
+                    lights):
+        with results.attempt("a series"):
+            series.append(measure(candela, out, seeds, options.quick))
+            results.table(*series[-1][:3])
+    exponents = {cost: fit for *_, fits in series for cost, fit in fits.items()}
+    results.table("exponents", "Exponents (standard error)",
+                  [{"cost": cost, "over": name.split("_")[0], "exponent": str(fit)}
+                   for name, _, _, fits in series for cost, fit in fits.items()],
                   "1 for a cost in proportion, 0 for one that stays.")
+    thread_rows = next((rows for name, _, rows, _ in series if name == "threads"), [])
+    judged = verdicts(thread_rows, exponents)
+    results.table("verdicts", "What is wanted", judged)
     for name, title, rows, _ in series:
         for file, caption in plotted(out, name, title, rows):
             results.plot(file, caption)
     results.finish()
+    return status(row["verdict"] for row in judged)
 
 
-def in_turn(points, runs, measure):
-    """{point: [measure(point, seed) by run]}: A B C A B C ..."""
-    found = {point: [] for point in points}
-    for seed in range(1, runs + 1):
-        for point in points:
-            found[point].append(measure(point, seed))
-    return found
+def verdicts(thread_rows, exponents):
+    """`exponents`: Power by cost. What cannot be told is not judged: without two processors, and of
+    too few points for an error."""
+    rows = [{"what": "times as fast with two threads", "found": row["times_faster"],
+             "plus_minus": None, "wanted": f"at least {TWICE}",
+             "verdict": verdict(row["times_faster"] >= TWICE)}
+            for row in thread_rows if row["threads"] == 2]
+    for shape in (shape for shape in SHAPES if RENDER.format(shape) in exponents):
+        render, alone = (exponents[of.format(shape)] for of in (RENDER, ALONE))
+        more, error = render.exponent - alone.exponent, 2 * math.hypot(render.error, alone.error)
+        rows.append({"what": f"a ray's exponent over its bare call's, {shape}", "found": more,
+                     "plus_minus": error, "wanted": "0, within that",
+                     "verdict": "-" if math.isnan(error) else verdict(more <= error)})
+    return rows
 
 
-def fit(of, over, found, value):
-    pairs = [(point, value(x)) for point, seen in found.items() for x in seen]
-    return {"cost": of, "over": over, "exponent": str(fit_power(*zip(*pairs)))}
+def verdict(is_met):
+    return "met" if is_met else "missed"
+
+
+def fit(found, value, fitted=fit_power):
+    return fitted(list(found), [median(seen, value) for seen in found.values()])
 
 
 def median(seen, value):
     return spread(map(value, seen)).median
 
 
-def threads(candela, out, runs, quick):
+def threads(candela, out, seeds, quick):
     """Wall time: the more threads the less; CPU time should stay as it is."""
     counts = [1]
     while counts[-1] * 2 <= len(os.sched_getaffinity(0)):
         counts.append(counts[-1] * 2)
     scene = generated(out, "terrain", triangles=100_000)
     size, spp = ("256x256", 8) if quick else ("512x512", 32)
-    found = in_turn(counts, runs, lambda n, seed: candela.render(
+    found = in_turn(counts, seeds, lambda n, seed: candela.render(
         "threads", scene, png=False, size=size, spp=spp, seed=seed, threads=n))
     rows = []
     for n, seen in found.items():
@@ -73,26 +98,26 @@ def threads(candela, out, runs, quick):
         rows.append({"threads": n, "times_faster": speed.median, "low": speed.low,
                      "high": speed.high, "cpu_ratio": cpu.median, "cpu_low": cpu.low,
                      "cpu_high": cpu.high})
-    fits = [fit("wall seconds", "threads", found, lambda x: x.seconds)] if len(counts) > 1 else []
+    fits = {"wall seconds": fit(found, lambda x: x.seconds)} if len(counts) > 1 else {}
     return "threads", "Threads: wall time of one over that of n, run by run", rows, fits
 
 
-def pixels(candela, out, runs, quick):
+def pixels(candela, out, seeds, quick):
     scene = generated(out, "terrain", triangles=100_000)
     sides = (32, 64, 128) if quick else (32, 64, 128, 256, 512, 1024)
-    found = in_turn([side ** 2 for side in sides], runs, lambda n, seed: candela.render(
+    found = in_turn([side ** 2 for side in sides], seeds, lambda n, seed: candela.render(
         "pixels", scene, png=False, size=f"{round(n ** .5)}x{round(n ** .5)}", spp=16, seed=seed))
     rows = [{"pixels": n, "ns_a_sample": median(seen, lambda x: 1e9 * x.cpu_seconds / (16 * n))}
             for n, seen in found.items()]
     return ("pixels", "Image size, 16 spp", rows,
-            [fit("CPU seconds", "pixels", found, lambda x: x.cpu_seconds)])
+            {"CPU seconds": fit(found, lambda x: x.cpu_seconds)})
 
 
-def triangles(candela, out, shape, runs, quick):
-    powers = range(2, 5 if quick else 8)
+def triangles(shape, candela, out, seeds, quick):
+    powers = range(2, 6 if quick else 8)
     size = "128x128" if quick else "256x256"
     files = {10 ** power: generated(out, shape, triangles=10 ** power) for power in powers}
-    found = in_turn(files, runs, lambda n, seed: candela.render(
+    found = in_turn(files, seeds, lambda n, seed: candela.render(
         "triangles", files[n], png=False, size=size, spp=16, seed=seed,
         ray_limit=True).stats["ray_limit"])
 
@@ -105,15 +130,15 @@ def triangles(candela, out, shape, runs, quick):
              "ratio": median(seen, lambda x: x["render_cpu_seconds"] / x["rays_cpu_seconds"])}
             for n, seen in found.items()]
     return (f"triangles_{shape}", f"Triangles, {shape}", rows,
-            [fit(f"render, a ray, {shape}", "triangles", found, render),
-             fit(f"the same rays alone, {shape}", "triangles", found, alone)])
+            {RENDER.format(shape): fit(found, render, growth),
+             ALONE.format(shape): fit(found, alone, growth)})
 
 
-def lights(candela, out, runs, quick):
+def lights(candela, out, seeds, quick):
     """A sample's cost, and the stated error of so many samples."""
     counts = [10 ** power for power in range(1, 4 if quick else 6)]
     files = {n: generated(out, "lamps", lamps=n) for n in counts}
-    found = in_turn(counts, runs, lambda n, seed: candela.render(
+    found = in_turn(counts, seeds, lambda n, seed: candela.render(
         "lights", files[n], png=False, size="128x96" if quick else "256x192", spp=16, seed=seed))
 
     def ns(x):
@@ -123,9 +148,8 @@ def lights(candela, out, runs, quick):
              "relmse_stated": median(seen, lambda x: x.stats["error"]["relmse"])}
             for n, seen in found.items()]
     return ("lights", "Lights", rows,
-            [fit("a sample", "lamps", found, ns),
-             fit("stated relMSE * CPU seconds, 16 spp", "lamps", found,
-                 lambda x: x.stats["error"]["relmse"] * x.cpu_seconds)])
+            {"a sample": fit(found, ns), "stated relMSE * CPU seconds, 16 spp": fit(
+                found, lambda x: x.stats["error"]["relmse"] * x.cpu_seconds)})
 
 
 def plotted(out, name, title, rows):

@@ -104,7 +104,7 @@ def tell(results, rows, verdicts):
 
 def run(options):
     from renders import Candela
-    from results import Results
+    from results import FAILED, Results
     options.out.mkdir(parents=True, exist_ok=True)
     rows_file, report = options.out / "rows.jsonl", options.out / "tests.json"
     report.unlink(missing_ok=True)
@@ -118,4 +118,4 @@ def run(options):
                       Candela(options.program, options.out).version())
     tell(results, rows, verdicts)
     results.finish()
-    return 0 if passed else 6
+    return 0 if passed else FAILED

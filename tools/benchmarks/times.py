@@ -11,19 +11,20 @@ import subprocess
 import types
 
 import chosen_scenes
+from arguments import at_least
 from fits import geometric_mean, spread
-from renders import CandelaFailed
+from renders import CandelaFailed, rendering_cpu_seconds
 
 ABOUT = "against another build of candela: CPU time of the same samples"
 
 
 def add_arguments(parser):
     parser.add_argument("before", type=pathlib.Path, metavar="PROGRAM", help="the other candela")
-    chosen_scenes.add_argument(parser)
+    chosen_scenes.add_argument(parser, "all")
     parser.add_argument("--quick", action="store_true", help="64x64, 16 spp, 2 pairs")
-    parser.add_argument("--pairs", type=int, help="pictures of each program (5)")
-    parser.add_argument("--size", type=int, metavar="N", help="pixels a side (160)")
-    parser.add_argument("--spp", type=int, help="samples of a picture (32)")
+    parser.add_argument("--pairs", type=at_least(1), help="pictures of each program (5)")
+    parser.add_argument("--size", type=at_least(1), metavar="N", help="pixels a side (160)")
+    parser.add_argument("--spp", type=at_least(1), help="samples of a picture (32)")
 
 
 def run(options):
@@ -39,15 +40,14 @@ def run(options):
     wanted = options.scenes or (*chosen_scenes.ANALYTIC, *chosen_scenes.names())
     for name, scene in chosen_scenes.chosen(candela, out, wanted, ()).items():
         words = [scene, "--size", f"{size}x{size}", "--spp", spp]
-        try:
-            measured = [[rendered(path.resolve(), out / f"renders/{which}.exr", words, seed)
-                         for which, path in (("before", options.before), ("now", options.program))]
+        with results.attempt(name):
+            measured = [cpu_seconds(*(
+                rendered(path.resolve(), out / f"renders/{which}.exr", words, seed)
+                for which, path in (("before", options.before), ("now", options.program))))
                         for seed in range(1, pairs + 1)]
-        except CandelaFailed as reason:
-            results.note(f"{name}: left out. {str(reason).splitlines()[0]}")
-            continue
-        rows.append({"scene": name} | compared(measured) | {"apart": apart(candela, out)})
-        print(f"{name}: {rows[-1]['cpu_ratio']:.3f}", flush=True)
+            rows.append({"scene": name} | compared(measured) | {"apart": apart(candela, out)})
+            results.keep("times", rows)
+            print(f"{name}: {rows[-1]['cpu_ratio']:.3f}", flush=True)
     results.table("times", f"CPU time, now over before, {size}x{size}, {spp} spp, {pairs} pairs",
                   rows, "apart: relMSE between the last pair of pictures.")
     if rows:
@@ -56,7 +56,7 @@ def run(options):
 
 
 def rendered(program, exr, words, seed):
-    """CPU seconds of rendering, with one thread."""
+    """`cpu_seconds` of the statistics, with one thread."""
     stats = exr.with_suffix(".json")
     process = subprocess.run(
         list(map(str, [program, "render", *words, "--seed", seed, "-o", exr, "--stats", stats,
@@ -64,7 +64,13 @@ def rendered(program, exr, words, seed):
         stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
     if process.returncode != 0:
         raise CandelaFailed(process.stderr.strip() or f"{program} ended with {process.returncode}")
-    return json.loads(stats.read_text())["cpu_seconds"]["render"]
+    return json.loads(stats.read_text())["cpu_seconds"]
+
+
+def cpu_seconds(*told):
+    """Of rendering, by each of both programs' statistics: without what both tell of decoding."""
+    keys = set.intersection(*map(set, told))
+    return [rendering_cpu_seconds({key: of[key] for key in keys}) for of in told]
 
 
 def compared(pairs):

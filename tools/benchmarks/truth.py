@@ -1,7 +1,7 @@
 """Long references, made once, and how far measured pictures are from them.
 
 relMSE = mean over pixels and channels of (x - r)^2 / (r^2 + 1e-2 mean(r)^2), without the reference's
-own noise, which its seeds tell; it should be below 1/20 of what is claimed with it.
+own noise, which its replicates tell; it should be below 1/20 of what is claimed with it.
 """
 
 import dataclasses
@@ -10,7 +10,7 @@ from math import nan
 
 import references
 from chosen_scenes import safe
-from fits import error_rate, spread
+from fits import error_rate, ratio_of_errors, spread
 
 TRIMMED = 1e-3  # of the pixels, the worst
 NOISE_ALLOWED = 1 / 20
@@ -36,18 +36,18 @@ class Run:
     cpu_seconds: float
     seconds: float
     spp: float
-    mean_ratio: float  # of the picture's mean to the reference's
+    mean_ratio: float = nan  # of the picture's mean to the reference's
+    built_cpu_seconds: float = nan  # cpu_seconds with making the scene and its trees
+    stats: dict = dataclasses.field(default_factory=dict)  # candela's own, where it is candela's
 
 
-def measured(candela, scene, truth, counts_decoding=True, **options):
+def measured(candela, scene, truth, **options):
     """Without a truth (None) only the times count, and errors are nan."""
     from exr import read_exr
     render = candela.render("measured", scene, png=False, filter="box", **options)
-    decoding = 0 if counts_decoding else render.stats["cpu_seconds"]["decoding"]
-    if truth is None:
-        return Run(nan, nan, render.cpu_seconds - decoding, render.seconds, render.spp, nan)
-    return run_of(read_exr(render.exr), truth, render.cpu_seconds - decoding, render.seconds,
-                  render.spp)
+    times = render.cpu_seconds, render.seconds, render.spp
+    run = Run(nan, nan, *times) if truth is None else run_of(read_exr(render.exr), truth, *times)
+    return dataclasses.replace(run, built_cpu_seconds=render.built_cpu_seconds, stats=render.stats)
 
 
 def run_of(image, truth, cpu_seconds, seconds, spp):
@@ -56,9 +56,10 @@ def run_of(image, truth, cpu_seconds, seconds, spp):
 
 
 def rate_of_runs(fewer, more):
-    """With which relMSE falls over CPU time, from runs of few and of more samples."""
+    """With which relMSE falls over CPU time, from runs of few and of more samples; nan where an
+    error is lost in the reference's noise."""
     mean = statistics.fmean
-    return error_rate(mean(r.relmse for r in fewer) / mean(r.relmse for r in more),
+    return error_rate(ratio_of_errors(*(mean(r.relmse for r in runs) for runs in (fewer, more))),
                       mean(r.cpu_seconds for r in more) / mean(r.cpu_seconds for r in fewer))
 
 
@@ -67,6 +68,29 @@ def judged(truth, *errors):
     `errors`: lists of relMSE, whose medians count."""
     smallest = min(statistics.median(of) for of in errors)
     return "good" if truth.own_relmse() < NOISE_ALLOWED * smallest else "too noisy"
+
+
+def counted(rows, keys, note, mean="the mean"):
+    """The rows that a mean over scenes may count: with a reference that is good, or with no need
+    of one, and a number in each of the columns `keys`. `note` is told of the others, and why."""
+    reasons = {why_not(row, keys) for row in rows} - {None}
+    for reason in sorted(reasons):
+        names = (name_of(row) for row in rows if why_not(row, keys) == reason)
+        note(f"{mean} is without {', '.join(names)}: {reason}")
+    return [row for row in rows if why_not(row, keys) is None]
+
+
+def why_not(row, keys):
+    """None where the row counts."""
+    if row.get("reference") not in ("good", None):
+        return "the reference is too noisy"
+    if not all(row[key] is not None and row[key] > 0 for key in keys):
+        return "an error or a time is lost in noise"
+    return None
+
+
+def name_of(row):
+    return row["scene"] + (f" at {row['spp']} spp" if "spp" in row else "")
 
 
 def summary(runs, truth):

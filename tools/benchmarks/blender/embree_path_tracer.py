@@ -5,14 +5,13 @@ states no error and looks for no lamps' edges. What a picture costs once is take
 sides, by one of fewer samples.
 """
 
-import os
 import pathlib
 import shutil
-import subprocess
 
 import numpy
 
 from fits import spread
+from processes import cpu_seconds_of
 
 from . import blender_scene
 
@@ -52,21 +51,11 @@ def candela_seconds(candela, size, seed, threads):
 
 
 def embree_seconds(folder, arguments, size, threads):
-    few, many = (cpu_seconds([PROGRAM, *arguments, "--rtcore", f"threads={threads}", "--threads",
-                              threads, "--size", size, size, "--spp", spp, "--max-path-length", 100,
-                              "-o", folder / "picture.ppm"]) for spp in (FEW, MANY))
+    few, many = (cpu_seconds_of(
+        [PROGRAM, *arguments, "--rtcore", f"threads={threads}", "--threads", threads, "--size",
+         size, size, "--spp", spp, "--max-path-length", 100, "-o", folder / "picture.ppm"])
+                 for spp in (FEW, MANY))
     return many - few
-
-
-def cpu_seconds(words):
-    process = subprocess.Popen(list(map(str, words)), stdout=subprocess.DEVNULL,
-                               stderr=subprocess.DEVNULL)
-    _, status, usage = os.wait4(process.pid, 0)
-    process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode != 0:
-        raise OSError(f"{PROGRAM} ended with {process.returncode}: "
-                      + " ".join(map(str, words)))
-    return usage.ru_utime + usage.ru_stime
 
 
 def written(folder, scene):

@@ -5,9 +5,18 @@ import json
 import pathlib
 import subprocess
 
+from processes import ProgramFailed
 
-class CandelaFailed(Exception):
+
+class CandelaFailed(ProgramFailed):
     """candela ended with an error; the text is its own."""
+
+
+def rendering_cpu_seconds(told):
+    """Of all threads, without reading, building and writing. Decoding images is none of it: the
+    path that first meets one does that. `told`: `cpu_seconds` of the statistics; what earlier
+    builds do not tell of decoding is not taken off."""
+    return told["render"] - told.get("decoding", 0)
 
 
 @dataclasses.dataclass
@@ -19,17 +28,30 @@ class Render:
 
     @property
     def seconds(self):
-        """Of rendering alone: without reading, building and writing."""
+        """By the clock on the wall, without reading, building and writing; images that paths meet
+        are decoded within."""
         return self.stats["seconds"]["render"]
 
     @property
     def cpu_seconds(self):
-        """The same, of all threads together."""
-        return self.stats["cpu_seconds"]["render"]
+        return rendering_cpu_seconds(self.stats["cpu_seconds"])
+
+    @property
+    def built_cpu_seconds(self):
+        """The same with what making the scene and its trees took."""
+        told = self.stats["cpu_seconds"]
+        return self.cpu_seconds + told["compile"] + told["build"]
 
     @property
     def spp(self):
         return self.stats["spp"]
+
+
+def _words_of(options):
+    words = []
+    for name, value in options.items():
+        words += ["--" + name.replace("_", "-")] + ([] if value is True else [value])
+    return words
 
 
 class Candela:
@@ -56,9 +78,7 @@ class Candela:
         stats = base.parent / (base.name + ".json")
         words = ["render", scene, "-o", files.exr, "--stats", stats, "--quiet"]
         words += ["-o", files.png] if png else []
-        for option, value in options.items():
-            words += ["--" + option.replace("_", "-")] + ([] if value is True else [value])
-        self._output_of(*words)
+        self._output_of(*words, *_words_of(options))
         return dataclasses.replace(files, stats=json.loads(stats.read_text()))
 
     def cached(self, name, scene, **options):
@@ -71,14 +91,14 @@ class Candela:
         exr, stats = self.folder / f"{name}.exr", self.folder / f"{name}.json"
         if asked.exists() and asked.read_text() == key and exr.exists():
             return Render(name, exr, None, json.loads(stats.read_text()))
+        asked.unlink(missing_ok=True)  # it would vouch for the picture of a render that is stopped
         render = self.render(name, scene, png=False, **options)
         asked.write_text(key)
         return render
 
     def info(self, scene, **options):
         """What `candela info --json` says; `options` as for render()."""
-        words = [word for name, value in options.items() for word in ("--" + name, value)]
-        return json.loads(self._output_of("info", scene, "--json", *words))
+        return json.loads(self._output_of("info", scene, "--json", *_words_of(options)))
 
     def convert(self, scene, file):
         """Writes the scene as a pbrt file, with its meshes in a folder beside it."""
@@ -86,9 +106,8 @@ class Candela:
         self._output_of("convert", scene, file)
 
     def bench(self, scene, **options):
-        """What `candela bench --json` says."""
-        words = [word for name, value in options.items() for word in ("--" + name, value)]
-        return json.loads(self._output_of("bench", scene, "--json", *words))
+        """What `candela bench --json` says; `options` as for render()."""
+        return json.loads(self._output_of("bench", scene, "--json", *_words_of(options)))
 
     def compare(self, render, reference):
         """relmse, mean_ratio and more of `candela compare --json`."""
