@@ -40,6 +40,7 @@ MEASURES = (("cpu", "relmse", "cpu_seconds"), ("wall", "relmse", "seconds"),
 PILOTS = 64  # samples a pixel from which on candela's sampling adapts
 THRESHOLD = .4  # of Cycles' noise, over the root of the samples that it should about take
 MOST_ADAPTIVE = 4096
+REFERENCE = 48  # times the most samples: independent ones then have 1/48 of the error
 
 
 def default_scenes():
@@ -179,7 +180,7 @@ class Bench:
 
     def measure(self, name, file, scene):
         """(points, ratios, references): rows of two tables, and the two long pictures."""
-        spp = 16 * self.counts[-1]
+        spp = REFERENCE * self.counts[-1]
         ours = truth.reference(self.candela, name, file, self.size, spp, max_depth="none")
         theirs = self.cycles_reference(name, scene, spp)
         apart = float(ours.image.mean() / theirs.image.mean())
