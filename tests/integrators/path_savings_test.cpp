@@ -32,7 +32,6 @@ description::SceneDescription leaf_in_the_sky(const TemporaryFolder& folder) {
 RenderSettings settings_without(const PathSavings& savings) {
   RenderSettings settings = settings_of(32, 9);
   settings.accelerator = AcceleratorKind::Bvh;
-  settings.options.use_general_kernel = false;
   settings.options.savings = savings;
   return settings;
 }

@@ -1,34 +1,19 @@
 // Asks tests/tools/cycles_comparison.py about tools/benchmarks/blender.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <string>
-#include <vector>
-
-#include "tests/tools/run_program.h"
+#include "tests/tools/python_questions.h"
 
 namespace candela::cli_test {
 
-class CyclesQuestions : public testing::Test {
+class CyclesQuestions : public PythonQuestions {
  protected:
-  static constexpr const char* python = "/usr/bin/python3";  // Debian's, as in tools/bench
-
   void SetUp() override {
-    if (!std::filesystem::exists(python) ||
-        Program({python, "-c", "import numpy, yaml"}, ErrorStream::File).finish().exit_code != 0)
+    if (!has_modules("numpy, yaml"))
       GTEST_SKIP() << "Debian's python3-numpy and python3-yaml are not installed";
   }
 
-  // JSON; null where the question failed, which the test is told.
   static std::string answer(const std::vector<std::string>& question) {
-    std::vector<std::string> words{
-        python, "-B", CANDELA_SOURCE_DIR "/tests/tools/cycles_comparison.py", CANDELA_SOURCE_DIR};
-    words.insert(words.end(), question.begin(), question.end());
-    const ProgramResult result = Program(words, ErrorStream::File).finish();
-    EXPECT_EQ(result.exit_code, 0) << result.error;
-    return result.exit_code == 0 ? result.output : "null";
+    return answer_of("cycles_comparison.py", question);
   }
 };
 

@@ -1,5 +1,5 @@
-// `--without LIST`: what makes a render cheaper and, noise apart, changes nothing of its picture,
-// taken away for comparisons.
+// `--without LIST`: what makes a render cheaper and changes nothing of its picture (docs/cli.md,
+// "Savings", has the exceptions), taken away for comparisons.
 #pragma once
 
 #include <cstdint>
