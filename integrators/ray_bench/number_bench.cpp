@@ -1,8 +1,8 @@
 #include "integrators/ray_bench/number_bench.h"
 
-#include <algorithm>
-#include <limits>
+#include <vector>
 
+#include "integrators/ray_bench/spread.h"
 #include "renderer/base/thread_clock.h"
 #include "renderer/sampling/sampler_block.h"
 
@@ -62,24 +62,25 @@ std::uint32_t draw_one_by_one(const PixelSampler& pixel) {
   return sum;
 }
 
-double best_nanoseconds(double seconds, const auto& draw) {
-  double best = std::numeric_limits<double>::infinity();
-  double total = 0;
+double nanoseconds(const auto& draw) {
   volatile std::uint32_t sum = 0;
-  for (int round = 0; round < 3 || total < seconds; ++round) {
-    const double start = thread_cpu_seconds();
-    for (std::uint32_t x = 0; x < pixels; ++x) sum = sum + draw(PixelSampler(1, x, 0, 1));
-    const double spent = thread_cpu_seconds() - start;
-    best = std::min(best, spent);
-    total += spent;
-  }
-  return best * 1e9 / (pixels * samples * dimensions);
+  const double start = thread_cpu_seconds();
+  for (std::uint32_t x = 0; x < pixels; ++x) sum = sum + draw(PixelSampler(1, x, 0, 1));
+  return (thread_cpu_seconds() - start) * 1e9 / (pixels * samples * dimensions);
 }
 
 }  // namespace
 
 NumberFigures run_number_bench(double seconds) {
-  return {best_nanoseconds(seconds, draw_in_blocks), best_nanoseconds(seconds, draw_one_by_one)};
+  const auto thread_seconds = [start = thread_cpu_seconds()] {
+    return thread_cpu_seconds() - start;
+  };
+  std::vector<double> block, single;
+  do {
+    block.push_back(nanoseconds(draw_in_blocks));
+    single.push_back(nanoseconds(draw_one_by_one));
+  } while (block.size() < 5 || thread_seconds() < 2 * seconds);
+  return {spread_of(std::move(block)).median, spread_of(std::move(single)).median};
 }
 
 }  // namespace candela

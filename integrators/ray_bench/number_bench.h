@@ -5,14 +5,13 @@
 
 namespace candela {
 
-// Nanoseconds of CPU time of one thread a dimension, a pair being two. The best of several rounds,
-// since the others were disturbed.
+// Nanoseconds of CPU time of one thread a dimension, a pair being two; medians of rounds.
 struct NumberFigures {
   double block_ns = 0;   // of sixteen samples side by side (SamplerBlock)
   double single_ns = 0;  // of one sample (Sampler)
 };
 
-// Over rounds of at least `seconds` each way, at least three.
+// Both ways in turn for `seconds` each, at least five times.
 [[nodiscard]] NumberFigures run_number_bench(double seconds);
 
 }  // namespace candela

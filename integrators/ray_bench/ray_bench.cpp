@@ -1,7 +1,9 @@
 #include "integrators/ray_bench/ray_bench.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <mutex>
 
 #include "integrators/ray_bench/compare_hits.h"
@@ -35,40 +37,66 @@ double cpu_seconds_of(const auto& work) {
   return thread_cpu_seconds() - start;
 }
 
-// Rays a second if each thread had a processor of its own all the time; of several rounds the best,
-// since the others were disturbed. `cpu_seconds_of_round`: of all threads together.
-double best_mrays(std::size_t rays, int threads, double seconds_each,
-                  const auto& cpu_seconds_of_round) {
-  if (rays == 0) return 0;
-  double best = std::numeric_limits<double>::infinity();
+// Of all threads together, by round.
+struct CpuSeconds {
+  std::vector<double> embree, bvh;
+};
+
+// A B A B, so that what disturbs one back end disturbs the other; until each thread has worked
+// `seconds_each` for either.
+CpuSeconds rounds_in_turn(int threads, double seconds_each, const auto& embree, const auto& bvh) {
+  CpuSeconds rounds;
   double total = 0;
-  for (int round = 0; round < 3 || total < seconds_each; ++round) {
-    const double seconds = cpu_seconds_of_round() / threads;
-    best = std::min(best, seconds);
-    total += seconds;
+  for (int round = 0; round < 5 || total < 2 * seconds_each * threads; ++round) {
+    rounds.embree.push_back(embree());
+    rounds.bvh.push_back(bvh());
+    total += rounds.embree.back() + rounds.bvh.back();
   }
-  return static_cast<double>(rays) / best * 1e-6;
+  return rounds;
 }
 
-template <Accelerator A>
-void measure(const A& accelerator, const RecordedRays& rays, double seconds_each, int threads,
-             BackEndFigures& figures) {
+// Million rays a second if each thread had a processor of its own all the time.
+double median_mrays(std::size_t rays, int threads, const std::vector<double>& cpu_seconds) {
+  return static_cast<double>(rays) * threads / spread_of(cpu_seconds).median * 1e-6;
+}
+
+Spread embree_over_bvh(const CpuSeconds& rounds) {
+  std::vector<double> ratios(rounds.embree.size());
+  std::ranges::transform(rounds.bvh, rounds.embree, ratios.begin(), std::divides<>());
+  return spread_of(std::move(ratios));
+}
+
+double cpu_seconds_of_all_threads(std::size_t rays, const auto& cpu_seconds) {
+  std::atomic<double> sum = 0;
+  parallel_for_chunks(rays, rays_per_task,
+                      [&](std::size_t begin, std::size_t end) { sum += cpu_seconds(begin, end); });
+  return sum.load();
+}
+
+void measure(const EmbreeAccel& embree, const BvhAccel& bvh, const RecordedRays& rays,
+             double seconds_each, RayBenchResult& result) {
   std::atomic<std::uint64_t> hits = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    const bool is_shadow = static_cast<RayClass>(i) == RayClass::Shadow;
     const std::size_t count = rays[i].size();
-    const auto cpu_seconds = [&](std::size_t begin, std::size_t end) {
-      return cpu_seconds_of([&] { hits += trace(accelerator, rays[i], is_shadow, begin, end); });
+    if (count == 0) continue;
+    const bool is_shadow = static_cast<RayClass>(i) == RayClass::Shadow;
+    const auto tracing = [&](const auto& accelerator) {
+      return [&, is_shadow](std::size_t begin, std::size_t end) {
+        return cpu_seconds_of([&] { hits += trace(accelerator, rays[i], is_shadow, begin, end); });
+      };
     };
-    figures.mrays_one_thread[i] =
-        best_mrays(count, 1, seconds_each, [&] { return cpu_seconds(0, count); });
-    figures.mrays_all_threads[i] = best_mrays(count, threads, seconds_each, [&] {
-      std::atomic<double> sum = 0;
-      parallel_for_chunks(count, rays_per_task, [&](std::size_t begin, std::size_t end) {
-        sum += cpu_seconds(begin, end);
-      });
-      return sum.load();
-    });
+    const auto by_embree = tracing(embree);
+    const auto by_bvh = tracing(bvh);
+    const CpuSeconds alone = rounds_in_turn(
+        1, seconds_each, [&] { return by_embree(0, count); }, [&] { return by_bvh(0, count); });
+    const CpuSeconds together = rounds_in_turn(
+        result.threads, seconds_each, [&] { return cpu_seconds_of_all_threads(count, by_embree); },
+        [&] { return cpu_seconds_of_all_threads(count, by_bvh); });
+    result.embree.mrays_one_thread[i] = median_mrays(count, 1, alone.embree);
+    result.bvh.mrays_one_thread[i] = median_mrays(count, 1, alone.bvh);
+    result.embree.mrays_all_threads[i] = median_mrays(count, result.threads, together.embree);
+    result.bvh.mrays_all_threads[i] = median_mrays(count, result.threads, together.bvh);
+    result.embree_over_bvh[i] = embree_over_bvh(alone);
   }
 }
 
@@ -145,8 +173,7 @@ RayBenchResult run_in_arena(const Scene& scene, const RayBenchOptions& options, 
     const bool is_shadow = static_cast<RayClass>(i) == RayClass::Shadow;
     result.agreement += count_agreement(scene, *embree, *bvh, rays[i], is_shadow);
   }
-  measure(*embree, rays, options.seconds_each, threads, result.embree);
-  measure(*bvh, rays, options.seconds_each, threads, result.bvh);
+  measure(*embree, *bvh, rays, options.seconds_each, result);
   return result;
 }
 

@@ -6,22 +6,24 @@
 #include <string>
 
 #include "integrators/ray_bench/record_rays.h"
+#include "integrators/ray_bench/spread.h"
 #include "renderer/accel/bvh_accel.h"
 
 namespace candela {
 
 struct RayBenchOptions {
   RecordOptions record;
-  // Each class of rays is traced again until its threads have worked so long, at least three times;
-  // the best counts.
+  // Each class of rays is traced again by both back ends in turn until each thread has worked so
+  // long for either, at least five times.
   double seconds_each = 0.5;
 };
 
 struct BackEndFigures {
   double build_seconds = 0;  // by all threads, by the clock on the wall
   std::size_t bytes = 0;
-  // Million rays a second of CPU time by RayClass; 0 where there are none of that class. By all
-  // threads: as if each had a processor of its own, sharing caches and memory with the others.
+  // Million rays a second of CPU time by RayClass, the median of the rounds; 0 where there are none
+  // of that class. By all threads: as if each had a processor of its own, sharing caches and memory
+  // with the others.
   std::array<double, 3> mrays_one_thread{};
   std::array<double, 3> mrays_all_threads{};
 };
@@ -44,6 +46,7 @@ struct RayBenchResult {
   std::array<std::uint64_t, 3> ray_counts{};  // by RayClass
   BackEndFigures embree;
   BackEndFigures bvh;
+  std::array<Spread, 3> embree_over_bvh{};  // rays a second of one thread, by RayClass, of rounds
   AgreementCounts agreement;
 };
 

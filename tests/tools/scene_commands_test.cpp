@@ -112,6 +112,11 @@ TEST(Unit_Bench, MeasuresBothBackEnds) {
       EXPECT_GT(bench[back_end]["mrays_per_second"][rays], 0) << back_end << rays;
     }
   }
+  for (const char* rays : {"camera", "bounce", "shadow"}) {
+    const Json ratio = bench["embree_over_bvh"][rays];
+    EXPECT_GT(ratio["least"], 0) << rays;
+    EXPECT_GE(ratio["most"], ratio["median"]) << rays;
+  }
   for (const char* way : {"block", "single"}) EXPECT_GT(bench["number_nanoseconds"][way], 0) << way;
 }
 

@@ -21,6 +21,14 @@ std::string back_end_line(std::string_view name, const BackEndFigures& figures) 
   return text + "\n";
 }
 
+std::string ratio_line(const std::array<Spread, ray_class_names.size()>& embree_over_bvh) {
+  std::string text = fmt::format("  {:<26}", "embree / bvh");
+  for (const Spread& ratio : embree_over_bvh)
+    text += fmt::format(
+        "{:>18}", fmt::format("{:.2f} ({:.2f}-{:.2f})", ratio.median, ratio.least, ratio.most));
+  return text + "   on one thread, median (range) of rounds\n";
+}
+
 std::string to_text(const std::string& scene, const RayBenchResult& result,
                     const NumberFigures& numbers) {
   std::string text =
@@ -29,7 +37,8 @@ std::string to_text(const std::string& scene, const RayBenchResult& result,
   text += fmt::format("  {:<8}{:>9}{:>9}", "", "build s", "MB");
   for (const std::string_view name : ray_class_names) text += fmt::format("{:>18}", name);
   text += fmt::format("   Mray/s on one thread, on all\n");
-  text += back_end_line("embree", result.embree) + back_end_line("bvh", result.bvh);
+  text += back_end_line("embree", result.embree) + back_end_line("bvh", result.bvh) +
+          ratio_line(result.embree_over_bvh);
   text += "  rays   ";
   for (std::size_t i = 0; i < ray_class_names.size(); ++i)
     text += fmt::format(" {} {}", result.ray_counts[i], ray_class_names[i]);

@@ -1,5 +1,6 @@
 #include "tools/candela/json_reports.h"
 
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "tools/candela/option_values.h"
@@ -145,11 +146,16 @@ Json texture_json(const TextureRow& row) {
           {"decoded", row.is_decoded}};
 }
 
-template <class Number>
-Json by_ray_class(const std::array<Number, ray_class_names.size()>& values) {
+template <class Value, class As = std::identity>
+Json by_ray_class(const std::array<Value, ray_class_names.size()>& values, As as = {}) {
   Json json;
-  for (std::size_t i = 0; i < values.size(); ++i) json[std::string(ray_class_names[i])] = values[i];
+  for (std::size_t i = 0; i < values.size(); ++i)
+    json[std::string(ray_class_names[i])] = as(values[i]);
   return json;
+}
+
+Json spread_json(const Spread& spread) {
+  return {{"median", spread.median}, {"least", spread.least}, {"most", spread.most}};
 }
 
 Json back_end_json(const BackEndFigures& figures) {
@@ -218,6 +224,7 @@ std::string to_json(const std::string& scene, const RayBenchResult& result,
   json["rays"] = by_ray_class(result.ray_counts);
   json["embree"] = back_end_json(result.embree);
   json["bvh"] = back_end_json(result.bvh);
+  json["embree_over_bvh"] = by_ray_class(result.embree_over_bvh, spread_json);
   json["agreement"] = {{"rays", agreement.rays},
                        {"disagreeing", agreement.disagreeing},
                        {"same_distance", agreement.same_distance},

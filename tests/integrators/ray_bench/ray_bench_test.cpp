@@ -74,6 +74,20 @@ TEST(Unit_RayBench, FillsItsFigures) {
       EXPECT_GT(figures.mrays_all_threads[i], 0);
     }
   }
+  for (const Spread& ratio : result.embree_over_bvh) {
+    EXPECT_GT(ratio.least, 0);
+    EXPECT_LE(ratio.least, ratio.median);
+    EXPECT_LE(ratio.median, ratio.most);
+  }
+}
+
+TEST(Unit_Spread, IsOfTheMiddleAndTheEnds) {
+  const Spread odd = spread_of({3, 1, 2});
+  EXPECT_EQ(odd.median, 2);
+  EXPECT_EQ(odd.least, 1);
+  EXPECT_EQ(odd.most, 3);
+  EXPECT_EQ(spread_of({4, 1, 2, 9}).median, 3);
+  EXPECT_EQ(spread_of({}).median, 0);
 }
 
 // One triangle in the plane z = 0, seen from z = 2 through a point.
