@@ -31,7 +31,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanit
     integrators/path/plain_lanes.cpp integrators/path/sky_lanes.cpp
     renderer/accel/box_list.cpp
     renderer/accel/embree_block.cpp
-    renderer/accel/face_lanes.cpp
+    renderer/accel/face_hits.cpp renderer/accel/face_lanes.cpp
     PROPERTIES
     SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS
     "-O3;-fno-trapping-math;--param=max-tree-if-conversion-phi-args=64")

@@ -73,18 +73,20 @@ std::optional<Quad> quad_of(const SceneTriangle& a, const SceneTriangle& b) {
 }
 
 // A barycentric of a triangle: 1 at a corner, 0 along the edge across from it.
-FaceTriangles::Triangle face_triangle(const SceneTriangle& t, const Vec3d& origin) {
-  const auto barycentric = [&](std::size_t corner, Vec3f& gradient, float& at_origin) {
+void put_triangle(const SceneTriangle& t, const Vec3d& origin, std::size_t which,
+                  FaceTriangles& face) {
+  for (std::size_t corner = 1; corner < 3; ++corner) {
     const Vec3d foot = t.corner(corner + 1);
     const Vec3d direction = cross(t.perpendicular(), t.corner(corner + 2) - foot);
     const Vec3d scaled = direction / dot(direction, t.corner(corner) - foot);
-    gradient = Vec3f(scaled);
-    at_origin = static_cast<float>(dot(scaled, origin - foot));
-  };
-  FaceTriangles::Triangle made{.geometry = t.geometry, .triangle = t.triangle};
-  barycentric(1, made.u_gradient, made.u);
-  barycentric(2, made.v_gradient, made.v);
-  return made;
+    const std::size_t j = 2 * which + corner - 1;
+    face.x[j] = static_cast<float>(scaled.x);
+    face.y[j] = static_cast<float>(scaled.y);
+    face.z[j] = static_cast<float>(scaled.z);
+    face.at_corner[j] = static_cast<float>(dot(scaled, origin - foot));
+  }
+  face.geometry[which] = t.geometry;
+  face.triangle[which] = t.triangle;
 }
 
 // `corners`: three or four, counter-clockwise about the normal.
@@ -129,12 +131,16 @@ FaceList::FaceList(const Scene& scene, std::span<const GeometryHandle> geometrie
       is_taken[partner] = true;
       put_face(quad->corners, normal, faces_);
       const Vec3d& corner = quad->corners[0];
-      triangles_.push_back({Vec3f(corner), Vec3f(cross(normal, quad->corners[2] - corner)),
-                            face_triangle(all[i], corner), face_triangle(all[partner], corner)});
+      FaceTriangles& face = triangles_.emplace_back();
+      face.corner = Vec3f(corner);
+      face.across = Vec3f(cross(normal, quad->corners[2] - corner));
+      put_triangle(all[i], corner, 0, face);
+      put_triangle(all[partner], corner, 1, face);
     } else {
       put_face(all[i].corners, normal, faces_);
-      triangles_.push_back(
-          {Vec3f(all[i].corners[0]), Vec3f(0), face_triangle(all[i], all[i].corners[0]), {}});
+      FaceTriangles& face = triangles_.emplace_back();
+      face.corner = Vec3f(all[i].corners[0]);
+      put_triangle(all[i], all[i].corners[0], 0, face);
     }
   }
   if (faces_.reach > most_reach) clear();
@@ -145,31 +151,12 @@ void FaceList::clear() {
   triangles_.clear();
 }
 
-Hit FaceList::hit_of(const Vec3f& origin, const Vec3f& direction, std::uint32_t face,
-                     float t) const {
-  const FaceTriangles& triangles = triangles_[face];
-  const Vec3f place = origin - triangles.corner + t * direction;
-  const bool is_first = dot(triangles.across, place) >= 0;
-  const FaceTriangles::Triangle& in = is_first ? triangles.first : triangles.second;
-  const float u = std::clamp(dot(in.u_gradient, place) + in.u, 0.0f, 1.0f);
-  const float v = std::clamp(dot(in.v_gradient, place) + in.v, 0.0f, 1 - u);
-  return {.t = t, .u = u, .v = v, .geometry = in.geometry, .triangle = in.triangle};
-}
-
 FaceList::BlockAnswer FaceList::intersect(const RayBlock& rays, LaneMask lanes) const {
   const FloatingPointTraps traps(Traps::Off);  // planes that rays never meet
   const FaceLanes nearest = find_nearest_faces(faces_, rays);
   BlockAnswer answer{{}, open_lanes(nearest) & lanes};
   const LaneMask met = lanes & ~answer.open & lanes_with_face(nearest);
-  for_each_lane(met, [&](std::uint32_t i) {
-    const Hit hit = hit_of(rays.origin[i], rays.direction[i], nearest.face[i], nearest.t[i]);
-    answer.hits.t[i] = hit.t;
-    answer.hits.u[i] = hit.u;
-    answer.hits.v[i] = hit.v;
-    answer.hits.geometry[i] = hit.geometry;
-    answer.hits.triangle[i] = hit.triangle;
-  });
-  answer.hits.met = met;
+  set_hits(triangles_, rays, nearest, met, answer.hits);
   return answer;
 }
 
@@ -196,7 +183,7 @@ std::optional<Hit> FaceList::intersect(const Ray& ray) const {
   const NearestFace nearest = find_nearest_face(faces_, ray);
   if (nearest.is_open) return {};
   if (nearest.face == FaceLanes::none) return Hit{};
-  return hit_of(ray.origin, ray.direction, nearest.face, nearest.t);
+  return hit_of(triangles_[nearest.face], ray, nearest.t);
 }
 
 std::optional<bool> FaceList::occluded(const Ray& ray) const {

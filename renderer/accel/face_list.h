@@ -8,26 +8,11 @@
 #include <span>
 #include <vector>
 
-#include "renderer/accel/face_lanes.h"
+#include "renderer/accel/face_hits.h"
 
 namespace candela {
 
 struct Scene;
-
-// The triangles of a face: one, or two that share a diagonal.
-struct FaceTriangles {
-  struct Triangle {
-    std::uint32_t geometry = 0;
-    std::uint32_t triangle = 0;
-    // Barycentrics of vertices 1 and 2 at a place relative to the face's corner.
-    Vec3f u_gradient{0}, v_gradient{0};
-    float u = 0, v = 0;  // at the corner
-  };
-
-  Vec3f corner{0};  // the face's
-  Vec3f across{0};  // above 0 at places on the first one's side of the diagonal
-  Triangle first, second;
-};
 
 class FaceList {
  public:
@@ -61,8 +46,6 @@ class FaceList {
 
  private:
   void clear();
-  [[nodiscard]] Hit hit_of(const Vec3f& origin, const Vec3f& direction, std::uint32_t face,
-                           float t) const;
 
   FaceGroups faces_;
   std::vector<FaceTriangles> triangles_;  // by face
