@@ -167,10 +167,11 @@ def asked_of_cycles(folder, counts):
             for jobs in (cycles.jobs, references_asked)]
 
 
-def better_setting(ours, ladders):
+def better_settings(ours, theirs):
     """Of one pair."""
-    return peers.better_setting([(runs_of(json.loads(ours)), {
-        setting: runs_of(runs) for setting, runs in json.loads(ladders).items()})])
+    return peers.better_settings([tuple(
+        {setting: runs_of(runs) for setting, runs in json.loads(ladders).items()}
+        for ladders in (ours, theirs))])
 
 
 def their_cpu_seconds(seconds, taken_off):

@@ -319,11 +319,19 @@ TEST_F(Unit_BenchmarksRatios, TimesOfEarlierBuildsArePaired) {
 // whatever relMSE times seconds says (.1 against .03).
 TEST_F(Unit_BenchmarksRatios, CyclesBetterSettingIsTheOneThatIsWorseForCandela) {
   const auto better = [](const std::string& ladders) {
-    return ask({"better_setting", "[[0.04, 1, 1], [0.0025, 4, 4]]", ladders});
+    return ask({"better_settings", R"({"o": [[0.04, 1, 1], [0.0025, 4, 4]]})", ladders})[1];
   };
   EXPECT_EQ(better(R"({"a": [[0.01, 8, 8]], "b": [[0.0025, 12, 12]]})"), "b");
   EXPECT_EQ(better(R"({"a": [[0.04, 2.5, 3]], "b": [[0.0025, 12, 12]]})"), "a");
   EXPECT_EQ(better(R"({"a": [[0.01, 8, 8]], "b": [[-0.01, 99, 99]]})"), "b") << "nothing is told";
+}
+
+// "q" takes a third less time to any error than "o".
+TEST_F(Unit_BenchmarksRatios, CandelasBetterSettingIsHeldAgainstCyclesBetterOne) {
+  const std::string ours =
+      R"({"o": [[0.04, 1, 1], [0.0025, 4, 4]], "q": [[0.04, 0.67, 1], [0.0025, 2.7, 4]]})";
+  EXPECT_EQ(ask({"better_settings", ours, R"({"a": [[0.01, 8, 8]], "b": [[0.0025, 12, 12]]})"}),
+            (Json{"q", "b"}));
 }
 
 TEST_F(Unit_BenchmarksRatios, GoalsThatAreMissedEndWithSix) {
