@@ -72,14 +72,12 @@ double nanoseconds(const auto& draw) {
 }  // namespace
 
 NumberFigures run_number_bench(double seconds) {
-  const auto thread_seconds = [start = thread_cpu_seconds()] {
-    return thread_cpu_seconds() - start;
-  };
+  const double start = thread_cpu_seconds();
   std::vector<double> block, single;
   do {
     block.push_back(nanoseconds(draw_in_blocks));
     single.push_back(nanoseconds(draw_one_by_one));
-  } while (block.size() < 5 || thread_seconds() < 2 * seconds);
+  } while (block.size() < 5 || thread_cpu_seconds() - start < 2 * seconds);
   return {spread_of(std::move(block)).median, spread_of(std::move(single)).median};
 }
 

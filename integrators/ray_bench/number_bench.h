@@ -11,7 +11,7 @@ struct NumberFigures {
   double single_ns = 0;  // of one sample (Sampler)
 };
 
-// Both ways in turn for `seconds` each, at least five times.
+// Both ways in turn, at least five times, until they have taken `seconds` each in the mean.
 [[nodiscard]] NumberFigures run_number_bench(double seconds);
 
 }  // namespace candela

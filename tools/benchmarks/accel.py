@@ -2,9 +2,10 @@
 
 All figures are those of `candela bench SCENE --json`: rays of real paths through bare calls, by CPU
 time of one thread, medians of rounds of both in turn; `ratio` is how many times as many rays a
-second Embree traces, its median and range. build_s is wall time of all threads. Growth is told by generated soups and terrains of 10^2 to 10^7 triangles:
-the exponent of cost over triangles, fitted from 10^4 on, where a tree no longer fits into the
-nearest cache. Fails where the two answer any ray differently.
+second Embree traces, its median and range. build_s is wall time of all threads. Growth is told by
+generated soups and terrains of 10^2 to 10^7 triangles: the exponent of cost over triangles, fitted
+from 10^4 on, where a tree no longer fits into the nearest cache. Fails where the two answer any ray
+differently.
 """
 
 import itertools
