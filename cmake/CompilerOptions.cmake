@@ -63,3 +63,7 @@ if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*address" AND CMAKE_CXX_COMPILER_ID
    AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   add_compile_definitions(CANDELA_FLOATING_POINT_TRAPS)
 endif()
+
+# The module of codecs is found by the program's run path whoever opens it: the sanitizers open it in
+# the program's place, and DT_RUNPATH (the default) counts for the opener alone, DT_RPATH for all.
+target_link_options(candela_options INTERFACE LINKER:--disable-new-dtags)

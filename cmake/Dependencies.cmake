@@ -22,16 +22,16 @@ add_library(candela_embree INTERFACE IMPORTED)
 target_link_libraries(candela_embree INTERFACE embree)
 target_compile_definitions(candela_embree INTERFACE CANDELA_EMBREE_MAJOR=${embree_VERSION_MAJOR})
 
-# By hand: the distribution's OpenImageIOConfig.cmake asks for Imath's Python binding, which the
-# development package does not bring.
-find_path(OpenImageIO_INCLUDE_DIR OpenImageIO/imageio.h REQUIRED)
-find_library(OpenImageIO_LIBRARY OpenImageIO REQUIRED)
-find_library(OpenImageIO_Util_LIBRARY OpenImageIO_Util REQUIRED)
+# By hand: the distribution's package of Imath names a Python binding that it does not bring.
+find_path(OpenEXR_INCLUDE_DIR ImfHeader.h PATH_SUFFIXES OpenEXR REQUIRED)
 find_path(Imath_INCLUDE_DIR ImathVec.h PATH_SUFFIXES Imath REQUIRED)
+find_library(OpenEXR_LIBRARY OpenEXR REQUIRED)
+find_library(Iex_LIBRARY Iex REQUIRED)
+find_library(Imath_LIBRARY Imath REQUIRED)
 mark_as_advanced(
-  OpenImageIO_INCLUDE_DIR OpenImageIO_LIBRARY OpenImageIO_Util_LIBRARY Imath_INCLUDE_DIR)
-add_library(candela_openimageio INTERFACE IMPORTED)
-target_include_directories(candela_openimageio SYSTEM INTERFACE
-  ${OpenImageIO_INCLUDE_DIR} ${Imath_INCLUDE_DIR})
-target_link_libraries(candela_openimageio INTERFACE
-  ${OpenImageIO_LIBRARY} ${OpenImageIO_Util_LIBRARY})
+  OpenEXR_INCLUDE_DIR Imath_INCLUDE_DIR OpenEXR_LIBRARY Iex_LIBRARY Imath_LIBRARY)
+add_library(candela_openexr INTERFACE IMPORTED)
+target_include_directories(candela_openexr SYSTEM INTERFACE
+  ${OpenEXR_INCLUDE_DIR} ${Imath_INCLUDE_DIR})
+target_link_libraries(candela_openexr INTERFACE
+  ${OpenEXR_LIBRARY} ${Iex_LIBRARY} ${Imath_LIBRARY})

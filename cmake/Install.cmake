@@ -5,6 +5,10 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/candela)
 set_target_properties(candela_options PROPERTIES EXPORT_NAME options)
 install(TARGETS candela_options candela_renderer candela_scene_io candela_integrators candela
   EXPORT candelaTargets)
+# The run path of whoever links the libraries leads to the module of codecs.
+install(TARGETS candela_codecs DESTINATION ${CMAKE_INSTALL_LIBDIR}/candela)
+target_link_options(candela_renderer INTERFACE
+  $<INSTALL_INTERFACE:LINKER:-rpath,$<INSTALL_PREFIX>/${CMAKE_INSTALL_LIBDIR}/candela>)
 install(EXPORT candelaTargets NAMESPACE candela:: DESTINATION ${package_folder})
 
 # Include paths start at the root of the sources, and below include/candela.

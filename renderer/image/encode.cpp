@@ -1,8 +1,5 @@
 #include "renderer/image/encode.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <array>
 #include <exception>
@@ -12,63 +9,41 @@
 
 #include <fmt/format.h>
 
-#include "renderer/base/floating_point_traps.h"
+#include "renderer/image/codecs.h"
 #include "renderer/image/display_transform.h"
-#include "renderer/image/openimageio_setup.h"
-#include "renderer/image/sample_type.h"
+#include "renderer/image/encodable.h"
+#include "renderer/image/encode_exr.h"
 
 namespace candela {
 namespace {
 
-using OIIO::ImageSpec;
-using OIIO::TypeDesc;
-
-// What is handed to OpenImageIO: a description and interleaved rows of it.
-struct Encodable {
-  ImageSpec spec;
+// A picture for an encoder and, where they are not the image's own, its samples.
+struct Prepared {
+  Encodable picture;
   std::vector<std::uint8_t> bytes;
   std::vector<float> floats;
-  const std::byte* samples = nullptr;  // in place of both
-  [[nodiscard]] const void* data() const {
-    if (samples) return samples;
-    return bytes.empty() ? static_cast<const void*>(floats.data()) : bytes.data();
-  }
 };
 
-// OpenEXR has no 64-bit integers: they become decimal text, which is exact.
-void add_metadata(ImageSpec& spec, const std::string& name, const MetadataValue& value) {
-  if (const auto* text = std::get_if<std::string>(&value)) {
-    spec.attribute(name, *text);
-  } else if (const auto* number = std::get_if<double>(&value)) {
-    spec.attribute(name, TypeDesc::DOUBLE, number);
-  } else {
-    const std::int64_t whole = std::get<std::int64_t>(value);
-    const bool fits = whole >= std::numeric_limits<std::int32_t>::min() &&
-                      whole <= std::numeric_limits<std::int32_t>::max();
-    if (fits)
-      spec.attribute(name, static_cast<int>(whole));
-    else
-      spec.attribute(name, std::to_string(whole));
-  }
+// Where an integer has no place it becomes decimal text, which is exact.
+EncodableAttribute attribute_of(const std::string& name, const MetadataValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return {name, *text};
+  if (const auto* number = std::get_if<double>(&value)) return {name, *number};
+  const std::int64_t whole = std::get<std::int64_t>(value);
+  const bool fits = whole >= std::numeric_limits<std::int32_t>::min() &&
+                    whole <= std::numeric_limits<std::int32_t>::max();
+  if (fits) return {name, static_cast<int>(whole)};
+  return {name, std::to_string(whole)};
 }
 
-Encodable exr_of(const Image& image, const WriteOptions& options) {
-  Encodable result;
-  ImageSpec spec(image.width, image.height, static_cast<int>(image.channel_count()),
-                 TypeDesc::FLOAT);
-  spec.channelnames = image.channels;
-  spec.alpha_channel = image.channel_index("A");
-  spec.z_channel = image.channel_index("Z");
-  spec.x = options.offset_x;
-  spec.y = options.offset_y;
-  spec.full_x = 0;
-  spec.full_y = 0;
-  spec.full_width = options.full_width > 0 ? options.full_width : image.width;
-  spec.full_height = options.full_height > 0 ? options.full_height : image.height;
-  spec.attribute("compression", "zip");
-  spec.attribute("oiio:ColorSpace", "Linear");
-  result.spec = std::move(spec);
-  result.floats = image.values;
+Prepared exr_of(const Image& image, const WriteOptions& options) {
+  Prepared result;
+  Encodable& picture = result.picture;
+  picture.header = {
+      image.width, image.height,     SampleType::Float, image.channels, image.channel_index("A"),
+      false,       options.offset_x, options.offset_y};
+  picture.full_width = options.full_width > 0 ? options.full_width : image.width;
+  picture.full_height = options.full_height > 0 ? options.full_height : image.height;
+  picture.samples = reinterpret_cast<const std::byte*>(image.values.data());
   return result;
 }
 
@@ -85,50 +60,61 @@ std::vector<float> colour_values(const Image& image, bool keep_alpha) {
   return values;
 }
 
-ImageSpec colour_spec(const Image& image, std::size_t value_count, TypeDesc type) {
-  const std::size_t channels = value_count / std::max<std::size_t>(image.pixel_count(), 1);
-  return {image.width, image.height, static_cast<int>(channels), type};
+ImageHeader colour_header(const Image& image, std::size_t value_count, SampleType type) {
+  ImageHeader header{image.width, image.height, type, {"R", "G", "B"}};
+  if (value_count > 3 * image.pixel_count()) {
+    header.channels.emplace_back("A");
+    header.alpha_channel = 3;
+  }
+  return header;
 }
 
-Encodable tiff_of(const Image& image) {
-  Encodable result;
-  result.floats = colour_values(image, true);
-  result.spec = colour_spec(image, result.floats.size(), TypeDesc::FLOAT);
-  result.spec.attribute("compression", "zip");
-  result.spec.attribute("tiff:write_exif", 0);  // which cannot be written in memory
+Prepared of_floats(const Image& image, std::vector<float> values) {
+  Prepared result;
+  result.floats = std::move(values);
+  result.picture.header = colour_header(image, result.floats.size(), SampleType::Float);
+  result.picture.samples = reinterpret_cast<const std::byte*>(result.floats.data());
+  return result;
+}
+
+Prepared of_bytes(const Image& image, const DisplayTransform& display, bool keep_alpha) {
+  Prepared result;
+  result.bytes = display_bytes(image, display, keep_alpha);
+  result.picture.header = colour_header(image, result.bytes.size(), SampleType::U8);
+  result.picture.samples = reinterpret_cast<const std::byte*>(result.bytes.data());
+  return result;
+}
+
+Prepared tiff_of(const Image& image) {
+  Prepared result = of_floats(image, colour_values(image, true));
+  // Exif cannot be written in memory.
+  result.picture.attributes = {{"compression", "zip"}, {"tiff:write_exif", 0}};
   return result;
 }
 
 // The four bytes of RGBE hold no negative, infinite or undefined number.
-Encodable hdr_of(const Image& image) {
+Prepared hdr_of(const Image& image) {
   constexpr float largest = 1e38f;  // RGBE ends at 2^127
-  Encodable result;
-  result.floats = colour_values(image, false);
-  for (float& value : result.floats)
-    value = std::isgreater(value, 0.0f) ? std::min(value, largest) : 0.0f;
-  result.spec = colour_spec(image, result.floats.size(), TypeDesc::FLOAT);
+  std::vector<float> values = colour_values(image, false);
+  for (float& value : values) value = std::isgreater(value, 0.0f) ? std::min(value, largest) : 0.0f;
+  return of_floats(image, std::move(values));
+}
+
+Prepared png_of(const Image& image, const WriteOptions& options) {
+  Prepared result = of_bytes(image, options.display, true);
+  result.picture.header.alpha_is_straight = true;
+  if (options.display.tone_map != ToneMap::Lab3)
+    result.picture.attributes = {{"oiio:ColorSpace", "sRGB"}};
   return result;
 }
 
-Encodable png_of(const Image& image, const WriteOptions& options) {
-  Encodable result;
-  result.bytes = display_bytes(image, options.display, true);
-  result.spec = colour_spec(image, result.bytes.size(), TypeDesc::UINT8);
-  result.spec.attribute("oiio:UnassociatedAlpha", 1);
-  if (options.display.tone_map != ToneMap::Lab3) result.spec.attribute("oiio:ColorSpace", "sRGB");
+Prepared jpeg_of(const Image& image, const WriteOptions& options) {
+  Prepared result = of_bytes(image, options.display, false);
+  result.picture.attributes = {{"CompressionQuality", 95}, {"jpeg:subsampling", "4:4:4"}};
   return result;
 }
 
-Encodable jpeg_of(const Image& image, const WriteOptions& options) {
-  Encodable result;
-  result.bytes = display_bytes(image, options.display, false);
-  result.spec = colour_spec(image, result.bytes.size(), TypeDesc::UINT8);
-  result.spec.attribute("CompressionQuality", 95);
-  result.spec.attribute("jpeg:subsampling", "4:4:4");
-  return result;
-}
-
-Encodable without_metadata(ImageFormat format, const Image& image, const WriteOptions& options) {
+Prepared without_metadata(ImageFormat format, const Image& image, const WriteOptions& options) {
   switch (format) {
     case ImageFormat::Exr:
       return exr_of(image, options);
@@ -150,10 +136,11 @@ Encodable without_metadata(ImageFormat format, const Image& image, const WriteOp
 
 // Only OpenEXR holds all metadata, but OpenImageIO notes the time of day in other formats, too,
 // where none is given.
-Encodable encodable(ImageFormat format, const Image& image, const WriteOptions& options) {
-  Encodable result = without_metadata(format, image, options);
+Prepared prepared(ImageFormat format, const Image& image, const WriteOptions& options) {
+  Prepared result = without_metadata(format, image, options);
   for (const auto& [name, value] : options.metadata)
-    if (format == ImageFormat::Exr || name == "DateTime") add_metadata(result.spec, name, value);
+    if (format == ImageFormat::Exr || name == "DateTime")
+      result.picture.attributes.push_back(attribute_of(name, value));
   return result;
 }
 
@@ -179,18 +166,16 @@ Diagnostics encoder_failure(ImageFormat format, const std::string& reason) {
 }
 
 Result<std::string> encode(ImageFormat format, const Encodable& image) {
-  const FloatingPointTraps traps(Traps::Off);
-  const std::string name(name_of(format));
-  const auto output = OIIO::ImageOutput::create(name);
-  if (!output) return encoder_failure(format, OIIO::geterror());
-  std::vector<unsigned char> buffer;
-  OIIO::Filesystem::IOVecOutput memory(buffer);
-  if (!output->supports("ioproxy") || !output->set_ioproxy(&memory))
-    return encoder_failure(format, "cannot encode in memory");
-  const bool is_done = output->open("memory." + name, image.spec) &&
-                       output->write_image(image.spec.format, image.data()) && output->close();
-  if (!is_done || output->has_error()) return encoder_failure(format, output->geterror());
-  return std::string(buffer.begin(), buffer.end());
+  try {
+    const Result<Codecs> others = format == ImageFormat::Exr ? Codecs{} : codecs();
+    if (!others) return others.diagnostics;
+    Result<std::string> bytes =
+        format == ImageFormat::Exr ? encode_exr(image) : others->encode(format, image);
+    if (bytes) return bytes;
+    return encoder_failure(format, bytes.diagnostics.list()[0].message);
+  } catch (const std::exception& exception) {
+    return encoder_failure(format, exception.what());
+  }
 }
 
 std::vector<std::byte> one_channel(const DecodedImage& image, std::size_t channel) {
@@ -222,39 +207,28 @@ Result<std::string> encode_samples(const DecodedImage& image, int channel) {
   if (channel >= count) return failure(fmt::format("it has no channel {}", channel));
   if (!is_float && std::max(header.width, header.height) > longest_side(format))
     return failure("it is too large for a png");
-  try {
-    set_up_openimageio();
-    std::vector<std::byte> picked;
-    Encodable result;
-    result.spec = ImageSpec(header.width, header.height, channel < 0 ? count : 1,
-                            type_desc_of(header.sample_type));
-    result.samples = image.samples.get();
-    if (channel < 0) {
-      result.spec.channelnames = header.channels;
-      result.spec.alpha_channel = header.alpha_channel;
-    } else {
-      picked = one_channel(image, static_cast<std::size_t>(channel));
-      result.spec.channelnames = {"Y"};
-      result.samples = picked.data();
-    }
-    result.spec.attribute("compression", "zip");
-    result.spec.attribute("oiio:UnassociatedAlpha", 1);
-    result.spec.attribute("DateTime", "2000:01:01 00:00:00");  // the same samples, the same bytes
-    return encode(format, result);
-  } catch (const std::exception& exception) {
-    return encoder_failure(format, exception.what());
+  Encodable result;
+  result.header = header;
+  result.header.left = result.header.top = 0;
+  result.header.alpha_is_straight = true;
+  result.full_width = header.width;
+  result.full_height = header.height;
+  result.attributes = {{"DateTime", "2000:01:01 00:00:00"}};  // the same samples, the same bytes
+  result.samples = image.samples.get();
+  std::vector<std::byte> picked;
+  if (channel >= 0) {
+    picked = one_channel(image, static_cast<std::size_t>(channel));
+    result.header.channels = {"Y"};
+    result.header.alpha_channel = -1;
+    result.samples = picked.data();
   }
+  return encode(format, result);
 }
 
 Result<std::string> encode_image(ImageFormat format, const Image& image,
                                  const WriteOptions& options) {
   if (Diagnostics found = check_encodable(format, image); found.has_errors()) return found;
-  try {
-    set_up_openimageio();
-    return encode(format, encodable(format, image, options));
-  } catch (const std::exception& exception) {
-    return encoder_failure(format, exception.what());
-  }
+  return encode(format, prepared(format, image, options).picture);
 }
 
 }  // namespace candela

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "renderer/image/codecs.h"
 #include "renderer/image/encode.h"
 #include "renderer/image/image_io.h"
 
@@ -27,6 +28,9 @@ Diagnostics cannot_write(const std::string& path, const Diagnostics& reasons) {
 Diagnostics check_writable_image(const std::string& path) {
   const auto format = format_of_extension(path);
   if (!format || !is_writable(*format)) return unknown_extension(path);
+  if (*format != ImageFormat::Exr)
+    if (const Result<Codecs> others = codecs(); !others)
+      return cannot_write(path, others.diagnostics);
   return check_writable_file(path);
 }
 

@@ -1,13 +1,13 @@
 #include "tests/light/map_images.h"
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cstring>
 #include <filesystem>
-#include <memory>
 #include <stdexcept>
-#include <vector>
+
+#include "renderer/image/encode.h"
 
 namespace candela::light_test {
 namespace {
@@ -20,17 +20,21 @@ std::string output_path(const std::string& name) {
 }
 
 template <class Number>
-void write(const std::string& path, int width, int height, OIIO::TypeDesc type,
+void write(const std::string& path, int width, int height, SampleType type,
            const TexelFunction& texel) {
-  std::vector<Number> values;
+  DecodedImage image{{width, height, type, {"R", "G", "B"}}, nullptr};
+  image.samples = allocate_samples(image.header);
+  std::byte* place = image.samples.get();
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const Vec3f value = texel(x, y);
-      for (int c = 0; c < 3; ++c) values.push_back(static_cast<Number>(value[c]));
+      for (int c = 0; c < 3; ++c, place += sizeof(Number)) {
+        const auto number = static_cast<Number>(value[c]);
+        std::memcpy(place, &number, sizeof number);
+      }
     }
-  const std::unique_ptr<OIIO::ImageOutput> file = OIIO::ImageOutput::create(path);
-  if (!file || !file->open(path, OIIO::ImageSpec(width, height, 3, type)) ||
-      !file->write_image(type, values.data()) || !file->close())
+  const Result<std::string> bytes = encode_samples(image, -1);
+  if (!bytes || write_file_atomically(path, *bytes).has_errors())
     throw std::runtime_error("cannot write " + path);
 }
 
@@ -40,7 +44,7 @@ description::Image write_float_map(const std::string& name, int width, int heigh
                                    const TexelFunction& texel) {
   description::Image image;
   image.path = output_path(name + ".exr");
-  write<float>(image.path, width, height, OIIO::TypeDesc::FLOAT, texel);
+  write<float>(image.path, width, height, SampleType::Float, texel);
   return image;
 }
 
@@ -49,7 +53,7 @@ description::Image write_byte_map(const std::string& name, int width, int height
   description::Image image;
   image.path = output_path(name + ".png");
   image.encoding = description::Encoding::LabGamma;
-  write<unsigned char>(image.path, width, height, OIIO::TypeDesc::UINT8, texel);
+  write<unsigned char>(image.path, width, height, SampleType::U8, texel);
   return image;
 }
 

@@ -24,4 +24,14 @@ endif()
 if(NOT EXISTS ${work}/picture.exr)
   message(FATAL_ERROR "The consumer wrote no picture.")
 endif()
+
+# Other formats than OpenEXR need the module of codecs, which the consumer's run path leads to.
+run(${work}/build/consumer ${scene} ${work}/picture.png)
+file(GLOB_RECURSE module ${work}/installed/*/candela_codecs.so)
+file(REMOVE ${module})
+execute_process(COMMAND ${work}/build/consumer ${scene} ${work}/again.png
+  RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(status EQUAL 0 OR EXISTS ${work}/again.png OR NOT output MATCHES "image codecs, which cannot be loaded")
+  message(FATAL_ERROR "Without its module of codecs the consumer ended with ${status}:\n${output}")
+endif()
 file(REMOVE_RECURSE ${work})

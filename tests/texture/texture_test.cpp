@@ -1,14 +1,15 @@
 // Lookups against the definition worked out in double: texel centres, wrapping, encodings.
 #include "renderer/texture/texture.h"
 
-#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
+#include <half.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "renderer/base/floating_point_traps.h"
-#include "renderer/image/image_io.h"
+#include "renderer/image/encode.h"
 #include "tests/image/crafted_files.h"
 #include "tests/image/temporary_folder.h"
 
@@ -176,24 +177,24 @@ TEST(Unit_Texture, SixteenBitsAndFloatsDecodeAsPreciselyAsTheyAre) {
   EXPECT_EQ(store.info(added(store, wide)).bytes, 24u);
 }
 
-struct Extent {
-  int width, height, channels;
-};
-
-std::string put_exr(const TemporaryFolder& folder, const std::string& name, OIIO::TypeDesc type,
-                    Extent extent, const std::vector<float>& values) {
-  const std::string path = folder.file(name);
-  const auto output = OIIO::ImageOutput::create("exr");
-  const OIIO::ImageSpec spec(extent.width, extent.height, extent.channels, type);
-  EXPECT_TRUE(output->open(path, spec) &&
-              output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close());
-  return path;
+template <class Number>
+std::string put_exr(const TemporaryFolder& folder, const std::string& name,
+                    const ImageHeader& header, const std::vector<float>& values) {
+  DecodedImage image{header, allocate_samples(header)};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Number number(values[i]);
+    std::memcpy(image.samples.get() + i * sizeof number, &number, sizeof number);
+  }
+  const Result<std::string> bytes = encode_samples(image, -1);
+  EXPECT_TRUE(bytes);
+  return folder.put(name, Bytes(bytes->begin(), bytes->end()));
 }
 
 TEST(Unit_Texture, HalvesStayHalvesAndWhatIsNotFiniteIsReplacedAndTold) {
   const TemporaryFolder folder;
-  const std::string path = put_exr(folder, "half.exr", OIIO::TypeDesc::HALF, {4, 1, 1},
-                                   {0.5f, std::numeric_limits<float>::infinity(), NAN, -0.25f});
+  const std::string path =
+      put_exr<Imath::half>(folder, "half.exr", {4, 1, SampleType::Half, {"Y"}},
+                           {0.5f, std::numeric_limits<float>::infinity(), NAN, -0.25f});
   TextureStore store;
   const TextureHandle texture = added(store, path);
   EXPECT_EQ(store.info(texture).bytes, 8u);
@@ -214,6 +215,7 @@ TEST(Unit_Texture, AlphaAloneHasTheSameBits) {
   std::vector<float> values;
   for (int i = 0; i < 7 * 5 * 4; ++i)
     values.push_back(static_cast<float>(sample(i, 3, 1)) / 100 - 0.5f);
+  const std::vector<std::string> rgba = {"R", "G", "B", "A"};
   const std::string paths[] = {
       folder.put("rgba.png", crafted::png_rgba(7, 5, sample)),
       folder.put("rgb.png", crafted::png_of(7, 5, crafted::Rgb, 8, sample)),
@@ -221,8 +223,8 @@ TEST(Unit_Texture, AlphaAloneHasTheSameBits) {
       folder.put("deep.png",
                  crafted::png_of(7, 5, crafted::Rgba, 16,
                                  [](int x, int y, int c) { return 251 * sample(x, y, c); })),
-      put_exr(folder, "half.exr", OIIO::TypeDesc::HALF, {7, 5, 4}, values),
-      put_exr(folder, "float.exr", OIIO::TypeDesc::FLOAT, {7, 5, 4}, values)};
+      put_exr<Imath::half>(folder, "half.exr", {7, 5, SampleType::Half, rgba}, values),
+      put_exr<float>(folder, "float.exr", {7, 5, SampleType::Float, rgba}, values)};
   TextureStore store;
   for (const std::string& path : paths)
     for (const Wrap wrap : {Wrap::Repeat, Wrap::Clamp, Wrap::Mirror, Wrap::Black})

@@ -1,0 +1,39 @@
+#include "renderer/image/codecs.h"
+
+#include <dlfcn.h>
+
+#include "renderer/base/floating_point_traps.h"
+#include "renderer/image/openimageio/module.h"
+
+namespace candela {
+namespace {
+
+// dlerror() repeats the name that it was asked for.
+Diagnostics not_loaded() {
+  const char* const reason = dlerror();
+  return failure(fmt::format("needs candela's image codecs, which cannot be loaded: {}",
+                             reason ? reason : "no reason is given"));
+}
+
+Result<Codecs> load() {
+  const FloatingPointTraps traps(Traps::Off);
+  void* const module = dlopen(codecs_file, RTLD_LAZY | RTLD_LOCAL);
+  if (module == nullptr) return not_loaded();
+  void* const entry = dlsym(module, codecs_entry);
+  if (entry == nullptr) return not_loaded();
+  const Codecs* const found = reinterpret_cast<CodecsEntry*>(entry)(CANDELA_VERSION);
+  if (found == nullptr)
+    return failure(fmt::format("needs candela's image codecs, and {} is not of version {}",
+                               codecs_file, CANDELA_VERSION));
+  return Codecs{*found};
+}
+
+}  // namespace
+
+// The module stays to the end of the process: its libraries have threads and tables of their own.
+Result<Codecs> codecs() {
+  static const Result<Codecs> loaded = load();
+  return loaded;
+}
+
+}  // namespace candela

@@ -1,0 +1,28 @@
+// What OpenImageIO reads and writes, in a module of its own (renderer/image/openimageio/): a
+// distribution's OpenImageIO brings some 250 libraries, which take a quarter of a second to load.
+// They are loaded when the first image asks for them, and never where none does: EXR pictures are
+// written without (encode_exr.h).
+#pragma once
+
+#include <string>
+
+#include "renderer/base/result.h"
+#include "renderer/image/decode.h"
+#include "renderer/image/encodable.h"
+#include "renderer/image/image_format.h"
+
+namespace candela {
+
+// Of a file that passed its guard (guard.h). Errors are sentences without the file's name. Other
+// exceptions of the libraries than std::exception do not come through.
+struct Codecs {
+  Result<ImageHeader> (*decode_header)(ImageFormat, Bytes, const DecodeLimits&);
+  Result<DecodedImage> (*decode)(ImageFormat, Bytes, const DecodeLimits&);
+  Result<std::string> (*encode)(ImageFormat, const Encodable&);
+};
+
+// The module, loaded by the first call. It is looked for where the program's and its libraries'
+// run paths say; an error tells what the system's loader found in its way.
+[[nodiscard]] Result<Codecs> codecs();
+
+}  // namespace candela

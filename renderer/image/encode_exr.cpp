@@ -1,0 +1,108 @@
+#include "renderer/image/encode_exr.h"
+
+#include <ImfChannelList.h>
+#include <ImfDoubleAttribute.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfIntAttribute.h>
+#include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
+
+#include <ctime>
+#include <exception>
+
+#include "renderer/base/floating_point_traps.h"
+
+namespace candela {
+namespace {
+
+class FileInMemory final : public Imf::OStream {
+ public:
+  FileInMemory() : OStream("memory.exr") {}
+
+  void write(const char* bytes, int count) override {
+    const std::size_t end = place_ + static_cast<std::size_t>(count);
+    if (end > bytes_.size()) bytes_.resize(end);
+    bytes_.replace(place_, static_cast<std::size_t>(count), bytes, static_cast<std::size_t>(count));
+    place_ = end;
+  }
+  std::uint64_t tellp() override { return place_; }
+  void seekp(std::uint64_t place) override { place_ = place; }
+
+  [[nodiscard]] std::string take() { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+  std::size_t place_ = 0;
+};
+
+std::string now() {
+  const std::time_t seconds = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&seconds, &local);
+  return fmt::format("{:04}:{:02}:{:02} {:02}:{:02}:{:02}", local.tm_year + 1900, local.tm_mon + 1,
+                     local.tm_mday, local.tm_hour, local.tm_min, local.tm_sec);
+}
+
+void insert(Imf::Header& header, const EncodableAttribute& attribute) {
+  const std::string name = attribute.first == "DateTime" ? "capDate" : attribute.first;
+  if (const auto* text = std::get_if<std::string>(&attribute.second))
+    header.insert(name, Imf::StringAttribute(*text));
+  else if (const auto* number = std::get_if<double>(&attribute.second))
+    header.insert(name, Imf::DoubleAttribute(*number));
+  else
+    header.insert(name, Imf::IntAttribute(std::get<int>(attribute.second)));
+}
+
+Imath::Box2i window(int left, int top, int width, int height) {
+  return {{left, top}, {left + width - 1, top + height - 1}};
+}
+
+Imf::PixelType pixel_type(const ImageHeader& header) {
+  return header.sample_type == SampleType::Half ? Imf::HALF : Imf::FLOAT;
+}
+
+Imf::Header header_of(const Encodable& image) {
+  const ImageHeader& picture = image.header;
+  Imf::Header header(window(0, 0, image.full_width, image.full_height),
+                     window(picture.left, picture.top, picture.width, picture.height));
+  header.compression() = Imf::ZIP_COMPRESSION;
+  for (const std::string& channel : picture.channels)
+    header.channels().insert(channel, Imf::Channel(pixel_type(picture)));
+  for (const EncodableAttribute& attribute : image.attributes) insert(header, attribute);
+  if (header.find("capDate") == header.end()) insert(header, {"DateTime", now()});
+  return header;
+}
+
+// OpenEXR wants where the full picture's origin would lie, and promises not to write there.
+Imf::FrameBuffer rows_of(const Encodable& image) {
+  const ImageHeader& picture = image.header;
+  const std::size_t sample = size_of(picture.sample_type);
+  const std::size_t pixel = sample * picture.channels.size();
+  const Imath::V2i origin(picture.left, picture.top);
+  Imf::FrameBuffer rows;
+  for (std::size_t c = 0; c < picture.channels.size(); ++c)
+    rows.insert(picture.channels[c],
+                Imf::Slice::Make(pixel_type(picture), image.samples + c * sample, origin,
+                                 picture.width, picture.height, pixel));
+  return rows;
+}
+
+}  // namespace
+
+Result<std::string> encode_exr(const Encodable& image) {
+  const FloatingPointTraps traps(Traps::Off);
+  try {
+    FileInMemory memory;
+    constexpr int threads = 0;  // of OpenEXR's own
+    Imf::OutputFile file(memory, header_of(image), threads);
+    file.setFrameBuffer(rows_of(image));
+    file.writePixels(image.header.height);
+    return memory.take();
+  } catch (const std::exception& exception) {
+    return failure(exception.what());
+  }
+}
+
+}  // namespace candela

@@ -1,0 +1,14 @@
+// What the program and the module of OpenImageIO's codecs know of each other.
+#pragma once
+
+namespace candela {
+
+struct Codecs;
+
+inline constexpr const char* codecs_file = "candela_codecs.so";
+inline constexpr const char* codecs_entry = "candela_codecs";
+
+// Null where `version` is not the module's own: then nothing that they share need look alike.
+using CodecsEntry = const Codecs*(const char* version);
+
+}  // namespace candela
