@@ -1,10 +1,9 @@
 #include "renderer/image/encode.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <exception>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include <fmt/format.h>
@@ -38,9 +37,9 @@ EncodableAttribute attribute_of(const std::string& name, const MetadataValue& va
 Prepared exr_of(const Image& image, const WriteOptions& options) {
   Prepared result;
   Encodable& picture = result.picture;
-  picture.header = {
-      image.width, image.height,     SampleType::Float, image.channels, image.channel_index("A"),
-      false,       options.offset_x, options.offset_y};
+  picture.header = {image.width, image.height, SampleType::Float, image.channels};
+  picture.header.left = options.offset_x;
+  picture.header.top = options.offset_y;
   picture.full_width = options.full_width > 0 ? options.full_width : image.width;
   picture.full_height = options.full_height > 0 ? options.full_height : image.height;
   picture.samples = reinterpret_cast<const std::byte*>(image.values.data());
@@ -165,17 +164,16 @@ Diagnostics encoder_failure(ImageFormat format, const std::string& reason) {
   return failure(fmt::format("{} encoder: {}", name_of(format), reason));
 }
 
+Result<std::string> encode_other(ImageFormat format, const Encodable& image) {
+  const Result<Codecs> others = codecs();
+  return others ? others->encode(format, image) : others.diagnostics;
+}
+
 Result<std::string> encode(ImageFormat format, const Encodable& image) {
-  try {
-    const Result<Codecs> others = format == ImageFormat::Exr ? Codecs{} : codecs();
-    if (!others) return others.diagnostics;
-    Result<std::string> bytes =
-        format == ImageFormat::Exr ? encode_exr(image) : others->encode(format, image);
-    if (bytes) return bytes;
-    return encoder_failure(format, bytes.diagnostics.list()[0].message);
-  } catch (const std::exception& exception) {
-    return encoder_failure(format, exception.what());
-  }
+  Result<std::string> bytes =
+      format == ImageFormat::Exr ? encode_exr(image) : encode_other(format, image);
+  if (bytes) return bytes;
+  return encoder_failure(format, bytes.diagnostics.list()[0].message);
 }
 
 std::vector<std::byte> one_channel(const DecodedImage& image, std::size_t channel) {
@@ -207,28 +205,36 @@ Result<std::string> encode_samples(const DecodedImage& image, int channel) {
   if (channel >= count) return failure(fmt::format("it has no channel {}", channel));
   if (!is_float && std::max(header.width, header.height) > longest_side(format))
     return failure("it is too large for a png");
-  Encodable result;
-  result.header = header;
-  result.header.left = result.header.top = 0;
-  result.header.alpha_is_straight = true;
-  result.full_width = header.width;
-  result.full_height = header.height;
-  result.attributes = {{"DateTime", "2000:01:01 00:00:00"}};  // the same samples, the same bytes
-  result.samples = image.samples.get();
-  std::vector<std::byte> picked;
-  if (channel >= 0) {
-    picked = one_channel(image, static_cast<std::size_t>(channel));
-    result.header.channels = {"Y"};
-    result.header.alpha_channel = -1;
-    result.samples = picked.data();
+  try {
+    Encodable result;
+    result.header = header;
+    result.header.left = result.header.top = 0;
+    result.header.alpha_is_straight = true;
+    result.full_width = header.width;
+    result.full_height = header.height;
+    result.attributes = {{"DateTime", "2000:01:01 00:00:00"}};  // the same samples, the same bytes
+    result.samples = image.samples.get();
+    std::vector<std::byte> picked;
+    if (channel >= 0) {
+      picked = one_channel(image, static_cast<std::size_t>(channel));
+      result.header.channels = {"Y"};
+      result.header.alpha_channel = -1;
+      result.samples = picked.data();
+    }
+    return encode(format, result);
+  } catch (const std::exception& exception) {
+    return encoder_failure(format, exception.what());
   }
-  return encode(format, result);
 }
 
 Result<std::string> encode_image(ImageFormat format, const Image& image,
                                  const WriteOptions& options) {
   if (Diagnostics found = check_encodable(format, image); found.has_errors()) return found;
-  return encode(format, prepared(format, image, options).picture);
+  try {
+    return encode(format, prepared(format, image, options).picture);
+  } catch (const std::exception& exception) {
+    return encoder_failure(format, exception.what());
+  }
 }
 
 }  // namespace candela

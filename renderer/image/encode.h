@@ -1,4 +1,4 @@
-// A picture as the bytes of an image file, made in memory by OpenImageIO.
+// A picture as the bytes of an image file, made in memory: EXR by OpenEXR, others by OpenImageIO.
 #pragma once
 
 #include "renderer/base/result.h"

@@ -89,16 +89,21 @@ Imf::FrameBuffer rows_of(const Encodable& image) {
   return rows;
 }
 
+// The table of where its rows lie is written when the file's object ends.
+void write_to(FileInMemory& memory, const Encodable& image) {
+  constexpr int threads = 0;  // of OpenEXR's own
+  Imf::OutputFile file(memory, header_of(image), threads);
+  file.setFrameBuffer(rows_of(image));
+  file.writePixels(image.header.height);
+}
+
 }  // namespace
 
 Result<std::string> encode_exr(const Encodable& image) {
   const FloatingPointTraps traps(Traps::Off);
   try {
     FileInMemory memory;
-    constexpr int threads = 0;  // of OpenEXR's own
-    Imf::OutputFile file(memory, header_of(image), threads);
-    file.setFrameBuffer(rows_of(image));
-    file.writePixels(image.header.height);
+    write_to(memory, image);
     return memory.take();
   } catch (const std::exception& exception) {
     return failure(exception.what());

@@ -52,6 +52,7 @@ TEST(Unit_RenderCommand, ACropHasThePixelsOfTheWhole) {
   for (int y = 0; y < crop.height; ++y)
     EXPECT_EQ(std::memcmp(crop.pixel(0, y), whole.pixel(3, y + 5), 14 * 3 * sizeof(float)), 0) << y;
   const Imf::InputFile file((folder + "/crop.exr").c_str());
+  EXPECT_TRUE(file.isComplete());
   EXPECT_EQ(file.header().dataWindow(), Imath::Box2i({3, 5}, {16, 10}));
   EXPECT_EQ(file.header().displayWindow(), Imath::Box2i({0, 0}, {19, 13}));
 }
