@@ -64,6 +64,8 @@ if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*address" AND CMAKE_CXX_COMPILER_ID
   add_compile_definitions(CANDELA_FLOATING_POINT_TRAPS)
 endif()
 
-# The module of codecs is found by the program's run path whoever opens it: the sanitizers open it in
-# the program's place, and DT_RUNPATH (the default) counts for the opener alone, DT_RPATH for all.
-target_link_options(candela_options INTERFACE LINKER:--disable-new-dtags)
+# The module of codecs is found by the run path of whoever opens it, which is the program; the
+# sanitizers do it in the program's place, whose DT_RPATH counts there, but not its DT_RUNPATH.
+if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+  target_link_options(candela_options INTERFACE LINKER:--disable-new-dtags)
+endif()

@@ -7,14 +7,18 @@ install(TARGETS candela_options candela_renderer candela_scene_io candela_integr
   EXPORT candelaTargets)
 # The run path of whoever links the libraries leads to the module of codecs.
 install(TARGETS candela_codecs DESTINATION ${CMAKE_INSTALL_LIBDIR}/candela)
+set(codecs_folder ${CMAKE_INSTALL_LIBDIR}/candela)
+if(NOT IS_ABSOLUTE ${codecs_folder})
+  set(codecs_folder $<INSTALL_PREFIX>/${codecs_folder})
+endif()
 target_link_options(candela_renderer INTERFACE
-  $<INSTALL_INTERFACE:LINKER:-rpath,$<INSTALL_PREFIX>/${CMAKE_INSTALL_LIBDIR}/candela>)
+  $<INSTALL_INTERFACE:LINKER:-rpath,${codecs_folder}>)
 install(EXPORT candelaTargets NAMESPACE candela:: DESTINATION ${package_folder})
 
 # Include paths start at the root of the sources, and below include/candela.
 foreach(room renderer scene_io integrators)
   install(DIRECTORY ${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/candela
-    FILES_MATCHING PATTERN "*.h")
+    FILES_MATCHING PATTERN "*.h" PATTERN openimageio EXCLUDE)
 endforeach()
 
 configure_package_config_file(

@@ -2,13 +2,14 @@
 
 #include <dlfcn.h>
 
+#include <fmt/format.h>
+
 #include "renderer/base/floating_point_traps.h"
 #include "renderer/image/openimageio/module.h"
 
 namespace candela {
 namespace {
 
-// dlerror() repeats the name that it was asked for.
 Diagnostics not_loaded() {
   const char* const reason = dlerror();
   return failure(fmt::format("needs candela's image codecs, which cannot be loaded: {}",
@@ -21,10 +22,10 @@ Result<Codecs> load() {
   if (module == nullptr) return not_loaded();
   void* const entry = dlsym(module, codecs_entry);
   if (entry == nullptr) return not_loaded();
-  const Codecs* const found = reinterpret_cast<CodecsEntry*>(entry)(CANDELA_VERSION);
+  const Codecs* const found = reinterpret_cast<CodecsEntry*>(entry)(CANDELA_CODECS_KEY);
   if (found == nullptr)
-    return failure(fmt::format("needs candela's image codecs, and {} is not of version {}",
-                               codecs_file, CANDELA_VERSION));
+    return failure(
+        fmt::format("needs candela's image codecs, and {} is of another version", codecs_file));
   return Codecs{*found};
 }
 

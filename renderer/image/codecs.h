@@ -21,8 +21,8 @@ struct Codecs {
   Result<std::string> (*encode)(ImageFormat, const Encodable&);
 };
 
-// The module, loaded by the first call. It is looked for where the program's and its libraries'
-// run paths say; an error tells what the system's loader found in its way.
+// The module, loaded by the first call. It is looked for where the program's run path says; an
+// error tells what the system's loader found in its way.
 [[nodiscard]] Result<Codecs> codecs();
 
 }  // namespace candela

@@ -1,12 +1,11 @@
 #include "renderer/image/decode.h"
 
-#include <cstring>
+#include <algorithm>
 #include <exception>
 #include <new>
 
 #include <fmt/format.h>
 
-#include "renderer/base/large_pages.h"
 #include "renderer/image/codecs.h"
 #include "renderer/image/decode_limits.h"
 #include "renderer/image/guard.h"
@@ -104,12 +103,9 @@ std::size_t file_limit(const DecodeLimits& limits) {
 
 }  // namespace
 
-std::unique_ptr<std::byte[]> allocate_samples(const ImageHeader& header) {
-  const std::size_t bytes = header.sample_count() * size_of(header.sample_type);
-  auto samples = std::make_unique_for_overwrite<std::byte[]>(bytes + sizeof(float));
-  advise_large_pages(samples.get(), bytes);
-  std::memset(samples.get() + bytes, 0, sizeof(float));
-  return samples;
+Diagnostics prepare_to_decode(const std::string& name) {
+  if (format_of_extension(name) == ImageFormat::Tga) return {};
+  return named(name, codecs().diagnostics);
 }
 
 Result<ImageHeader> decode_header(const std::string& name, Bytes bytes,

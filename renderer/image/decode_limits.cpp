@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace candela {
 
 Diagnostics check_size(double width, double height, double channels, SampleType type,

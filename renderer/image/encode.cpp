@@ -4,6 +4,8 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <set>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -150,6 +152,16 @@ int longest_side(ImageFormat format) {
   return std::numeric_limits<int>::max() / 64;
 }
 
+Diagnostics check_channels(const std::vector<std::string>& names) {
+  std::set<std::string_view> seen;
+  for (const std::string& name : names) {
+    if (name.empty()) return failure("the picture has a channel without a name");
+    if (!seen.insert(name).second)
+      return failure(fmt::format("the picture has two channels '{}'", name));
+  }
+  return {};
+}
+
 Diagnostics check_encodable(ImageFormat format, const Image& image) {
   if (!is_writable(format))
     return failure(fmt::format("{} files are read but not written", name_of(format)));
@@ -157,6 +169,7 @@ Diagnostics check_encodable(ImageFormat format, const Image& image) {
     return failure("the picture is empty");
   if (image.values.size() != image.pixel_count() * image.channel_count())
     return failure("the picture's values do not fit its size");
+  if (Diagnostics found = check_channels(image.channels); found.has_errors()) return found;
   return check_sides(format, image.width, image.height);
 }
 

@@ -12,6 +12,8 @@
 #include <ctime>
 #include <exception>
 
+#include <fmt/format.h>
+
 #include "renderer/base/floating_point_traps.h"
 
 namespace candela {

@@ -1,4 +1,4 @@
-// Image files: the only door to OpenImageIO (with its decoder for textures beside it).
+// Image files, whole ones of linear floats (textures: decode.h).
 //
 // Writing is all or nothing: a file is encoded in memory, written beside its target,
 // fsync'ed and renamed over it. Reading trusts no header: width, height, channels and byte size are
@@ -37,7 +37,8 @@ using Metadata = std::vector<std::pair<std::string, MetadataValue>>;
 // PNG and TIFF keep alpha where there is a channel "A" (EXR: premultiplied as rendered; PNG:
 // straight); JPEG and HDR drop it. Of the metadata other formats than EXR keep at most "DateTime";
 // EXR, PNG and TIFF note the time of day where it is not given. The error names the file and what
-// failed.
+// failed: a channel without a name or two of one name, metadata that an EXR needs for itself
+// ("channels", "compression").
 struct WriteOptions {
   DisplayTransform display;
   Metadata metadata;
@@ -49,7 +50,8 @@ struct WriteOptions {
 [[nodiscard]] Diagnostics write_image(const std::string& path, const Image& image,
                                       const WriteOptions& options);
 
-// Whether `path` can be written later: known extension, existing folder, permission, no directory.
+// Whether `path` can be written later: known extension, existing folder, permission, no directory,
+// and what encodes it is there (codecs.h: it is loaded for others than EXR).
 // Empty where all is well.
 [[nodiscard]] Diagnostics check_writable_image(const std::string& path);
 

@@ -165,7 +165,10 @@ TextureHandle TextureStore::add(const description::Image& image, Diagnostics& di
   std::unique_ptr<TextureFile>& file = files_->by_path[key];
   if (!file) {
     const Result<ImageHeader> header = read_image_header(image.path, DecodeLimits{});
-    warn_of(header, image.span, diagnostics);
+    const Diagnostics missing = prepare_to_decode(image.path);
+    for (const Diagnostic& reason : missing.list())
+      diagnostics.error(image.span, fmt::format("texture {}", reason.message));
+    if (!missing.has_errors()) warn_of(header, image.span, diagnostics);
     file = std::make_unique<TextureFile>(image.path, image.span, header);
   }
   for (std::size_t i = 0; i < textures_.size(); ++i)

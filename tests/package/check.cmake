@@ -1,4 +1,5 @@
-# Installs `build` below `work`, builds the project `source` against it there, renders `scene`.
+# Installs `build` below `work`, builds the project `source` against it there, renders `scene`. Then
+# does without the module of codecs, which `textured_scene` needs.
 cmake_minimum_required(VERSION 3.22)
 
 function(run)
@@ -25,13 +26,23 @@ if(NOT EXISTS ${work}/picture.exr)
   message(FATAL_ERROR "The consumer wrote no picture.")
 endif()
 
-# Other formats than OpenEXR need the module of codecs, which the consumer's run path leads to.
+# Other formats than OpenEXR need the module of codecs, to which run paths lead.
+function(fail_for_want_of_codecs)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(status EQUAL 0 OR NOT output MATCHES "image codecs, which cannot be loaded")
+    list(JOIN ARGV " " command)
+    message(FATAL_ERROR "${command}\nended with ${status}:\n${output}")
+  endif()
+endfunction()
+
 run(${work}/build/consumer ${scene} ${work}/picture.png)
+run(${work}/installed/bin/candela check ${textured_scene})
 file(GLOB_RECURSE module ${work}/installed/*/candela_codecs.so)
 file(REMOVE ${module})
-execute_process(COMMAND ${work}/build/consumer ${scene} ${work}/again.png
-  RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-if(status EQUAL 0 OR EXISTS ${work}/again.png OR NOT output MATCHES "image codecs, which cannot be loaded")
-  message(FATAL_ERROR "Without its module of codecs the consumer ended with ${status}:\n${output}")
+fail_for_want_of_codecs(${work}/build/consumer ${scene} ${work}/again.png)
+fail_for_want_of_codecs(${work}/installed/bin/candela check ${textured_scene})
+fail_for_want_of_codecs(${work}/installed/bin/candela render ${scene} -o ${work}/again.png)
+if(EXISTS ${work}/again.png)
+  message(FATAL_ERROR "Without its module of codecs candela wrote a PNG.")
 endif()
 file(REMOVE_RECURSE ${work})

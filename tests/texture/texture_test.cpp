@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <stdexcept>
 
 #include "renderer/base/floating_point_traps.h"
 #include "renderer/image/encode.h"
@@ -186,7 +187,7 @@ std::string put_exr(const TemporaryFolder& folder, const std::string& name,
     std::memcpy(image.samples.get() + i * sizeof number, &number, sizeof number);
   }
   const Result<std::string> bytes = encode_samples(image, -1);
-  EXPECT_TRUE(bytes);
+  if (!bytes) throw std::runtime_error(to_string(bytes.diagnostics.list()[0]));
   return folder.put(name, Bytes(bytes->begin(), bytes->end()));
 }
 

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "renderer/image/image_io.h"
 #include "tests/tools/run_program.h"
@@ -69,6 +70,8 @@ TEST(Unit_RenderCommand, LoadsOpenImageIOOnlyForWhatItAloneWrites) {
             .finish();
     EXPECT_EQ(result.exit_code, 0) << result.error;
     EXPECT_NE(result.error.find("find library=libembree"), std::string::npos) << result.error;
+    EXPECT_FALSE(std::regex_search(result.error, std::regex("trying file=[^/]")))
+        << "looks for libraries in the working folder";
     return result.error.find("find library=libOpenImageIO") != std::string::npos;
   };
   EXPECT_FALSE(loads("/a.exr"));

@@ -23,8 +23,8 @@ constexpr Codecs openimageio = {decode_file_header, decode_file, encode_file};
 
 }  // namespace
 
-extern "C" const Codecs* candela_codecs(const char* version) {
-  if (std::string_view(version) != CANDELA_VERSION) return nullptr;
+extern "C" const Codecs* candela_codecs(const char* key) {
+  if (std::string_view(key) != CANDELA_CODECS_KEY) return nullptr;
   set_up_openimageio();
   return &openimageio;
 }

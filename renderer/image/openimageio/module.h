@@ -8,7 +8,7 @@ struct Codecs;
 inline constexpr const char* codecs_file = "candela_codecs.so";
 inline constexpr const char* codecs_entry = "candela_codecs";
 
-// Null where `version` is not the module's own: then nothing that they share need look alike.
-using CodecsEntry = const Codecs*(const char* version);
+// Null where `key` is not the module's own: then what they share need not look alike.
+using CodecsEntry = const Codecs*(const char* key);
 
 }  // namespace candela

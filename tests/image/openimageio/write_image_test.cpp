@@ -219,6 +219,15 @@ TEST(Errors_WriteImage, RefusesWhatAFormatCannotHold) {
   Image broken(4, 4, {"R"});
   broken.values.resize(3);
   EXPECT_TRUE(write_image(folder.file("x.exr"), broken, {}).has_errors());
+  const Image twice(2, 2, {"R", "G", "R"});
+  EXPECT_NE(first_message(write_image(folder.file("x.exr"), twice, {})).find("two channels 'R'"),
+            std::string::npos);
+  EXPECT_TRUE(write_image(folder.file("x.exr"), Image(2, 2, {"R", ""}), {}).has_errors());
+  WriteOptions options;
+  options.metadata = {{"compression", std::string("none")}};
+  EXPECT_NE(first_message(write_image(folder.file("x.exr"), Image(2, 2, {"R"}), options))
+                .find("cannot be written: exr encoder: "),
+            std::string::npos);
   EXPECT_EQ(folder.entries(), 0u);
 }
 
