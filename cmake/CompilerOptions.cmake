@@ -69,3 +69,7 @@ endif()
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
   target_link_options(candela_options INTERFACE LINKER:--disable-new-dtags)
 endif()
+if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,-]*address")
+  set_property(SOURCE renderer/image/codecs.cpp
+    APPEND PROPERTY COMPILE_DEFINITIONS CANDELA_ADDRESS_SANITIZER)
+endif()

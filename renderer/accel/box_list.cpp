@@ -23,7 +23,7 @@ Boxes boxes_of(const Scene& scene, std::span<const GeometryHandle> geometries) {
       bool is_usable = true;
       for (const std::uint32_t corner : corners) {
         is_usable = is_usable && is_usable_vertex(geometry.positions[corner]);
-        box.include(geometry.positions[corner]);
+        if (is_usable) box.include(geometry.positions[corner]);
       }
       if (is_usable) boxes.push_back(box);
     }
