@@ -9,7 +9,7 @@
 
 #if defined(CANDELA_ADDRESS_SANITIZER)
 // Its search for leaks would read modules' thread-local storage where it takes it to be, and end by
-// a signal: glibc 2.36 keeps it elsewhere.
+// a signal (seen with GCC 12 and glibc 2.36).
 extern "C" const char* __asan_default_options() {
   return "intercept_tls_get_addr=0";
 }

@@ -13,8 +13,8 @@
 
 namespace candela {
 
-// Of a file that passed its guard (guard.h). Errors are sentences without the file's name. Other
-// exceptions of the libraries than std::exception do not come through.
+// Of a file that passed its guard (guard.h). Errors are sentences without the file's name;
+// the libraries' exceptions come through.
 struct Codecs {
   Result<ImageHeader> (*decode_header)(ImageFormat, Bytes, const DecodeLimits&);
   Result<DecodedImage> (*decode)(ImageFormat, Bytes, const DecodeLimits&);
