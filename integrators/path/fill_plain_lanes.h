@@ -72,9 +72,6 @@ inline void prefetch_maps(const Material& material, const TextureStore& textures
 inline void put_instance(const Instance& instance, std::uint32_t slot, MetLanes& met) {
   met.instance[slot] = &instance;
   met.instanced |= 1u << slot;
-  met.corner0.set(slot, instance.point(met.corner0[slot]));
-  met.corner1.set(slot, instance.point(met.corner1[slot]));
-  met.corner2.set(slot, instance.point(met.corner2[slot]));
 }
 
 inline void put_surface(const Scene& scene, const Geometry& geometry, const Hit& hit,

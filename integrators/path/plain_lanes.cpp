@@ -53,12 +53,15 @@ CANDELA_LANES void find_front_normals(MetLanes& met) {
   }
 }
 
-// What an instance changes of a point that was found from its placed corners.
+// From the object's space to the world.
 void place_point(MetLanes& met, std::uint32_t i) {
   const Instance& instance = *met.instance[i];
-  Vec3f outside = met.is_front[i] != 0 ? met.normal[i] : -met.normal[i];
-  met.offset[i] += instance.offset(outside);
-  if (instance.is_mirrored) outside = -outside;
+  const Vec3f own = met.is_front[i] != 0 ? met.normal[i] : -met.normal[i];
+  const surface_point_detail::PlanePoint<Vec3f> plane = surface_point_detail::placed_point(
+      instance, own, {met.corner0[i], met.corner1[i], met.corner2[i]}, met.u[i], met.v[i]);
+  const Vec3f outside = plane.normal;
+  met.position.set(i, plane.position);
+  met.offset[i] = plane.offset;
   const bool is_front = dot(outside, -met.direction[i]) > 0;
   met.normal.set(i, is_front ? outside : -outside);
   met.is_front[i] = flag(is_front);

@@ -21,7 +21,7 @@ struct MetLanes {
   }
 
   Lanes<std::uint32_t> geometry{}, triangle{};  // as Hit has them
-  Vec3Lanes corner0, corner1, corner2;          // where they are in the world
+  Vec3Lanes corner0, corner1, corner2;          // in the object's space
   LaneMask instanced = 0;                       // of instances:
   Lanes<const Instance*> instance{};
   LaneFlags has_normals{};

@@ -17,12 +17,11 @@ void put_bumps(const Scene& scene, PlainLanes& lanes) {
     const Material& material = *lanes.bsdfs.material[slot];
     if (!has_bump(material)) return;
     const Geometry& geometry = scene.geometries[met.geometry[slot]];
-    const Float4 corner0 = to_lanes(met.corner0[slot]);
+    const bool is_instanced = (met.instanced >> slot & 1) != 0;
     SurfacePoint point;
     if (!geometry.uvs.empty())
       set_tangents(geometry, geometry.triangles[met.triangle[slot]],
-                   to_lanes(met.corner1[slot]) - corner0, to_lanes(met.corner2[slot]) - corner0,
-                   point);
+                   is_instanced ? met.instance[slot] : nullptr, point);
     met.front_normal.set(slot,
                          shading_normal_at(material, scene.textures, texture_point_of(lanes, slot),
                                            met.front_normal[slot], point.dpdu, point.dpdv));

@@ -65,9 +65,9 @@ struct Object {
 struct Instance {
   ObjectHandle object;
   Vec3f x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, translation{0};
-  // Columns of the inverse's transpose, up to a positive factor: normals transform by these.
+  // Columns of the inverse's transpose, up to a positive factor: normals transform by these, to
+  // where the winding calls outside, whatever the determinant's sign.
   Vec3f normal_x{1, 0, 0}, normal_y{0, 1, 0}, normal_z{0, 0, 1};
-  bool is_mirrored = false;  // negative determinant: windings turn round
   // Bounds of rounding: of placed points, per axis of the world; and of the origins of rays that
   // leave the instance, once moved into the object's space, per axis of that.
   Vec3f placing_error{0}, ray_error{0};

@@ -43,14 +43,10 @@ struct Corners {
   Vec3f p0, p1, p2;
 };
 
-[[nodiscard]] inline Corners corners_of(const Geometry& geometry, std::uint32_t triangle,
-                                        const Instance* instance) {
+// In the object's space.
+[[nodiscard]] inline Corners corners_of(const Geometry& geometry, std::uint32_t triangle) {
   const auto& index = geometry.triangles[triangle];
-  Vec3f p0 = geometry.positions[index[0]];
-  Vec3f p1 = geometry.positions[index[1]];
-  Vec3f p2 = geometry.positions[index[2]];
-  if (instance == nullptr) return {p0, p1, p2};
-  return {instance->point(p0), instance->point(p1), instance->point(p2)};
+  return {geometry.positions[index[0]], geometry.positions[index[1]], geometry.positions[index[2]]};
 }
 
 // Where a ray met a triangle, whatever its sides are.
@@ -82,6 +78,21 @@ template <class V>
   V perpendicular = cross3(e1, e2);
   V normal = perpendicular * (1 / std::sqrt(dot3(perpendicular, perpendicular)));
   return {p0 * b0 + p1 * u + p2 * v, normal, dot3(absolute(normal), error)};
+}
+
+// The same in the world, of an object's triangle with this unit normal and these corners there.
+// The normal is placed as it is: far from the world's origin corners of a small triangle round
+// together. It points to where the winding calls outside, of a mirrored instance, too.
+[[nodiscard]] inline PlanePoint<Vec3f> placed_point(const Instance& instance, const Vec3f& normal,
+                                                    const Corners& corners, float u, float v) {
+  const float b0 = 1 - u - v;
+  const Vec3f p0 = instance.point(corners.p0);
+  const Vec3f p1 = instance.point(corners.p1);
+  const Vec3f p2 = instance.point(corners.p2);
+  const Vec3f outside = normalize(instance.normal(normal));
+  const Vec3f error = interpolation_error(p0, p1, p2, std::abs(b0), u, v, p1 - p0, p2 - p0);
+  return {p0 * b0 + p1 * u + p2 * v, outside,
+          dot(glm::abs(outside), error) + instance.offset(outside)};
 }
 
 // `n`: interpolated, of any length; the triangle's own where it is zero.
@@ -124,13 +135,20 @@ inline void set_front_normal(const Vec3f& n, SurfacePoint& point) {
   return halfway2 > 0 ? halfway / std::sqrt(halfway2) : geometric;
 }
 
-// Of a triangle with texture coordinates and these edges from its first corner.
+// Of a triangle with texture coordinates. `instance` may be null.
 inline void set_tangents(const Geometry& geometry, const std::array<std::uint32_t, 3>& corners,
-                         Float4 edge1, Float4 edge2, SurfacePoint& point) {
+                         const Instance* instance, SurfacePoint& point) {
   Vec2f d1 = geometry.uvs[corners[1]] - geometry.uvs[corners[0]];
   Vec2f d2 = geometry.uvs[corners[2]] - geometry.uvs[corners[0]];
   const float determinant = difference_of_products(d1.x, d2.y, d1.y, d2.x);
   if (determinant == 0) return;
+  const Vec3f& p0 = geometry.positions[corners[0]];
+  const auto edge_to = [&](std::uint32_t corner) {
+    const Vec3f edge = geometry.positions[corner] - p0;
+    return to_lanes(instance != nullptr ? instance->vector(edge) : edge);
+  };
+  const Float4 edge1 = edge_to(corners[1]);
+  const Float4 edge2 = edge_to(corners[2]);
   point.dpdu = to_vec3(edge1 * d2.y - edge2 * d1.y) / determinant;
   point.dpdv = to_vec3(edge2 * d1.x - edge1 * d2.x) / determinant;
 }
@@ -141,18 +159,18 @@ inline void set_tangents(const Geometry& geometry, const std::array<std::uint32_
                                                       const Instance* instance, const Hit& hit,
                                                       const Vec3f& wo, bool with_uv) {
   using namespace surface_point_detail;
-  Corners c = corners_of(geometry, hit.triangle, instance);
+  const Corners c = corners_of(geometry, hit.triangle);
   const auto& index = geometry.triangles[hit.triangle];
   const float b0 = 1 - hit.u - hit.v;
-  const Float4 p0 = to_lanes(c.p0), p1 = to_lanes(c.p1), p2 = to_lanes(c.p2);
-  const PlanePoint<Float4> plane = plane_point(p0, p1, p2, hit.u, hit.v);
+  const PlanePoint<Float4> own =
+      plane_point(to_lanes(c.p0), to_lanes(c.p1), to_lanes(c.p2), hit.u, hit.v);
+  PlanePoint<Vec3f> plane{to_vec3(own.position), to_vec3(own.normal), own.offset};
+  if (instance != nullptr) plane = placed_point(*instance, plane.normal, c, hit.u, hit.v);
 
   SurfacePoint point;
-  point.position = to_vec3(plane.position);
+  point.position = plane.position;
   point.offset = plane.offset;
-  Vec3f outside = to_vec3(plane.normal);
-  if (instance != nullptr) point.offset += instance->offset(outside);
-  if (instance != nullptr && instance->is_mirrored) outside = -outside;
+  const Vec3f outside = plane.normal;
   point.is_front = dot(outside, wo) > 0;
   point.geometric_normal = point.is_front ? outside : -outside;
 
@@ -165,7 +183,7 @@ inline void set_tangents(const Geometry& geometry, const std::array<std::uint32_
   }
   if (with_uv && !geometry.uvs.empty()) {
     point.uv = uv_of(geometry, index, hit.u, hit.v);
-    if (geometry.reads_tangents) set_tangents(geometry, index, p1 - p0, p2 - p0, point);
+    if (geometry.reads_tangents) set_tangents(geometry, index, instance, point);
   }
   return point;
 }

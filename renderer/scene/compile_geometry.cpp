@@ -134,7 +134,6 @@ Instance compile_instance(const Transform& t, ObjectHandle object) {
   out.z = Vec3f(t.linear[2]);
   out.translation = Vec3f(t.translation);
   set_normal_columns(t, out);
-  out.is_mirrored = t.determinant() < 0;
   return out;
 }
 

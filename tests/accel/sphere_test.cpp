@@ -296,7 +296,6 @@ Instance mirrored(Instance instance) {
   instance.normal_x = -instance.normal_x;
   instance.normal_y = -instance.normal_y;
   instance.normal_z = -instance.normal_z;
-  instance.is_mirrored = true;
   return instance;
 }
 

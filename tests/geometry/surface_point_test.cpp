@@ -42,11 +42,45 @@ TEST(Unit_SurfacePoint, MirroredInstancesKeepTheirOutside) {
   const Hit hit{.t = 1, .u = 0.25f, .v = 0.5f, .geometry = 0, .triangle = 0, .instance = 0};
   Instance mirrored;
   mirrored.x = {-1, 0, 0};
-  mirrored.is_mirrored = true;
   mirrored.normal_x = {-1, 0, 0};
   const SurfacePoint point = make_surface_point(geometry, &mirrored, hit, {0, 0, 1}, false);
   EXPECT_TRUE(point.is_front);
   EXPECT_EQ(point.position, Vec3f(-0.5f, 1.5f, 0));
+}
+
+// Of which the corners, once placed, are a few numbers apart or the same.
+TEST(Unit_SurfacePoint, TinyInstancesKeepTheirNormals) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> unit(-1, 1);
+  const auto any = [&] { return Vec3f(unit(random), unit(random), unit(random)); };
+  for (int i = 0; i < 10000; ++i) {
+    Geometry geometry = one_triangle();
+    const Vec3f corner = any();
+    geometry.positions = {corner, corner + 0.01f * any(), corner + 0.01f * any()};
+    const Frame axes = frame_from_normal(random_unit(random));
+    const float size = i % 2 == 0 ? 1e-5f : 1e-4f;
+    Instance instance;
+    instance.x = axes.x * size;
+    instance.y = axes.y * size;
+    instance.z = axes.z * size;
+    instance.normal_x = axes.x;
+    instance.normal_y = axes.y;
+    instance.normal_z = axes.z;
+    instance.translation = {-0.9f, -0.5f, 0.7f};
+    const Vec3d p0(corner);
+    const Vec3d edge1 = Vec3d(geometry.positions[1]) - p0;
+    const Vec3d edge2 = Vec3d(geometry.positions[2]) - p0;
+    if (length(cross(edge1, edge2)) < 1e-6) continue;  // a needle: its own normal rounds
+    const auto turned = [&](const Vec3d& v) {
+      return Vec3d(axes.x) * v.x + Vec3d(axes.y) * v.y + Vec3d(axes.z) * v.z;
+    };
+    const Hit hit{.t = 1, .u = 0.25f, .v = 0.5f, .geometry = 0, .triangle = 0, .instance = 0};
+    const SurfacePoint point = make_surface_point(geometry, &instance, hit, axes.z, true);
+    const Vec3d normal = normalize(turned(cross(edge1, edge2)));
+    ASSERT_LT(length(normal * (point.is_front ? 1.0 : -1.0) - Vec3d(point.geometric_normal)), 1e-5);
+    const Vec3d dpdu = turned(edge1) * double{size};  // uv: (0, 0), (1, 0), (0, 1)
+    ASSERT_LT(length(dpdu - Vec3d(point.dpdu)), 1e-5 * length(dpdu) + 1e-12);
+  }
 }
 
 TEST(Unit_SurfacePoint, BentNormalsMirrorAboveTheSurface) {
