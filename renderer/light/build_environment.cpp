@@ -140,6 +140,16 @@ double value_at(EnvironmentMapping mapping, const CellWeights& cells, const Vec3
   return cells.at(index_of(st.x, columns), index_of(st.y, rows));
 }
 
+SkyPatches patches_of(EnvironmentMapping mapping, GridSize cells) {
+  const auto& [columns, rows] = cells;
+  const std::size_t count = std::size_t{columns} * rows;
+  if (mapping == EnvironmentMapping::LatLong) return {count, columns, rows};
+  const std::uint32_t faces = mapping == EnvironmentMapping::Cube ? 6 : 1;
+  const std::uint32_t longest = std::max(columns, rows / faces);
+  return faces == 6 ? SkyPatches{count, 4 * longest, 2 * longest}
+                    : SkyPatches{count, 2 * longest, longest};
+}
+
 // `cells`: the light of cells of the map, which has `faces` of the same number of rows each.
 void set_distribution(Environment& environment, CellWeights cells, std::uint32_t faces) {
   const EnvironmentMapping mapping = environment.mapping;
@@ -152,8 +162,8 @@ void set_distribution(Environment& environment, CellWeights cells, std::uint32_t
   const auto luminance_at = [&](const Vec3f& polar) {
     return value_at(mapping, cells, environment_detail::from_polar(mapping, polar));
   };
-  environment.distribution =
-      SkyDistribution(distribution_of(sky_cells(cells.values.size(), merged, luminance_at)));
+  environment.distribution = SkyDistribution(
+      distribution_of(sky_cells(patches_of(mapping, cells.size), merged, luminance_at)));
 }
 
 // Sets what follows from the one image of an environment that has its mapping and scale. Returns

@@ -30,20 +30,29 @@ Vec2f polar(std::uint32_t part, std::uint32_t parts) {
   return Vec2f(2 * std::sqrt(versine * (1 - versine)), is_south ? -cosine : cosine);
 }
 
-// The mean of k x k points of each cell.
-CellWeights gathered(GridSize size, std::uint32_t k,
+// Of each of `cells` cells in a line, among `patches`; points lie up to 4 / pi times as far apart
+// as they do on average.
+std::uint32_t points_along(std::uint32_t cells, std::uint32_t patches, std::uint32_t merged) {
+  const std::uint32_t usual = std::max(merged, 2u);
+  const double share = static_cast<double>(patches) / cells;
+  return share <= 1.5 * usual ? usual : static_cast<std::uint32_t>(std::ceil(share));
+}
+
+// The mean of so many points of each cell, along its two sides.
+CellWeights gathered(GridSize size, GridSize points,
                      const std::function<double(const Vec3f&)>& luminance) {
   std::vector<Vec2f> around;
-  for (std::uint32_t i = 0; i < k * size.columns; ++i)
-    around.push_back(towards(i, k * size.columns));
+  for (std::uint32_t i = 0; i < points.columns * size.columns; ++i)
+    around.push_back(towards(i, points.columns * size.columns));
   CellWeights cells(size);
   parallel_for(size.rows, [&](std::size_t i) {
     const auto row = static_cast<std::uint32_t>(i);
-    for (std::uint32_t y = k * row; y < k * (row + 1); ++y) {
-      const Vec2f sin_cos = polar(y, k * size.rows);
+    for (std::uint32_t y = points.rows * row; y < points.rows * (row + 1); ++y) {
+      const Vec2f sin_cos = polar(y, points.rows * size.rows);
       for (std::uint32_t x = 0; x < around.size(); ++x)
-        cells.at(x / k, row) +=
-            luminance({sin_cos.x * around[x].x, sin_cos.y, sin_cos.x * around[x].y}) / (k * k);
+        cells.at(x / points.columns, row) +=
+            luminance({sin_cos.x * around[x].x, sin_cos.y, sin_cos.x * around[x].y}) /
+            (points.columns * points.rows);
     }
   });
   return cells;
@@ -83,10 +92,12 @@ double sky_cell_solid_angle(GridSize size, std::uint32_t column, std::uint32_t r
   return cosines * (azimuth(column % quarter + 1) - azimuth(column % quarter));
 }
 
-CellWeights sky_cells(std::size_t count, std::uint32_t merged,
+CellWeights sky_cells(const SkyPatches& patches, std::uint32_t merged,
                       const std::function<double(const Vec3f&)>& luminance) {
-  CellWeights cells =
-      grown(gathered(size_of(count / merged / merged), std::max(merged, 2u), luminance));
+  const GridSize size = size_of(patches.count / merged / merged);
+  const GridSize points{points_along(size.columns, patches.around, merged),
+                        points_along(size.rows, patches.down, merged)};
+  CellWeights cells = grown(gathered(size, points, luminance));
   for (std::uint32_t column = 0; column < cells.size.columns; ++column)
     for (std::uint32_t row = 0; row < cells.size.rows; ++row)
       cells.at(column, row) *= sky_cell_solid_angle(cells.size, column, row);

@@ -210,6 +210,28 @@ TEST(Unit_Environment, DensityIsPositiveWhereverLightIs) {
   }
 }
 
+// Of any shape, with light in one texel alone.
+TEST(Unit_Environment, NoTexelLiesBetweenTheTablesPoints) {
+  const auto expect_found = [](const MapEnvironment& map, int x, int y) {
+    EXPECT_FALSE(map.environment.distribution.cells().is_empty()) << x << "," << y;
+  };
+  constexpr std::pair<int, int> sizes[] = {{64, 1}, {256, 2}, {128, 4},
+                                           {2, 64}, {4, 256}, {32, 16}};
+  for (const auto& [width, height] : sizes)
+    for (int i = 0; i < 16; ++i) {
+      const int x = i * 37 % width;
+      const int y = i * 101 % height;
+      const description::Image image = write_float_map(
+          "one_texel", width, height,
+          [&](int column, int row) { return Vec3f(column == x && row == y ? 1.0f : 0.0f); });
+      expect_found(lat_long(image), x, y);
+      expect_found(equal_area(image), x, y);
+      std::array<description::Image, 6> faces;
+      faces.fill(image);
+      expect_found(cube(faces), x, y);
+    }
+}
+
 TEST(Unit_Environment, LargeMapsGetCoarserGrids) {
   const description::Image image = write_float_map("large", 64, 32, sparse_texel);
   const MapEnvironment map = lat_long(image, Mat3d(1.0), 128);
