@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include "renderer/description/used_materials.h"
+#include "renderer/image/decode.h"
+#include "renderer/material/coverage.h"
 
 namespace candela {
 namespace {
@@ -51,11 +53,25 @@ struct ReflectsNothing {
   }
 };
 
-bool has_holes(const Material& material) {
-  return material.opacity.map || material.opacity.texture || material.opacity.factor != 1.0;
+// An image that cannot be read is wholly opaque magenta.
+bool has_alpha(const Image& image) {
+  const Result<ImageHeader> header = read_image_header(image.path, DecodeLimits{});
+  return header && header->alpha_channel >= 0;
 }
 
-void check_material(const Material& material, Diagnostics& diagnostics) {
+// Of lab3's materials the alpha is the diffuse map's where there is one, else `d`.
+bool has_holes(const Material& material, const SceneDescription& scene) {
+  if (material.opacity.map || material.opacity.texture || material.opacity.factor != 1.0)
+    return true;
+  const auto* lab = std::get_if<LabMaterial>(&material.model);
+  if (lab == nullptr) return false;
+  if (lab->diffuse.map) return has_alpha(scene.images[lab->diffuse.map.index]);
+  const auto alpha = static_cast<float>(lab->alpha);
+  return coverage_of_range(alpha, alpha, true) != Coverage::Opaque;
+}
+
+void check_material(const Material& material, const SceneDescription& scene,
+                    Diagnostics& diagnostics) {
   const std::string_view unknown = std::visit(NameOfUnknownModel{}, material.model);
   if (!unknown.empty())
     diagnostics.error(material.span, fmt::format("material '{}' is {}; expected diffuse, "
@@ -65,7 +81,7 @@ void check_material(const Material& material, Diagnostics& diagnostics) {
     diagnostics.error(material.span, fmt::format("material '{}' emits by a texture; the report "
                                                  "integrator knows lamps that emit evenly",
                                                  material.name));
-  if (material.emission != Vec3d(0.0) && has_holes(material))
+  if (material.emission != Vec3d(0.0) && has_holes(material, scene))
     diagnostics.error(material.span,
                       fmt::format("material '{}' emits and has holes (opacity); light samples of "
                                   "the report integrator would shine through them",
@@ -127,7 +143,7 @@ Diagnostics check_report(const SceneDescription& scene) {
   Diagnostics diagnostics;
   const std::vector<bool> is_used = used_materials(scene);
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
-    if (is_used[i]) check_material(scene.materials[i], diagnostics);
+    if (is_used[i]) check_material(scene.materials[i], scene, diagnostics);
   for (const Instance& instance : scene.instances) check_instance(scene, instance, diagnostics);
   for (const Light& light : scene.lights) {
     const std::string_view unknown = std::visit(NameOfUnknownLight{}, light.kind);

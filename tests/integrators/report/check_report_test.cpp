@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "integrators/render.h"
+#include "tests/image/crafted_files.h"
+#include "tests/image/temporary_folder.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/exact_sphere.h"
 
@@ -78,6 +80,32 @@ TEST(Errors_ReportCheck, EmittersWithHolesAreRefused) {
   EXPECT_EQ(sentences(scene),
             "error: material 'grid' emits and has holes (opacity); light samples of the report "
             "integrator would shine through them\n");
+}
+
+// lab3's materials have theirs by `d` and by the diffuse map.
+TEST(Errors_ReportCheck, LabEmittersWithHolesAreRefused) {
+  const TemporaryFolder folder;
+  const auto holes_of = [](const description::LabMaterial& material,
+                           std::vector<description::Image> images) {
+    description::SceneDescription scene = small_room();
+    scene.images = std::move(images);
+    add_mesh(scene, sphere({0, 0, 0}, 0.1, 1), add_material(scene, material, Vec3d(1.0)));
+    return sentences(scene).find("emits and has holes") != std::string::npos;
+  };
+  description::LabMaterial material{.diffuse = {Vec3d(0.0), {}, {}}};
+  EXPECT_FALSE(holes_of(material, {}));
+  material.alpha = 0.5;
+  EXPECT_TRUE(holes_of(material, {}));
+  material.alpha = 0.95;  // solid to the lab
+  EXPECT_FALSE(holes_of(material, {}));
+  material.diffuse.map = description::ImageHandle(0u);
+  const auto half = [](int, int, int) { return 128u; };
+  const auto image = [&](const std::string& name, const crafted::Bytes& bytes) {
+    return description::Image{folder.put(name, bytes), Encoding::LabGamma, Wrap::Repeat, {}};
+  };
+  EXPECT_TRUE(holes_of(material, {image("rgba.png", crafted::png_rgba(2, 2, half))}));
+  EXPECT_FALSE(
+      holes_of(material, {image("rgb.png", crafted::png_of(2, 2, crafted::Rgb, 8, half))}));
 }
 
 TEST(Errors_ReportCheck, EmittersThatReflectAreWarnedOf) {
