@@ -54,14 +54,6 @@ void check_images(const SceneDescription& scene, Diagnostics& diagnostics) {
     if (image.path.empty()) diagnostics.error(image.span, "an image without a file name");
 }
 
-bool has_surface(const SceneDescription& scene) {
-  return std::any_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
-    return instance.mesh.index < scene.meshes.size() &&
-           (!scene.meshes[instance.mesh.index].triangles.empty() ||
-            scene.meshes[instance.mesh.index].sphere);
-  });
-}
-
 bool has_light(const SceneDescription& scene) {
   const auto shines = [](const Light& light) { return !is_black(light); };
   const auto glows = [](const Material& material) { return material.emission != Vec3d(0.0); };
@@ -101,6 +93,14 @@ void warn_of_nothing_to_see(const SceneDescription& scene, Diagnostics& diagnost
 }
 
 }  // namespace
+
+bool has_surface(const SceneDescription& scene) {
+  return std::any_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
+    return instance.mesh.index < scene.meshes.size() &&
+           (!scene.meshes[instance.mesh.index].triangles.empty() ||
+            scene.meshes[instance.mesh.index].sphere);
+  });
+}
 
 Diagnostics validate(const SceneDescription& scene) {
   const FloatingPointTraps traps(Traps::Off);  // what is looked at may be no number

@@ -6,6 +6,9 @@
 
 namespace candela::description {
 
+// Of lights and surfaces that shine: above, products of 32-bit numbers would be infinite.
+inline constexpr double largest_radiance = 1e30;
+
 // Errors for what cannot be rendered (handles out of range, numbers that are not finite, eye at
 // target, singular transforms, ...) and warnings for what will be but surprises (no light at all,
 // kd + ks above 1, cameras in the wrong place). compile() may rely on all that this calls an error.
@@ -16,5 +19,8 @@ namespace candela::description {
 // back to the scene), as warnings, for `candela check`. Missing images are not looked for: the
 // texture store warns of them.
 [[nodiscard]] Diagnostics lint(const SceneDescription& scene);
+
+// Whether some instance has a triangle or a sphere.
+[[nodiscard]] bool has_surface(const SceneDescription& scene);
 
 }  // namespace candela::description

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/description/validate.h"
 #include "renderer/math/constants.h"
 
 namespace candela::description {
@@ -32,6 +33,13 @@ class Check {
         return error(fmt::format("the {} of a light is {}, expected finite numbers of at least 0",
                                  what, c[i]));
   }
+  // What the scene's size does not change.
+  void radiance(const Vec3d& c, std::string_view what) const {
+    colour(c, what);
+    if (max_component(c) > largest_radiance && is_finite(c))
+      error(fmt::format("the {} of a light is {}, expected at most {:g}", what, max_component(c),
+                        largest_radiance));
+  }
   void direction(const Vec3d& d) const {
     if (!(std::abs(length(d) - 1) < 1e-6))  // written as NaN-safe: what is not near 1 is wrong
       error("the direction of a light is not of length 1");
@@ -42,7 +50,7 @@ class Check {
   template <class Map>
   void map(const Map& light) const {
     image(light.image);
-    colour(light.scale, "scale");
+    radiance(light.scale, "scale");
     axes(light.world_from_map);
   }
 
@@ -91,14 +99,14 @@ class Check {
   }
   void operator()(const DirectionalLight& light) const {
     direction(light.to_light);
-    colour(light.irradiance, "irradiance");
+    radiance(light.irradiance, "irradiance");
   }
   void operator()(const TriangleLight& light) const {
     for (const Vec3d& vertex : light.vertices) place(vertex);
-    colour(light.radiance, "radiance");
+    radiance(light.radiance, "radiance");
     if (!has_area(light.vertices)) error("a triangle light has no area");
   }
-  void operator()(const ConstantEnvironment& light) const { colour(light.radiance, "radiance"); }
+  void operator()(const ConstantEnvironment& light) const { radiance(light.radiance, "radiance"); }
   void operator()(const CubeEnvironment& light) const {
     for (const ImageHandle face : light.faces) image(face);
   }

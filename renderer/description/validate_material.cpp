@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/description/validate.h"
+
 namespace candela::description {
 namespace {
 
@@ -183,6 +185,11 @@ void check_material(const SceneDescription& scene, const Material& material,
   const Check check(scene, material, diagnostics);
   std::visit(check, material.model);
   check.positive_colour(material.emission, "the emission");
+  if (max_component(material.emission) > largest_radiance && is_finite(material.emission))
+    diagnostics.error(
+        material.span,
+        fmt::format("material '{}': the emission is {}, expected at most {:g}", material.name,
+                    max_component(material.emission), largest_radiance));
   check.image(material.emission_map, "the emission");
   check.texture(material.emission_texture, "the emission");
   check.input(material.opacity, "the opacity");

@@ -91,6 +91,24 @@ SceneFeatures features_of(const Scene& scene) {
   return features;
 }
 
+// The sky and media are seen where no surface is.
+bool shows_more_than_surfaces(const Scene& scene) {
+  const std::optional<Environment>& sky = scene.environment;
+  return scene.features.cameras_in_media || (sky && sky->is_seen_by_camera && !sky->is_black());
+}
+
+void warn_of_lost_surfaces(const SceneDescription& description, const Scene& scene,
+                           const DropCounts& dropped, Diagnostics& diagnostics) {
+  if (!scene.geometries.empty() || shows_more_than_surfaces(scene) || !has_surface(description))
+    return;
+  std::vector<std::string> reasons;
+  for (const auto& [what, count] : dropped)
+    if (what.starts_with("triangles ") || what.starts_with("spheres "))
+      reasons.push_back(fmt::format("{} {}", count, what));
+  diagnostics.warning({}, fmt::format("all surfaces are left out ({}): there is nothing to see",
+                                      fmt::join(reasons, ", ")));
+}
+
 }  // namespace
 
 Result<Scene> compile(const SceneDescription& description, const CompileOptions& options) {
@@ -131,6 +149,7 @@ Result<Scene> compile(const SceneDescription& description, const CompileOptions&
   for (const char* reason : {out_of_reach, spheres_out_of_reach})
     if (const auto lost = dropped.find(reason); lost != dropped.end())
       diagnostics.warning({}, fmt::format("{} {} are left out", lost->second, lost->first));
+  warn_of_lost_surfaces(description, scene, dropped, diagnostics);
   return {std::move(scene), std::move(diagnostics)};
 }
 

@@ -188,6 +188,33 @@ TEST(Unit_Validate, Spheres) {
   EXPECT_EQ(error_of(both, {}), "mesh 'sphere' is a sphere and has vertices or triangles");
 }
 
+TEST(Unit_Validate, RadianceIsLimited) {
+  const auto error_of = [](const auto& change) {
+    description::SceneDescription scene = test::small_room();
+    change(scene);
+    const auto errors = messages(validate(scene), Severity::Error);
+    return errors.size() == 1 ? errors[0] : "";
+  };
+  const Vec3d most(description::largest_radiance);
+  const Vec3d more(1, 2e30, 1);
+  for (const bool is_more : {false, true}) {
+    const Vec3d light = is_more ? more : most;
+    EXPECT_EQ(error_of([&](auto& scene) {
+                test::add_light(scene, description::ConstantEnvironment{light});
+              }),
+              is_more ? "the radiance of a light is 2e+30, expected at most 1e+30" : "");
+    EXPECT_EQ(error_of([&](auto& scene) {
+                test::add_light(scene, description::DirectionalLight{{0, 0, 1}, light});
+              }),
+              is_more ? "the irradiance of a light is 2e+30, expected at most 1e+30" : "");
+    EXPECT_EQ(error_of([&](auto& scene) {
+                scene.materials[0].name = "sun";
+                scene.materials[0].emission = light;
+              }),
+              is_more ? "material 'sun': the emission is 2e+30, expected at most 1e+30" : "");
+  }
+}
+
 TEST(Unit_Validate, WarnsOfScenesWithNothingInThem) {
   description::SceneDescription scene = test::empty_scene();
   test::set_camera(scene, {0, 0, 5}, {0, 0, 0});

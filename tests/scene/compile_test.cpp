@@ -44,6 +44,33 @@ TEST(Unit_Compile, DropsWhatRaysCannotMeetAndCountsIt) {
   EXPECT_TRUE(scene.lights.empty());
 }
 
+std::string only_warning(const description::SceneDescription& description) {
+  const Result<Scene> scene = compile(description, {});
+  EXPECT_TRUE(scene);
+  const auto& list = scene.diagnostics.list();
+  return list.size() == 1 ? list[0].message : fmt::format("{} of them", list.size());
+}
+
+TEST(Unit_Compile, WarnsWhereNoSurfaceIsLeft) {
+  description::SceneDescription scene = one_quad();
+  scene.lights.push_back({{}, description::PointLight{{0, 0, 1}, Vec3d(1.0)}});
+  EXPECT_EQ(only_warning(scene), "0 of them");
+  description::SceneDescription clear = scene;
+  clear.materials[0].opacity.factor = 0;
+  EXPECT_EQ(only_warning(clear),
+            "all surfaces are left out (2 triangles that are wholly clear): there is nothing to "
+            "see");
+  description::SceneDescription flat = scene;
+  for (Vec3d& position : flat.meshes[0].positions) position.y = 0;
+  const std::string of_flat =
+      "all surfaces are left out (2 triangles without area): there is nothing to see";
+  EXPECT_EQ(only_warning(flat), of_flat);
+  flat.lights[0].kind = description::ConstantEnvironment{Vec3d(1.0), false};
+  EXPECT_EQ(only_warning(flat), of_flat);
+  flat.lights[0].kind = description::ConstantEnvironment{Vec3d(1.0), true};
+  EXPECT_EQ(only_warning(flat), "0 of them") << "the sky is seen";
+}
+
 // Their transform squares lengths.
 TEST(Unit_Compile, NormalsOfTinyAndHugeMeshesStay) {
   const auto normals_of = [](double size) {

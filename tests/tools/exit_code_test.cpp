@@ -70,6 +70,8 @@ TEST(Errors_CommandLine, UsageErrorsAreSentencesWithSuggestions) {
   expect_refused({"render", "s.yaml", "--size", "640"}, "such as 640x480");
   expect_refused({"render", "s.yaml", "--quiet=maybe"}, "--quiet");
   expect_refused({"info", "s.yaml", "--spp", "3"}, "unknown option '--spp'");
+  expect_refused({"--spp", "3", "render", "s.yaml"},
+                 "candela render: '--spp' stands before the command; its options come behind it");
 }
 
 TEST(Errors_CommandLine, WhatTheSceneDoesNotHaveIsAUsageError) {
@@ -117,6 +119,15 @@ TEST(Errors_CommandLine, StrictTurnsWarningsIntoErrors) {
   EXPECT_FALSE(std::filesystem::exists(folder + "/a.exr"));
 
   EXPECT_EQ(run_candela({"check", scene, "--strict"}).exit_code, 3);
+  for (const std::vector<std::string>& other :
+       {std::vector<std::string>{"info", scene}, {"convert", scene, folder + "/a.pbrt"}}) {
+    std::vector<std::string> strict_words = other;
+    strict_words.push_back("--strict");
+    const ProgramResult result = run_candela(strict_words);
+    EXPECT_EQ(result.exit_code, 3) << result.error;
+    EXPECT_NE(result.error.find("error: --strict: 1 warning about"), std::string::npos)
+        << result.error;
+  }
 }
 
 TEST(Errors_CommandLine, StrictRefusesWhatOptionsAreWarnedOf) {
@@ -157,6 +168,8 @@ TEST(Errors_CommandLine, OutputsAreCheckedByFolderExtensionAndName) {
   EXPECT_EQ(check({folder + "/a.exr", folder + "/./a.exr"}, {}), ExitCode::Usage);
   EXPECT_EQ(check({folder + "/a.exr", folder + "/a.png"}, folder + "/s"), ExitCode::Done);
   EXPECT_EQ(file_names(folder), std::vector<std::string>{"folder.exr"});
+  std::filesystem::create_symlink("a.exr", folder + "/link.exr");  // to what is not there yet
+  EXPECT_EQ(check({folder + "/a.exr", folder + "/link.exr"}, {}), ExitCode::Usage);
 }
 
 // The scene does not exist: had it been looked for first, the code would be 3.
@@ -183,6 +196,19 @@ TEST(Errors_CommandLine, AFailedWriteIsNotCalledDone) {
   EXPECT_EQ(result.exit_code, 4);
   EXPECT_EQ(result.error.find("100 %"), std::string::npos) << result.error;
   EXPECT_TRUE(std::filesystem::exists(folder + "/whole.exr"));
+}
+
+// Else a file that is opened would become the stream that messages go to.
+TEST(Errors_CommandLine, ClosedStreamsKeepTheirPlaces) {
+  const std::string image = fresh_folder("closed_streams") + "/a.exr";
+  const std::string script =
+      "\"$0\" render \"$1\" -o \"$2\" --size 1024x1024 --spp 4096 <&- 2>&- & "
+      "for i in $(seq 1000); do readlink /proc/$!/fd/2 && break; sleep 0.01; done; "
+      "readlink /proc/$!/fd/0; kill -KILL $!";
+  const ProgramResult result =
+      Program({"/bin/sh", "-c", script, CANDELA_PROGRAM, small_scene(), image}, ErrorStream::File)
+          .finish();
+  EXPECT_EQ(result.output, "/dev/null\n/dev/null\n");
 }
 
 TEST(Errors_CommandLine, FilesOfTheSceneAreNotOverwritten) {
@@ -231,6 +257,15 @@ TEST(Errors_CommandLine, CheckEndsAsRenderDoes) {
   EXPECT_EQ(run_candela({"check", scene}).exit_code, 3);
 }
 
+TEST(Errors_CommandLine, WhoMakesNoPictureNeedsNoMemoryForIt) {
+  const std::string folder = fresh_folder("giant_told");
+  write_text(folder + "/a.pbrt",
+             "Film \"rgb\" \"integer xresolution\" 65536 \"integer yresolution\" 65536\n"
+             "WorldBegin\nLightSource \"infinite\" Shape \"sphere\"\n");
+  EXPECT_EQ(run_candela({"info", folder + "/a.pbrt"}).exit_code, 0);
+  EXPECT_EQ(run_candela({"convert", folder + "/a.pbrt", folder + "/b.pbrt"}).exit_code, 0);
+}
+
 TEST(Errors_CommandLine, RunningOutOfMemoryEndsWithFive) {
 #ifdef CANDELA_UNDER_ADDRESS_SANITIZER
   GTEST_SKIP() << "the address sanitizer needs more address space than the limit";
@@ -267,6 +302,10 @@ TEST(Errors_CommandLine, AClosedPipeAndAFullDiskAreOutputErrors) {
   const ProgramResult full = shell("exec \"$0\" info \"$1\" >/dev/full");
   EXPECT_EQ(full.exit_code, 4);
   EXPECT_NE(full.error.find("cannot be written"), std::string::npos);
+  const ProgramResult limited = shell(
+      "ulimit -f 1; head -c 1000 /dev/zero >>\"$2\"; exec \"$0\" info \"$1\" --json >>\"$2\"");
+  EXPECT_EQ(limited.exit_code, 4);
+  EXPECT_NE(limited.error.find("cannot be written"), std::string::npos);
   const ProgramResult closed = shell("{ \"$0\" info \"$1\"; echo $? >\"$2\"; } | true");
   EXPECT_EQ(file_text(code_path), "4\n");
   EXPECT_EQ(closed.error, "");

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
+#include <sstream>
+
 #include "tools/candela/parse_arguments.h"
 
 namespace candela::cli {
@@ -87,63 +90,21 @@ TEST(Unit_OptionValues, CommandLinesAreQuotedForAShell) {
             "candela render 'a b.yaml' 'it'\\''s' '' --size 2x2");
 }
 
-RenderArguments rendering(const std::vector<std::string>& words) {
+// `candela render s.yaml` with these words, which spaces part.
+RenderArguments rendering(const std::string& options) {
+  std::istringstream stream("render s.yaml " + options);
+  const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
   const ParsedArguments parsed = parse_arguments(words);
   EXPECT_TRUE(parsed.arguments) << parsed.error;
   return parsed.arguments ? std::get<RenderArguments>(*parsed.arguments) : RenderArguments{};
 }
 
 TEST(Unit_OptionValues, OptionsReachTheirFields) {
-  const RenderArguments a = rendering({"render",
-                                       "s.yaml",
-                                       "-o",
-                                       "a.exr",
-                                       "--output",
-                                       "b.png",
-                                       "--spp",
-                                       "7",
-                                       "--size",
-                                       "8x9",
-                                       "--scale",
-                                       "0.5",
-                                       "--camera",
-                                       "3",
-                                       "--crop",
-                                       "1,2,3,4",
-                                       "--max-depth",
-                                       "none",
-                                       "--seed",
-                                       "11",
-                                       "-t",
-                                       "2",
-                                       "--accel",
-                                       "bvh",
-                                       "--robust",
-                                       "off",
-                                       "--kernel",
-                                       "general",
-                                       "--filter",
-                                       "box",
-                                       "--exposure",
-                                       "-1.5",
-                                       "--tonemap",
-                                       "aces",
-                                       "--aov",
-                                       "depth",
-                                       "--strict",
-                                       "--transparent",
-                                       "-q",
-                                       "--ray-limit",
-                                       "--stats",
-                                       "s.json",
-                                       "--materials",
-                                       "mtl",
-                                       "--lab3-ground",
-                                       "g.jpg",
-                                       "--ambient",
-                                       "1,2,3",
-                                       "--integrator",
-                                       "path"});
+  const RenderArguments a = rendering(
+      "-o a.exr --output b.png --spp 7 --size 8x9 --scale 0.5 --camera 3 --crop 1,2,3,4 "
+      "--max-depth none --seed 11 -t 2 --accel bvh --robust off --kernel general --filter box "
+      "--exposure -1.5 --tonemap aces --aov depth --strict --transparent -q --ray-limit "
+      "--stats s.json --materials mtl --lab3-ground g.jpg --ambient 1,2,3 --integrator path");
   EXPECT_EQ(a.scene.path, "s.yaml");
   EXPECT_EQ(a.outputs, (std::vector<std::string>{"a.exr", "b.png"}));
   EXPECT_EQ(a.samples_per_pixel, 7);
@@ -170,24 +131,72 @@ TEST(Unit_OptionValues, OptionsReachTheirFields) {
   EXPECT_EQ(a.integrator, IntegratorKind::Path);
 }
 
-TEST(Unit_OptionValues, TheLabsShadingHasOptionsOfItsOwn) {
+TEST(Unit_OptionValues, OptionsOfSamplingReachTheirFields) {
   const RenderArguments a = rendering(
-      {"render", "s.yaml", "--integrator", "whitted", "--specular", "phong", "--lab-normals"});
+      "--error 0.5 --relmse 0.25 --time 3s --replicates 6 --adaptive off --splitting 3 "
+      "--roulette 0.75 --guiding auto --clamp 2.5 --sampling bsdf --heuristic balance "
+      "--sampler padded --lamp-rays 5 --light-sampling solid_angle --rr 0.125 "
+      "--without packets,convoys --fresnel schlick --geometry smith");
+  EXPECT_EQ(a.error_goal, 0.5);
+  EXPECT_EQ(a.relmse_goal, 0.25);
+  EXPECT_EQ(a.time_limit_seconds, 3);
+  EXPECT_EQ(a.replicates, 6);
+  EXPECT_EQ(a.adaptive, false);
+  EXPECT_EQ(a.splitting, 3);
+  EXPECT_EQ(a.roulette, RouletteThreshold{0.75});
+  EXPECT_EQ(a.guiding, Guiding::Auto);
+  EXPECT_EQ(a.clamp, 2.5);
+  EXPECT_EQ(a.sampling, SamplingStrategy::Bsdf);
+  EXPECT_EQ(a.heuristic, Heuristic::Balance);
+  EXPECT_EQ(a.sampler, SamplerKind::Padded);
+  EXPECT_EQ(a.lamp_rays, 5);
+  EXPECT_EQ(a.light_sampling, LightSampling::SolidAngle);
+  EXPECT_EQ(a.report_p_rr, 0.125);
+  EXPECT_EQ(a.without, saving_bit(Saving::Packets) | saving_bit(Saving::Convoys));
+  EXPECT_EQ(a.scene.load.fresnel, FresnelModel::Schlick);
+  EXPECT_EQ(a.scene.load.geometry, GeometryModel::Smith);
+}
+
+// One at a time, so that none can stand for another.
+TEST(Unit_OptionValues, EachSwitchIsItsOwn) {
+  const auto switches = [](const RenderArguments& a) {
+    return std::vector{a.adaptive, a.samples_constant_sky, a.compensates_sky, a.light_cells};
+  };
+  const std::vector<std::string> options{"--adaptive", "--sky-samples", "--sky-compensation",
+                                         "--light-cells"};
+  for (std::size_t i = 0; i < options.size(); ++i)
+    for (const bool on : {true, false}) {
+      std::vector<std::optional<bool>> expected(options.size());
+      expected[i] = on;
+      EXPECT_EQ(switches(rendering(options[i] + (on ? " on" : " off"))), expected) << options[i];
+    }
+}
+
+TEST(Unit_OptionValues, TheLabsShadingHasOptionsOfItsOwn) {
+  const RenderArguments a = rendering("--integrator whitted --specular phong --lab-normals");
   EXPECT_EQ(a.integrator, IntegratorKind::Whitted);
   EXPECT_EQ(a.specular, SpecularModel::Phong);
   EXPECT_TRUE(a.has_lab_normals);
-  EXPECT_FALSE(rendering({"render", "s.yaml"}).has_lab_normals);
+  EXPECT_FALSE(rendering("").has_lab_normals);
 }
 
 TEST(Unit_OptionValues, WhatIsNotSaidIsLeftToTheScene) {
-  const RenderArguments a = rendering({"render", "s.yaml"});
+  const RenderArguments a = rendering("");
   EXPECT_FALSE(a.samples_per_pixel || a.size || a.max_depth || a.seed || a.filter || a.exposure ||
                a.integrator || a.crop || a.stats_path || a.specular);
   EXPECT_TRUE(a.outputs.empty());
 }
 
+TEST(Unit_OptionValues, NumbersThatLightCannotHaveAreRefused) {
+  EXPECT_TRUE(parse_rgb("1e30,0,0"));
+  EXPECT_EQ(reason(parse_rgb("1e31,0,0")),
+            "expected three numbers R,G,B from 0 to 1e30 such as .1,.1,.1, found '1e31,0,0'");
+  EXPECT_TRUE(parse_duration("1e304h"));
+  EXPECT_FALSE(parse_duration("1e308h"));
+}
+
 TEST(Unit_OptionValues, TheLastValueCounts) {
-  EXPECT_EQ(rendering({"render", "s.yaml", "--spp", "1", "--spp=2"}).samples_per_pixel, 2);
+  EXPECT_EQ(rendering("--spp 1 --spp=2").samples_per_pixel, 2);
 }
 
 }  // namespace

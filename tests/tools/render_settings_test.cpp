@@ -112,6 +112,58 @@ TEST(Unit_RenderSettings, TheCommandLineOverridesTheScene) {
   EXPECT_EQ(s.display.exposure, 0);
 }
 
+TEST(Unit_RenderSettings, WaysOfSamplingAreAsAsked) {
+  const RenderOptions silent = settings({}, {}).options;
+  EXPECT_TRUE(silent.adaptive);
+  EXPECT_EQ(silent.lamp_rays, 8);
+  EXPECT_EQ(silent.sampler, SamplerKind::Sobol);
+  EXPECT_EQ(silent.light_sampling, LightSampling::Area);
+  EXPECT_FALSE(silent.samples_constant_sky);
+  EXPECT_TRUE(silent.compensates_sky);
+  EXPECT_TRUE(silent.light_cells);
+  RenderArguments arguments;
+  arguments.adaptive = false;
+  arguments.lamp_rays = 3;
+  arguments.sampler = SamplerKind::Independent;
+  arguments.light_sampling = LightSampling::Triangles;
+  arguments.samples_constant_sky = true;
+  arguments.compensates_sky = false;
+  arguments.light_cells = false;
+  arguments.clamp = 7;
+  arguments.replicates = 2;
+  arguments.time_limit_seconds = 5;
+  const RenderOptions asked = settings(arguments, {}).options;
+  EXPECT_FALSE(asked.adaptive);
+  EXPECT_EQ(asked.lamp_rays, 3);
+  EXPECT_EQ(asked.sampler, SamplerKind::Independent);
+  EXPECT_EQ(asked.light_sampling, LightSampling::Triangles);
+  EXPECT_TRUE(asked.samples_constant_sky);
+  EXPECT_FALSE(asked.compensates_sky);
+  EXPECT_FALSE(asked.light_cells);
+  EXPECT_EQ(asked.clamp, 7);
+  EXPECT_EQ(asked.replicates, 2);
+  EXPECT_EQ(asked.time_limit_seconds, 5);
+}
+
+TEST(Unit_RenderSettings, TheFilmShowsWhatTheSceneAndTheCommandLineSay) {
+  description::SceneDescription scene = scene_with_wishes();
+  scene.defaults.white_balance_kelvins = 5000;
+  scene.defaults.filter_radius = 2.5;
+  RenderArguments arguments;
+  arguments.is_transparent = true;
+  arguments.aovs = aov_bit(Aov::Depth);
+  arguments.tone_map = ToneMap::Aces;
+  const RenderSettings s = settings(arguments, scene);
+  EXPECT_EQ(s.options.white_balance_kelvins, 5000);
+  EXPECT_EQ(s.options.filter_radius, 2.5f);
+  EXPECT_TRUE(s.options.transparent);
+  EXPECT_EQ(s.options.aovs, aov_bit(Aov::Depth));
+  EXPECT_EQ(s.display.tone_map, ToneMap::Aces);
+  // The scene's radius is that of the scene's filter.
+  arguments.filter = FilterKind::Box;
+  EXPECT_EQ(settings(arguments, scene).options.filter_radius, std::nullopt);
+}
+
 TEST(Unit_RenderSettings, ScaleMultipliesTheScenesSizeAndKeepsAPixel) {
   RenderArguments arguments;
   arguments.scale = 0.25;
@@ -145,6 +197,10 @@ TEST(Unit_RenderSettings, WhatDoesNotFitTheSceneIsRefused) {
   arguments.crop = PixelRect{0, 0, 101, 50};
   expect_refused(arguments, scene_with_wishes(), ExitCode::Usage,
                  "--crop 0,0,101,50 leaves the picture, which is 100x50");
+  arguments = {};
+  arguments.clamp = 1e-60;
+  expect_refused(arguments, scene_with_wishes(), ExitCode::Usage,
+                 "--clamp 1e-60 would leave no light");
   arguments = {};
   arguments.scale = 1e6;
   expect_refused(arguments, scene_with_wishes(), ExitCode::Usage, "--scale 1000000");

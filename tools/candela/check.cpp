@@ -20,7 +20,7 @@ ExitCode run_check(const CheckArguments& arguments) {
   Console console(false);
   SceneArguments lenient = arguments.scene;
   lenient.is_strict = false;  // warnings are counted below, after all is looked at
-  ReadScene read = read_scene(lenient, console);
+  ReadScene read = read_scene(lenient, console, MemoryNeed::Heeded);
   if (read.is_usable()) {
     decode_all_textures(read.scene->textures);
     Diagnostics found = description::lint(*read.description);

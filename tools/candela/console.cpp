@@ -52,6 +52,11 @@ void Console::error(std::string_view sentence) {
   print_line(fmt::format("error: {}", sentence));
 }
 
+void Console::strict_error(std::size_t warnings, std::string_view scene) {
+  error(
+      fmt::format("--strict: {} warning{} about '{}'", warnings, warnings == 1 ? "" : "s", scene));
+}
+
 void Console::print(const Diagnostics& diagnostics) {
   std::size_t errors = 0;
   std::size_t warnings = 0;

@@ -21,6 +21,8 @@ class Console {
   // Warnings and errors of candela itself.
   void warning(std::string_view sentence);
   void error(std::string_view sentence);
+  // That --strict makes an error of so many warnings.
+  void strict_error(std::size_t warnings, std::string_view scene);
   // All that a reader found; notes only when not quiet.
   void print(const Diagnostics& diagnostics);
 

@@ -55,7 +55,7 @@ class Conversion {
     if (!read.is_usable()) return ExitCode::Scene;
     RenderArguments wishes = as_the_scene_asks(arguments_.scene);
     wishes.camera = arguments_.camera;
-    const SettledSettings settled = settle_settings(wishes, *read.description);
+    const SettledSettings settled = settle_settings(wishes, *read.description, MemoryNeed::Ignored);
     if (!settled.settings) return fail(settled.exit_code, settled.error);
     fill_defaults(settled.settings->options, read.description->defaults);
     return convert(*read.description);
@@ -76,8 +76,10 @@ class Conversion {
     const Result<pbrt::WrittenScene> written = pbrt::write_pbrt(
         description, {stem + "_files", stem + ".exr", arguments_.camera, image_facts});
     console_.print(written.diagnostics);
-    if (arguments_.scene.is_strict && written.diagnostics.warning_count() > 0)
+    if (arguments_.scene.is_strict && written.diagnostics.warning_count() > 0) {
+      console_.strict_error(written.diagnostics.warning_count(), arguments_.scene.path);
       return ExitCode::Scene;
+    }
     const std::vector<Output> outputs = outputs_of(*written, description);
     std::vector<std::string> paths;
     for (const Output& output : outputs) paths.push_back(output.path);

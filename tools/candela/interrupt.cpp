@@ -63,6 +63,7 @@ void install_signal_handlers() {
   handle(SIGINT);
   handle(SIGTERM);
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void set_interrupt_mode(InterruptMode mode) {

@@ -17,8 +17,9 @@ namespace candela::cli {
 
 enum class InterruptMode : int { EndAtOnce, Cancel, Finish };
 
-// Installs the handlers and ignores SIGPIPE, so that a closed pipe is a write error like any other.
-// A signal that the parent had ignored (nohup, a shell's background job) stays ignored.
+// Installs the handlers and ignores SIGPIPE and SIGXFSZ, so that a closed pipe and a limit of
+// files' sizes are write errors like any other. A signal that the parent had ignored (nohup, a
+// shell's background job) stays ignored.
 void install_signal_handlers();
 
 void set_interrupt_mode(InterruptMode mode);

@@ -1,4 +1,7 @@
 // The way of the data: load, compile, build, render, write.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <optional>
@@ -111,10 +114,21 @@ ExitCode run(const std::vector<std::string>& words) {
                     *parsed.arguments);
 }
 
+// Where standard streams are closed, no file that is opened shall take their places: messages would
+// be written into pictures. What is written to them fails, as it does to closed ones.
+void take_places_of_closed_streams() {
+  int descriptor = -1;
+  do {
+    descriptor = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  } while (descriptor >= 0 && descriptor <= STDERR_FILENO);
+  ::close(descriptor);
+}
+
 }  // namespace
 }  // namespace candela::cli
 
 int main(int count, char** words) {
+  candela::cli::take_places_of_closed_streams();
   candela::cli::install_signal_handlers();
   return static_cast<int>(candela::cli::guarded([&] {
     return candela::cli::run({words + std::min(count, 1), words + count});

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "renderer/description/validate.h"
+
 namespace candela::cli {
 namespace {
 
@@ -87,7 +89,7 @@ bool is_positive(double value) {
 Result<double> number_in(std::string_view text, std::string_view number, bool (*is_good)(double),
                          std::string_view wanted, double unit = 1) {
   const std::optional<double> value = finite(number);
-  if (!value || !is_good(*value))
+  if (!value || !is_good(*value) || !std::isfinite(*value * unit))
     return failure(fmt::format("expected {}, found '{}'", wanted, text));
   return *value * unit;
 }
@@ -268,12 +270,12 @@ Result<Vec3d> parse_rgb(std::string_view text) {
   bool is_colour = parts.size() == 3;
   for (std::size_t i = 0; is_colour && i < 3; ++i) {
     const auto value = finite(parts[i]);
-    is_colour = value && *value >= 0;
+    is_colour = value && *value >= 0 && *value <= description::largest_radiance;
     colour[static_cast<int>(i)] = value.value_or(0);
   }
   if (!is_colour)
     return failure(fmt::format(
-        "expected three numbers R,G,B of at least 0 such as .1,.1,.1, found '{}'", text));
+        "expected three numbers R,G,B from 0 to 1e30 such as .1,.1,.1, found '{}'", text));
   return Vec3d(colour);
 }
 

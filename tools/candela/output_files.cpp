@@ -6,13 +6,15 @@
 #include <fmt/format.h>
 
 #include "renderer/image/image_io.h"
+#include "renderer/image/output_target.h"
 
 namespace candela::cli {
 namespace {
 
+// Where a link leads to nothing yet, what will be there.
 std::string canonical(const std::string& path) {
   std::error_code error;
-  const auto resolved = std::filesystem::weakly_canonical(path, error);
+  const auto resolved = std::filesystem::weakly_canonical(find_output_target(path).path, error);
   return error ? path : resolved.string();
 }
 

@@ -308,6 +308,8 @@ std::string unexpected_word(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : selected(app).get_options())
     for (const std::string& long_name : option->get_lnames()) names.push_back("--" + long_name);
+  if (std::find(names.begin(), names.end(), name) != names.end())
+    return fmt::format("'{}' stands before the command; its options come behind it", name);
   return fmt::format("unknown option '{}'{}", name,
                      did_you_mean(name, {names.begin(), names.end()}));
 }

@@ -4,7 +4,6 @@
 
 #include "renderer/scene/compile.h"
 #include "scene_io/load.h"
-#include "tools/candela/render_settings.h"
 
 namespace candela::cli {
 namespace {
@@ -23,12 +22,12 @@ RenderArguments as_the_scene_asks(const SceneArguments& arguments) {
   return render;
 }
 
-ReadScene read_scene(const SceneArguments& arguments, Console& console) {
+ReadScene read_scene(const SceneArguments& arguments, Console& console, MemoryNeed need) {
   ReadScene read;
   auto description = load(arguments.path, arguments.load);
   report(description.diagnostics, console, read);
   if (!description) return read;
-  const SettledSettings settled = settle_settings(as_the_scene_asks(arguments), *description);
+  const SettledSettings settled = settle_settings(as_the_scene_asks(arguments), *description, need);
   if (!settled.settings) {
     console.error(settled.error);
     ++read.error_count;
@@ -42,7 +41,11 @@ ReadScene read_scene(const SceneArguments& arguments, Console& console) {
   report(scene.diagnostics, console, read);
   const bool is_all = read.error_count == 1;  // the scene has no error of its own
   if (!settled.settings && is_all) read.refusal = settled.exit_code;
-  if (read.error_count > 0 || (arguments.is_strict && read.warning_count > 0)) return read;
+  if (read.error_count > 0) return read;
+  if (arguments.is_strict && read.warning_count > 0) {
+    console.strict_error(read.warning_count, arguments.path);
+    return read;
+  }
   read.description = std::move(description.value);
   read.scene = std::move(scene.value);
   return read;

@@ -8,10 +8,12 @@
 #include "tools/candela/arguments.h"
 #include "tools/candela/console.h"
 #include "tools/candela/exit_code.h"
+#include "tools/candela/render_settings.h"
 
 namespace candela::cli {
 
-// Empty where the scene has errors (or, with --strict, warnings); they are printed.
+// Empty where the scene has errors (or, with --strict, warnings); they are printed. With `need`
+// heeded a picture that does not fit into the memory is an error, too.
 struct ReadScene {
   std::optional<description::SceneDescription> description;
   std::optional<Scene> scene;
@@ -21,7 +23,8 @@ struct ReadScene {
   ExitCode refusal = ExitCode::Scene;  // how it ends where it has errors
   [[nodiscard]] bool is_usable() const { return scene.has_value(); }
 };
-[[nodiscard]] ReadScene read_scene(const SceneArguments& arguments, Console& console);
+[[nodiscard]] ReadScene read_scene(const SceneArguments& arguments, Console& console,
+                                   MemoryNeed need = MemoryNeed::Ignored);
 
 // As the scene itself asks to be rendered.
 [[nodiscard]] RenderArguments as_the_scene_asks(const SceneArguments& arguments);

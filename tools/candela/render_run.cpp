@@ -129,8 +129,7 @@ bool RenderRun::accepts(const Diagnostics& diagnostics, bool has_value) {
 
 bool RenderRun::allows(std::size_t warnings) {
   if (!arguments_.scene.is_strict || warnings == 0) return true;
-  console_.error(fmt::format("--strict: {} warning{} about '{}'", warnings,
-                             warnings == 1 ? "" : "s", report_.scene));
+  console_.strict_error(warnings, report_.scene);
   return stop(ExitCode::Scene);
 }
 

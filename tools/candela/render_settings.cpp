@@ -181,6 +181,9 @@ void settle_stop_rules(const RenderArguments& arguments, RenderOptions& options)
         std::min(*arguments.relmse_goal, options.target_relmse.value_or(*arguments.relmse_goal));
   options.time_limit_seconds = arguments.time_limit_seconds;
   if (arguments.clamp) options.clamp = static_cast<float>(*arguments.clamp);
+  if (!(options.clamp > 0))
+    throw Refusal{fmt::format("--clamp {} would leave no light", *arguments.clamp),
+                  ExitCode::Usage};
   refuse_what_only_path_does(arguments, options);
   refuse_savings(arguments);
   refuse_stop_rules(arguments, options);
@@ -301,7 +304,7 @@ void refuse_what_does_not_fit(const RenderArguments& arguments, const RenderOpti
 }
 
 RenderSettings settled(const RenderArguments& arguments,
-                       const description::SceneDescription& description) {
+                       const description::SceneDescription& description, MemoryNeed need) {
   RenderSettings settings;
   RenderOptions& options = settings.options;
   settle_size(arguments, description.defaults, options);
@@ -333,8 +336,9 @@ RenderSettings settled(const RenderArguments& arguments,
     options.filter = FilterKind::Box;
     options.filter_radius.reset();
   }
-  if (const std::optional<std::string> sentence = missing_memory(options, description))
-    throw Refusal{*sentence, ExitCode::Limit};
+  if (need == MemoryNeed::Heeded)
+    if (const std::optional<std::string> sentence = missing_memory(options, description))
+      throw Refusal{*sentence, ExitCode::Limit};
   settings.display = {arguments.tone_map,
                       arguments.exposure.value_or(description.defaults.exposure.value_or(0))};
   return settings;
@@ -343,9 +347,9 @@ RenderSettings settled(const RenderArguments& arguments,
 }  // namespace
 
 SettledSettings settle_settings(const RenderArguments& arguments,
-                                const description::SceneDescription& description) {
+                                const description::SceneDescription& description, MemoryNeed need) {
   try {
-    return {settled(arguments, description), "", ExitCode::Done};
+    return {settled(arguments, description, need), "", ExitCode::Done};
   } catch (const Refusal& refusal) {
     return {{}, refusal.sentence, refusal.exit_code};
   }

@@ -19,6 +19,10 @@ struct RenderSettings {
   std::vector<std::string> warnings;  // where the scene's wish was not granted to the letter
 };
 
+// Whether a picture that does not fit into the memory is refused; it does not matter to who makes
+// none.
+enum class MemoryNeed : std::uint8_t { Heeded, Ignored };
+
 // Either settings, or one sentence and the code to end with: Usage where the command line asks for
 // what the scene does not have, Scene where the scene's own defaults are wrong, Limit where the
 // picture is too large.
@@ -28,7 +32,8 @@ struct SettledSettings {
   ExitCode exit_code = ExitCode::Done;
 };
 [[nodiscard]] SettledSettings settle_settings(const RenderArguments& arguments,
-                                              const description::SceneDescription& description);
+                                              const description::SceneDescription& description,
+                                              MemoryNeed need = MemoryNeed::Heeded);
 
 // The -o files, or SCENE-stem.exr in the current folder.
 [[nodiscard]] std::vector<std::string> output_paths(const RenderArguments& arguments);
