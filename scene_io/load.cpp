@@ -23,7 +23,7 @@ using description::SceneDescription;
 
 // Whether it ends in one of the extensions, with .gz behind it or not.
 bool has_extension(std::string_view path, std::initializer_list<std::string_view> extensions) {
-  if (text::has_gzip_name(path)) path.remove_suffix(3);
+  path = text::without_gzip_extension(path);
   const std::size_t dot = path.find_last_of("./");
   if (dot == std::string_view::npos) return false;
   const std::string_view extension = path.substr(dot);

@@ -30,10 +30,12 @@ struct Diagnostic {
 [[nodiscard]] std::string to_string(const Diagnostic& diagnostic);
 
 // A reader's collection. After `limit` errors further ones are only counted, so that a broken file
-// of a million lines gives a page and not a book. Warnings have a limit of their own.
+// of a million lines gives a page and not a book. Warnings have a limit of their own. Readers of
+// text stop at `most_counted` errors.
 class Diagnostics {
  public:
   static constexpr std::size_t limit = 20;
+  static constexpr std::size_t most_counted = 1000;
 
   void add(Diagnostic diagnostic);
   void error(SourceSpan span, std::string message);
@@ -43,8 +45,8 @@ class Diagnostics {
   [[nodiscard]] bool has_errors() const { return error_count_ > 0; }
   [[nodiscard]] std::size_t error_count() const { return error_count_; }
   [[nodiscard]] std::size_t warning_count() const { return warning_count_; }
-  // True once errors have reached the limit: a reader may stop.
-  [[nodiscard]] bool is_full() const { return error_count_ >= limit; }
+  // True once there are so many errors that a reader may stop.
+  [[nodiscard]] bool is_full() const { return error_count_ >= most_counted; }
   // The kept ones, in the order of arrival.
   [[nodiscard]] const std::vector<Diagnostic>& list() const { return list_; }
   // Appends everything of `other`.

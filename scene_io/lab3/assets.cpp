@@ -74,9 +74,7 @@ std::string problem_of_file(const std::string& path) {
 
 std::string resolved(Reader& reader, std::size_t offset, const std::string& name) {
   const text::ResolvedPath found = text::resolve_path(reader.scene.path, name);
-  if (found.has_other_case)
-    reader.warning(offset, fmt::format("file {} is taken for {}: letter case differs",
-                                       text::quoted(found.path), text::quoted(name)));
+  if (found.is_substitute()) reader.warning(offset, text::describe_substitute(found, name));
   return found.path;
 }
 
@@ -86,11 +84,12 @@ std::string required_file(Reader& reader, const Entry& entry, std::string_view w
   const std::string path = resolved(reader, entry.value->offset, name);
   const std::string problem = problem_of_file(path);
   if (problem.empty()) return path;
-  const std::string suggestion = problem == "no such file" ? suggest_file(path) : "";
+  const bool is_missing = problem == "no such file";
+  const std::string suggestion = is_missing && reader.wants_errors() ? suggest_file(path) : "";
   reader.error(entry.value->offset,
                fmt::format("{}: {} {}{}", text::quoted(name), problem,
-                           problem == "no such file" ? fmt::format("for {}", what)
-                                                     : fmt::format("where {} was expected", what),
+                           is_missing ? fmt::format("for {}", what)
+                                      : fmt::format("where {} was expected", what),
                            suggestion));
   return "";
 }

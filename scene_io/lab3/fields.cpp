@@ -1,6 +1,7 @@
 #include "scene_io/lab3/fields.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -30,6 +31,14 @@ std::string example_of(const Node& node, std::size_t count) {
   std::string list = node.text;
   for (std::size_t i = 1; i < count; ++i) list += ", " + node.text;
   return fmt::format(", such as [{}]", list);
+}
+
+// Equal for names that is_same_name() calls the same.
+std::string plain_name(std::string_view name) {
+  std::string plain;
+  for (const char c : name)
+    if (c != '_') plain += text::to_lower(c);
+  return plain;
 }
 
 }  // namespace
@@ -119,22 +128,30 @@ Fields::Fields(Reader& reader, const Node& node, std::string_view what, Names kn
                  fmt::format("found {}, expected the keys of {}", describe(node), what));
     return;
   }
+  std::unordered_map<std::string, const Entry*> unknown;
   for (const Entry& entry : node.entries) {
+    if (reader.is_full()) return;
     const auto name = std::find_if(known.begin(), known.end(), [&](std::string_view candidate) {
       return is_same_name(candidate, entry.key);
     });
     if (name == known.end()) {
-      warn_of_unknown_key(entry, known, hint);
-      continue;
+      const auto [earlier, is_new] = unknown.try_emplace(plain_name(entry.key), &entry);
+      if (is_new)
+        warn_of_unknown_key(entry, known, hint);
+      else
+        refuse_second(entry, *earlier->second);
+    } else if (const Entry* earlier = find(*name)) {
+      refuse_second(entry, *earlier);
+    } else {
+      known_.emplace_back(*name, &entry);
     }
-    if (const Entry* earlier = find(*name)) {
-      reader.error(entry.key_offset,
-                   fmt::format("key {} is given twice, first in line {}", text::quoted(entry.key),
-                               reader.span(earlier->key_offset).line));
-      continue;
-    }
-    known_.emplace_back(*name, &entry);
   }
+}
+
+void Fields::refuse_second(const Entry& entry, const Entry& first) const {
+  reader_.error(entry.key_offset,
+                fmt::format("key {} is given twice, first in line {}", text::quoted(entry.key),
+                            reader_.span(first.key_offset).line));
 }
 
 void Fields::warn_of_unknown_key(const Entry& entry, Names known, Hint hint) const {

@@ -82,6 +82,7 @@ class Fields {
   [[nodiscard]] std::optional<std::size_t> choice(std::string_view key, Names words) const;
 
  private:
+  void refuse_second(const Entry& entry, const Entry& first) const;
   void warn_of_unknown_key(const Entry& entry, Names known, Hint hint) const;
 
   Reader& reader_;

@@ -7,6 +7,7 @@
 #include "renderer/description/world_bounds.h"
 #include "scene_io/lab3/assets.h"
 #include "scene_io/lab3/fields.h"
+#include "scene_io/text/file.h"
 #include "scene_io/text/source.h"
 
 namespace candela::lab3 {
@@ -19,8 +20,8 @@ constexpr double white_oak_height = -10;
 constexpr float repeats_each_way = 15;
 
 double height_of(const Reader& reader) {
-  const std::string stem = std::filesystem::path(reader.scene.path).stem().string();
-  if (is_same_name(stem, "white_oak")) return white_oak_height;
+  const std::filesystem::path path = text::without_gzip_extension(reader.scene.path);
+  if (is_same_name(path.stem().string(), "white_oak")) return white_oak_height;
   const Bounds3d bounds = description::world_bounds(reader.scene);
   return bounds.is_empty() ? 0 : bounds.lower.y;
 }

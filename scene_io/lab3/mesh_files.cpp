@@ -53,7 +53,7 @@ void place(const LoadedFile& file, const MeshRequest& request, SceneDescription&
 }  // namespace
 
 MeshFormat mesh_format_of(std::string_view path) {
-  if (text::has_gzip_name(path)) path.remove_suffix(3);
+  path = text::without_gzip_extension(path);
   const auto ends_in = [&](std::string_view extension) {
     return path.size() > extension.size() &&
            text::equal_ignoring_case(path.substr(path.size() - extension.size()), extension);

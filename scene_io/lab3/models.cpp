@@ -26,18 +26,23 @@ std::string hint_of_complex_model_key(std::string_view key) {
   return "";
 }
 
+// Comparing with all names would take long for many names.
+std::string advice_on_material(const Reader& reader, std::string_view name) {
+  if (!reader.wants_warnings()) return "";
+  std::vector<std::string_view> names;
+  for (const description::Material& material : reader.scene.materials)
+    names.push_back(material.name);
+  return did_you_mean(name, names);
+}
+
 MaterialHandle material_of(Reader& reader, const Fields& fields) {
   const auto name = fields.word("Material");
   if (!name) return MaterialHandle(std::size_t{0});
   const auto found = reader.materials_by_name.find(*name);
   if (found != reader.materials_by_name.end()) return found->second;
-  std::vector<std::string_view> names;
-  for (const description::Material& material : reader.scene.materials)
-    names.push_back(material.name);
-  if (reader.wants_warnings())
-    reader.warning(fields.find("Material")->value->offset,
-                   fmt::format("unknown material {}: the first of the file is used, as in lab3{}",
-                               text::quoted(*name), did_you_mean(*name, names)));
+  reader.warning(fields.find("Material")->value->offset,
+                 fmt::format("unknown material {}: the first of the file is used, as in lab3{}",
+                             text::quoted(*name), advice_on_material(reader, *name)));
   return MaterialHandle(std::size_t{0});
 }
 

@@ -33,7 +33,7 @@ SourceSpan Reader::span(std::size_t offset) const {
 }
 
 void Reader::add(Severity severity, std::size_t offset, std::string message) {
-  if (severity == Severity::Warning && !wants_warnings()) {
+  if (!text::is_kept(diagnostics, severity)) {
     diagnostics.add({severity, {}, {}, {}});  // only counted
     return;
   }

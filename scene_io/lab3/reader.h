@@ -43,9 +43,10 @@ class Reader {
   [[nodiscard]] SourceSpan span(std::size_t offset) const;
   // Enough is wrong: no need to look further.
   [[nodiscard]] bool is_full() const { return diagnostics.is_full(); }
-  // False: further warnings are only counted, so their sentences need not be made.
+  // False: further ones are only counted, so their sentences need not be made.
+  [[nodiscard]] bool wants_errors() const { return text::is_kept(diagnostics, Severity::Error); }
   [[nodiscard]] bool wants_warnings() const {
-    return diagnostics.warning_count() < Diagnostics::limit;
+    return text::is_kept(diagnostics, Severity::Warning);
   }
 
  private:

@@ -196,12 +196,19 @@ std::optional<Refusal> refuse_early(std::string_view text) {
   return std::nullopt;
 }
 
-std::string with_hint(const std::string& reason) {
-  std::string sentence = "malformed YAML: " + reason;
-  if (reason == YAML::ErrorMsg::TAB_IN_INDENTATION) sentence += "; indent with blanks";
-  if (reason == YAML::ErrorMsg::END_OF_SEQ_FLOW) sentence += ", expected ']' or ','";
-  if (reason == YAML::ErrorMsg::END_OF_MAP_FLOW) sentence += ", expected '}' or ','";
-  return sentence;
+// Whether a tab stands before the first word of the line around `offset`.
+bool has_tab_in_indentation(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  const std::string_view line = before.substr(before.rfind('\n') + 1);  // npos + 1 is 0
+  return line.substr(0, line.find_first_not_of(" \t")).find('\t') != std::string_view::npos;
+}
+
+// yaml-cpp looks at the words behind a tab before it sees that they are badly indented.
+std::string hint_for(const std::string& reason, std::string_view text, std::size_t offset) {
+  if (reason == YAML::ErrorMsg::TAB_IN_INDENTATION) return "; indent with blanks";
+  if (reason == YAML::ErrorMsg::END_OF_SEQ_FLOW) return ", expected ']' or ','";
+  if (reason == YAML::ErrorMsg::END_OF_MAP_FLOW) return ", expected '}' or ','";
+  return has_tab_in_indentation(text, offset) ? " behind a tab; indent with blanks" : "";
 }
 
 void build(std::string_view text, const LineTable& lines, Document& document) {
@@ -231,7 +238,9 @@ std::optional<Document> parse_yaml(const text::Source& source, Diagnostics& diag
     diagnostics.add(text::diagnose(source, second.offset, Severity::Warning,
                                    "a second document begins here: only the first is read"));
   } catch (const YAML::Exception& exception) {
-    return refuse(lines.offset(exception.mark), with_hint(exception.msg));
+    const std::size_t offset = lines.offset(exception.mark);
+    return refuse(offset, fmt::format("malformed YAML: {}{}", exception.msg,
+                                      hint_for(exception.msg, source.text, offset)));
   } catch (const std::exception& exception) {
     return refuse(0, fmt::format("malformed YAML: {}", exception.what()));
   }

@@ -31,7 +31,7 @@ class ChunkParser {
 
   void run() {
     Cursor lines(text_);
-    while (!lines.at_end() && error_count_ < Diagnostics::limit) {
+    while (!lines.at_end() && chunk_.error_count < Diagnostics::most_counted) {
       parse_line(Cursor(lines.next_logical_line()));
     }
   }
@@ -68,8 +68,8 @@ class ChunkParser {
   }
 
   void error(const char* at, std::string message) {
-    ++error_count_;
-    chunk_.findings.push_back({Severity::Error, offset_of(at), std::move(message)});
+    if (++chunk_.error_count <= Diagnostics::limit)
+      chunk_.findings.push_back({Severity::Error, offset_of(at), std::move(message)});
   }
 
   // Up to four numbers; false, after an error, where one is malformed or fewer than `least` are
@@ -163,7 +163,6 @@ class ChunkParser {
   const ChunkTask& task_;
   ElementCounts seen_;  // in the file up to the current line
   Chunk& chunk_;
-  std::size_t error_count_ = 0;
 };
 
 Statement statement_of(std::string_view keyword) {

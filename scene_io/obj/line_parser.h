@@ -44,7 +44,8 @@ struct ChunkTask {
   ObjData* data = nullptr;
 };
 
-// Parses the lines of `text`, which begins at chunk.begin. Stops after Diagnostics::limit errors.
+// Parses the lines of `text`, which begins at chunk.begin. Stops after Diagnostics::most_counted
+// errors.
 void parse_chunk(std::string_view text, const ChunkTask& task, Chunk& chunk);
 
 }  // namespace candela::obj

@@ -51,11 +51,8 @@ void read_library(const Source& source, std::string_view name, const ResolvedPat
                            text::quoted(resolved.path), reason),
                diagnostics);
   }
-  if (resolved.has_other_case) {
-    say(source, name, Severity::Note,
-        fmt::format("{} is spelled {} on disk", text::quoted(name), text::quoted(resolved.path)),
-        diagnostics);
-  }
+  if (resolved.is_substitute())
+    say(source, name, Severity::Note, text::describe_substitute(resolved, name), diagnostics);
   model.files.push_back(resolved.path);
   add_library(parse_mtl(resolved.path, *text, use, diagnostics), model);
 }

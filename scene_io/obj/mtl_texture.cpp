@@ -105,10 +105,8 @@ class TextureParser {
     const text::ResolvedPath& resolved = context_.names.find(name, is_new);
     texture_.path = resolved.path;
     texture_.span = context_.span_at(static_cast<std::size_t>(name.data() - source_.text.data()));
-    if (is_new && resolved.has_other_case) {
-      say(Severity::Note, name.data(),
-          fmt::format("{} is spelled {} on disk", text::quoted(name), text::quoted(resolved.path)));
-    }
+    if (is_new && resolved.is_substitute())
+      say(Severity::Note, name.data(), text::describe_substitute(resolved, name));
   }
 
   const text::Source& source_;

@@ -96,7 +96,8 @@ struct Chunk {
   std::vector<Switch> switches;
   std::vector<MtlReference> libraries;
   std::vector<LeftOut> left_out;  // one a keyword
-  std::vector<Finding> findings;
+  std::vector<Finding> findings;  // the first that are wrong
+  std::size_t error_count = 0;    // all of them
 };
 
 struct ObjData {

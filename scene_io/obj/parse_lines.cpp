@@ -44,13 +44,14 @@ bool is_too_large(const ElementCounts& counts) {
   return std::max({counts.positions, counts.uvs, counts.normals}) > max_table_size;
 }
 
-// Errors first come, first said; warnings of one kind once a file.
+// First come, first said; the rest is counted.
 void report(const text::Source& source, const ObjData& data, Diagnostics& diagnostics) {
   for (const Chunk& chunk : data.chunks) {
-    for (const Finding& finding : chunk.findings) {
-      if (diagnostics.is_full()) return;
-      diagnostics.add(text::diagnose(source, finding.offset, finding.severity, finding.message));
-    }
+    if (diagnostics.is_full()) return;
+    for (const Finding& finding : chunk.findings)
+      text::report(diagnostics, source, finding.offset, finding.severity, finding.message);
+    for (std::size_t i = chunk.findings.size(); i < chunk.error_count; ++i)
+      diagnostics.error({}, {});
   }
 }
 

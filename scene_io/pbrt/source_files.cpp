@@ -25,9 +25,7 @@ std::string resolve_file(const std::string& scene_path, const Place& place, cons
     const text::ResolvedPath beside = text::resolve_path(place.file->path(), name);
     if (beside.is_found) found = beside;
   }
-  if (found.has_other_case)
-    report.warning(place, fmt::format("file {} is taken for {}: letter case differs",
-                                      text::quoted(found.path), text::quoted(name)));
+  if (found.is_substitute()) report.warning(place, text::describe_substitute(found, name));
   return found.path;
 }
 

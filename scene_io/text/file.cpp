@@ -99,6 +99,10 @@ bool has_gzip_name(std::string_view path) {
   return path.size() > 3 && equal_ignoring_case(path.substr(path.size() - 3), ".gz");
 }
 
+std::string_view without_gzip_extension(std::string_view path) {
+  return has_gzip_name(path) ? path.substr(0, path.size() - 3) : path;
+}
+
 Result<std::string> read_file(const std::string& path, const FileLimits& limits) {
   Result<std::string> bytes = read_plain(path, limits.bytes);
   if (!bytes || !has_gzip_name(path)) return bytes;

@@ -30,4 +30,7 @@ struct FileLimits {
 // `path` ends in .gz, in any letter case.
 [[nodiscard]] bool has_gzip_name(std::string_view path);
 
+// `path`, or what stands before its .gz.
+[[nodiscard]] std::string_view without_gzip_extension(std::string_view path);
+
 }  // namespace candela::text

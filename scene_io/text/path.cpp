@@ -6,7 +6,10 @@
 #include <system_error>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "scene_io/text/cursor.h"
+#include "scene_io/text/source.h"
 
 namespace candela::text {
 namespace {
@@ -71,18 +74,21 @@ std::string folder_of(std::string_view path) {
 ResolvedPath resolve_path(const std::string& referrer, std::string_view name) {
   const std::string folder = folder_of(referrer);
   const std::string relative = cleaned(name);
-  if (relative.empty()) return {folder, false, false};
-  const std::string expected = is_absolute(relative) ? relative : folder + relative;
-  if (exists(expected)) return {expected, true, false};
-  const std::string sought =
-      is_absolute(relative) ? relative.substr(relative.rfind('/') + 1) : relative;
-  if (is_absolute(relative) && exists(folder + sought) && !sought.empty()) {
-    return {folder + sought, true, false};
-  }
-  if (const auto found = find_ignoring_case(folder, sought); found && !sought.empty()) {
-    return {*found, true, true};
-  }
-  return {expected, false, false};
+  if (relative.empty()) return {folder};
+  const bool is_elsewhere = is_absolute(relative);
+  const std::string expected = is_elsewhere ? relative : folder + relative;
+  if (exists(expected)) return {expected, true};
+  const std::string sought = is_elsewhere ? relative.substr(relative.rfind('/') + 1) : relative;
+  if (sought.empty()) return {expected};
+  if (is_elsewhere && exists(folder + sought)) return {folder + sought, true, false, true};
+  if (const auto found = find_ignoring_case(folder, sought))
+    return {*found, true, true, is_elsewhere};
+  return {expected};
+}
+
+std::string describe_substitute(const ResolvedPath& found, std::string_view name) {
+  return fmt::format("file {} is taken for {}{}", quoted_path(found.path), quoted(name),
+                     found.is_elsewhere ? ", which does not exist" : ": letter case differs");
 }
 
 }  // namespace candela::text

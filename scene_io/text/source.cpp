@@ -94,7 +94,7 @@ bool is_kept(const Diagnostics& diagnostics, Severity severity) {
     case Severity::Warning:
       return diagnostics.warning_count() < Diagnostics::limit;
     case Severity::Error:
-      return !diagnostics.is_full();
+      return diagnostics.error_count() < Diagnostics::limit;
   }
   return true;
 }

@@ -18,6 +18,14 @@ TEST(Unit_Diagnostic, KeepsAtMostTwentyErrorsAndCountsTheRest) {
   diagnostics.warning({}, "still kept");
   EXPECT_EQ(diagnostics.error_count(), 50u);
   EXPECT_EQ(diagnostics.list().size(), Diagnostics::limit + 1);
+}
+
+TEST(Unit_Diagnostic, ReadersStopWhereErrorsAreCountedNoFurther) {
+  Diagnostics diagnostics;
+  for (std::size_t i = 0; i < Diagnostics::most_counted; ++i) {
+    EXPECT_FALSE(diagnostics.is_full());
+    diagnostics.error({}, "again");
+  }
   EXPECT_TRUE(diagnostics.is_full());
 }
 

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "scene_io/text/file.h"
+
 namespace candela::pbrt {
 namespace {
 
@@ -31,7 +33,7 @@ std::string WriteContext::unique_name(const std::string& kind, const std::string
 
 std::string stem_of(std::string_view path) {
   constexpr std::size_t longest = 64;
-  const std::string_view name = last_part(path);
+  const std::string_view name = text::without_gzip_extension(last_part(path));
   std::string stem(name.substr(0, std::min(extension_begin(name), longest)));
   for (char& c : stem)
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_') c = '_';

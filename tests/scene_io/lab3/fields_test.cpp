@@ -85,6 +85,13 @@ TEST(Errors_Fields, KeysGivenTwice) {
             "2:1: key 'lights' is given twice, first in line 1");
 }
 
+TEST(Errors_Fields, UnknownKeysGivenTwice) {
+  EXPECT_EQ(error_in("Zebra: 1\nLights: []\nze_bra: 2\n"),
+            "3:1: key 'ze_bra' is given twice, first in line 1");
+  EXPECT_EQ(said(Severity::Warning, "Zebra: 1\nZebra: 2\n").size(), 1u);
+  EXPECT_TRUE(said(Severity::Error, "Zebra: 1\nCameras: [{Zebra: 2}]\n").empty());
+}
+
 TEST(Unit_Fields, UnknownKeysAreWarnedOf) {
   EXPECT_EQ(warning_in("Camera: []\n"),
             "1:1: unknown key 'Camera' in a scene, did you mean 'Cameras'?");
@@ -106,7 +113,19 @@ TEST(Errors_Fields, AllOfThemAtOnceButNotEndlessly) {
   std::string text = "Lights:\n";
   for (int i = 0; i < 100; ++i) text += "  - Intensity: [1, -1, x]\n";
   EXPECT_EQ(said(Severity::Error, text).size(), Diagnostics::limit);
+  EXPECT_EQ(test::parse_lab3_text(text).diagnostics.error_count(), 100u);
   EXPECT_EQ(said(Severity::Error, "Lights: 5\nCameras: 5\nMaterials: 5\n").size(), 3u);
+}
+
+TEST(Errors_Fields, ThoseThatAreNotToldAreCounted) {
+  const auto counted = [](int cameras) {
+    std::string text = "Cameras:\n";
+    for (int i = 0; i < cameras; ++i) text += "  - {Fovy: 300, foo: 1}\n";
+    const Diagnostics diagnostics = test::parse_lab3_text(text).diagnostics;
+    return std::pair(diagnostics.error_count(), diagnostics.warning_count());
+  };
+  EXPECT_EQ(counted(50), std::pair(std::size_t{50}, std::size_t{50}));
+  EXPECT_EQ(counted(20000).first, Diagnostics::most_counted) << "reading stops";
 }
 
 TEST(Unit_Fields, ExcerptsShowTheLineWithACaret) {
@@ -117,7 +136,7 @@ TEST(Unit_Fields, ExcerptsShowTheLineWithACaret) {
 
 TEST(Unit_Fields, ManyUnknownKeysAreCountedNotKept) {
   std::string text;
-  for (int i = 0; i < 20000; ++i) text += "Cameraz: 1\n";
+  for (int i = 0; i < 20000; ++i) text += fmt::format("Cameraz{}: 1\n", i);
   const auto result = test::parse_lab3_text(text);
   EXPECT_EQ(result.diagnostics.warning_count(), 20000u);
   EXPECT_LE(result.diagnostics.list().size(), Diagnostics::limit + 3);

@@ -53,6 +53,7 @@ TEST(Unit_Lab3Ground, CarriesThePictureAndNoHighlight) {
 
 TEST(Unit_Lab3Ground, LiesAtTheOaksRoots) {
   EXPECT_EQ(with_ground("white_oak.yaml").meshes.at(1).positions.at(0).y, -10);
+  EXPECT_EQ(with_ground("white_oak.yaml.gz").meshes.at(1).positions.at(0).y, -10);
   EXPECT_EQ(with_ground("any.yaml").meshes.at(1).positions.at(0).y, -2);
 }
 

@@ -51,6 +51,20 @@ TEST(Unit_Lab3Models, WithoutAMaterialTheFirstIsUsed) {
             "'b'?");
 }
 
+TEST(Unit_Lab3Models, UnknownMaterialsThatAreNotToldAreCounted) {
+  std::string text = models("Material: c");
+  for (int i = 1; i < 30; ++i) text += "  - {Mesh: triangle.obj, Material: c}\n";
+  EXPECT_EQ(test::parse_lab3_text(text).diagnostics.warning_count(), 30u);
+}
+
+TEST(Unit_Lab3Models, AbsoluteNamesOfOtherMachinesAreLookedForBesideTheScene) {
+  const std::string text = "Materials: [{Name: a}]\nModels: [{Mesh: /no/such/triangle.obj}]\n";
+  EXPECT_EQ(scene_of(text).meshes.size(), 1u);
+  EXPECT_EQ(warning_in(text), fmt::format("2:17: file '{}triangle.obj' is taken for "
+                                          "'/no/such/triangle.obj', which does not exist",
+                                          test::lab3_folder()));
+}
+
 TEST(Unit_Lab3Models, WithoutMaterialsModelsAreGrey) {
   const std::string_view text = "Models: [{Mesh: triangle.obj}]\n";
   const SceneDescription scene = scene_of(text);

@@ -84,6 +84,9 @@ TEST(Errors_YamlTree, MalformedTexts) {
   EXPECT_EQ(error_in("a: {b: 1\nc]\n"), "2:2: malformed YAML: illegal flow end");
   EXPECT_EQ(error_in("Cameras: 1\n\tLights: 2\n"),
             "2:1: malformed YAML: illegal tab when looking for indentation; indent with blanks");
+  EXPECT_EQ(error_in("Render:\n\tWidth: 3\n"),
+            "2:7: malformed YAML: illegal map value behind a tab; indent with blanks");
+  EXPECT_EQ(error_in("Render:\n  Width: 3: 4\t\n"), "2:11: malformed YAML: illegal map value");
   EXPECT_EQ(error_in("Lights: *sun\n"),
             "1:9: malformed YAML: the referenced anchor is not defined");
   EXPECT_EQ(error_in("[a, b]: 1\n"), "1:1: found a value where the name of a key was expected");

@@ -115,6 +115,25 @@ TEST(Errors_Obj, ABrokenFileGivesTwentyErrorsAndEndsSoon) {
   Diagnostics diagnostics;
   const ObjModel model = parse_obj("a.obj", text, {}, diagnostics);
   EXPECT_EQ(diagnostics.list().size(), Diagnostics::limit);
+  EXPECT_EQ(diagnostics.error_count(), Diagnostics::most_counted);
+}
+
+TEST(Errors_Obj, ThoseThatAreNotToldAreCounted) {
+  std::string text;
+  for (int i = 0; i < 50; ++i) text += "f a b c\n";
+  Diagnostics diagnostics;
+  const ObjModel model = parse_obj("a.obj", text, {}, diagnostics);
+  EXPECT_EQ(diagnostics.list().size(), Diagnostics::limit);
+  EXPECT_EQ(diagnostics.error_count(), 50u);
+}
+
+TEST(Errors_Mtl, ThoseThatAreNotToldAreCounted) {
+  std::string text;
+  for (int i = 0; i < 50; ++i) text += "newmtl a\nKd x\n";
+  Diagnostics diagnostics;
+  const MtlLibrary library = parse_mtl("a.mtl", text, MtlUse::Full, diagnostics);
+  EXPECT_EQ(diagnostics.error_count(), 50u);
+  EXPECT_EQ(diagnostics.warning_count(), 49u) << "defined again";
 }
 
 TEST(Errors_Obj, FilesThatAreNoneGetASentence) {
@@ -190,6 +209,20 @@ TEST(Errors_Mtl, NameThePlaceAndWhatWasExpected) {
     EXPECT_EQ(first_said(diagnostics), c.expected);
     EXPECT_EQ(diagnostics.list().size(), 1u) << c.text;
   }
+}
+
+TEST(Errors_Mtl, ATextureThatIsTakenForAnotherMachinesIsNoted) {
+  const TemporaryFolder folder;
+  folder.put("brick.png", std::string("x"));
+  Diagnostics diagnostics;
+  const MtlLibrary library = parse_mtl(
+      folder.file("a.mtl"), "newmtl a\nmap_Kd C:\\textures\\brick.png\n", MtlUse::Lab, diagnostics);
+  EXPECT_EQ(library.images.at(0).path, folder.file("brick.png"));
+  ASSERT_EQ(diagnostics.list().size(), 1u);
+  EXPECT_EQ(diagnostics.list()[0].severity, Severity::Note);
+  EXPECT_EQ(diagnostics.list()[0].message,
+            fmt::format("file '{}' is taken for 'C:\\textures\\brick.png', which does not exist",
+                        folder.file("brick.png")));
 }
 
 TEST(Errors_Mtl, ASpellingOfOtherLetterCaseIsNoted) {

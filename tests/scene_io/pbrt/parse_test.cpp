@@ -185,6 +185,24 @@ TEST(Errors_PbrtParse, UnknownParametersAreWarnedOf) {
             "2:31: 'radius' is given twice; the last one counts");
 }
 
+TEST(Errors_PbrtParse, ThoseThatAreNotToldAreCounted) {
+  std::string errors, warnings;
+  for (int i = 0; i < 50; ++i) {
+    errors += "Foo\nIdentity\n";
+    warnings += fmt::format("\"float p{}\" 1\n", i);
+  }
+  EXPECT_EQ(parse_pbrt_text("WorldBegin\n" + errors).diagnostics.error_count(), 50u);
+  EXPECT_EQ(parse_pbrt_text("WorldBegin\nShape \"disk\"\n" + warnings).diagnostics.warning_count(),
+            50u);
+}
+
+TEST(Errors_PbrtParse, AbsoluteNamesThatAnotherFileStandsFor) {
+  EXPECT_EQ(pbrt_world_warning("Include \"/no/such/world.pbrt\""),
+            fmt::format("2:9: file '{}world.pbrt' is taken for '/no/such/world.pbrt', which does "
+                        "not exist",
+                        test::pbrt_folder()));
+}
+
 TEST(Errors_PbrtParse, AllErrorsAtOnce) {
   const auto scene =
       parse_pbrt_text("WorldBegin\nShape 5\nTranslate a b c\nIdentity\nFoo\nShape \"disk\" 1");

@@ -50,7 +50,28 @@ TEST(Unit_PbrtShapes, SpheresHaveTheirAreaAndPointOutwards) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const Vec3d p = normalize(mesh.positions[i]);
     ASSERT_NEAR(p.z, -std::cos(pi_double * mesh.uvs[i].y), 1e-6);
-    ASSERT_NEAR(p.x, std::sqrt(1 - p.z * p.z) * std::cos(2 * pi_double * mesh.uvs[i].x), 1e-5);
+    const double u = 2 * pi_double * mesh.uvs[i].x;
+    ASSERT_NEAR(p.x, std::sqrt(1 - p.z * p.z) * std::cos(u), 1e-5);
+    ASSERT_NEAR(p.y, std::sqrt(1 - p.z * p.z) * std::sin(u), 1e-5);
+  }
+}
+
+// u goes around as the sphere's does.
+TEST(Unit_PbrtShapes, DisksAndCylindersAreCoveredOnce) {
+  const Mesh disk = mesh_of("Shape \"disk\" \"float radius\" 2 \"float innerradius\" 1");
+  for (std::size_t i = 0; i < disk.positions.size(); ++i) {
+    const double u = 2 * pi_double * disk.uvs[i].x;
+    const double radius = 2 - disk.uvs[i].y;  // v goes from the rim inwards
+    ASSERT_NEAR(disk.positions[i].x, radius * std::cos(u), 2e-3);
+    ASSERT_NEAR(disk.positions[i].y, radius * std::sin(u), 2e-3);
+  }
+  const Mesh cylinder =
+      mesh_of("Shape \"cylinder\" \"float radius\" 2 \"float zmin\" 1 \"float zmax\" 4");
+  for (std::size_t i = 0; i < cylinder.positions.size(); ++i) {
+    const double u = 2 * pi_double * cylinder.uvs[i].x;
+    ASSERT_NEAR(cylinder.positions[i].x, 2 * std::cos(u), 2e-3);
+    ASSERT_NEAR(cylinder.positions[i].y, 2 * std::sin(u), 2e-3);
+    ASSERT_NEAR(cylinder.positions[i].z, 1 + 3 * cylinder.uvs[i].y, 1e-6);
   }
 }
 

@@ -25,6 +25,13 @@ TEST(Unit_TextFile, ReadsWholeFiles) {
   EXPECT_EQ(*read_file(folder.put("empty", std::string())), "");
 }
 
+TEST(Unit_TextFile, NamesWithoutTheExtensionOfGzip) {
+  EXPECT_EQ(without_gzip_extension("a/b.yaml.gz"), "a/b.yaml");
+  EXPECT_EQ(without_gzip_extension("b.ply.GZ"), "b.ply");
+  EXPECT_EQ(without_gzip_extension("b.gz.ply"), "b.gz.ply");
+  EXPECT_EQ(without_gzip_extension(".gz"), ".gz");
+}
+
 TEST(Unit_TextFile, InflatesGzipOfSeveralMembers) {
   const TemporaryFolder folder;
   const std::string text(100'000, 'x');
@@ -128,6 +135,22 @@ TEST_F(Unit_ResolvePath, LooksForForeignAbsoluteNamesByTheirLastPart) {
   EXPECT_EQ(resolve("C:\\Users\\me\\a b.png").path, folder_.file("a b.png"));
   EXPECT_EQ(resolve("/home/me/A B.png").path, folder_.file("a b.png"));
   EXPECT_FALSE(resolve("D:\\absent.png").is_found);
+}
+
+TEST_F(Unit_ResolvePath, SaysWhatIsTakenForAnother) {
+  const auto described = [&](std::string_view name) {
+    const ResolvedPath found = resolve(name);
+    return found.is_substitute() ? describe_substitute(found, name) : "";
+  };
+  const auto taken = [&](std::string_view file, std::string_view rest) {
+    return fmt::format("file '{}' is taken for {}", folder_.file(std::string(file)), rest);
+  };
+  EXPECT_EQ(described("/no/a b.png"), taken("a b.png", "'/no/a b.png', which does not exist"));
+  EXPECT_EQ(described("/no/A b.png"), taken("a b.png", "'/no/A b.png', which does not exist"));
+  EXPECT_EQ(described("A b.png"), taken("a b.png", "'A b.png': letter case differs"));
+  EXPECT_EQ(described("a b.png"), "");
+  EXPECT_EQ(described(folder_.file("a b.png")), "");
+  EXPECT_EQ(described("/no/such.png"), "");
 }
 
 TEST_F(Unit_ResolvePath, SaysWhereAMissingFileWasExpected) {

@@ -68,6 +68,23 @@ TEST(Unit_WriteView, CamerasOfAllKinds) {
     }
 }
 
+TEST(Unit_WriteView, OneOfSeveralCameras) {
+  SceneDescription scene = room();
+  scene.cameras = {odd_camera(CameraKind::Perspective, false),
+                   odd_camera(CameraKind::Orthographic, true)};
+  scene.cameras[1].eye = {-3, 0.5, 2};
+  scene.cameras[1].medium = test::add_medium(scene, Vec3d(0.1), Vec3d(0.2));
+  for (const std::size_t camera : {0, 1}) {
+    const auto written = write_pbrt(scene, {"files", "picture.exr", camera, {}});
+    ASSERT_TRUE(written);
+    EXPECT_EQ(written->text.find("MediumInterface") != std::string::npos, camera == 1);
+    scene.cameras[1 - camera].eye.z += 1;  // of no interest to it
+    EXPECT_EQ(write_pbrt(scene, {"files", "picture.exr", camera, {}})->text, written->text);
+    scene.cameras[camera].eye.z += 1;
+    EXPECT_NE(write_pbrt(scene, {"files", "picture.exr", camera, {}})->text, written->text);
+  }
+}
+
 TEST(Unit_WriteView, AnglesLensesAndWindows) {
   Camera camera = odd_camera(CameraKind::Perspective, false);
   camera.lens_radius = 0.125;
