@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "integrators/tile_counts.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/meshes.h"
 #include "tests/scenes/render_scene.h"
@@ -161,6 +162,18 @@ TEST(Statistical_Replicates, AreIndependentOfEachOther) {
 }
 
 TEST(Unit_Clamp, DimsWithoutChangingTheHue) {
+  Film film(2, 1, {0, 0, 2, 1}, 0, 1);
+  TileCounts counts;
+  FilmSample sample;
+  sample.radiance = Rgb(4, 2, 1);
+  add_or_count(sample, 0, 0, 0, 2, film, counts);
+  EXPECT_EQ(film.mean(0), Vec3d(2, 1, 0.5));
+  sample.radiance = Rgb(2, 1.5f, 0);
+  add_or_count(sample, 1, 0, 0, 2, film, counts);
+  EXPECT_EQ(film.mean(1), Vec3d(2, 1.5, 0));
+}
+
+TEST(Unit_Clamp, LeavesNothingBrighter) {
   test::RenderSettings settings = test::settings_of(8, 16);
   settings.options.clamp = 0.25f;
   const Image image = noisy(settings).film.to_image(false);

@@ -58,6 +58,10 @@ Renders renders_of(const std::string& name, const description::SceneDescription&
 
 void expect_same_bits(const Renders& disturbed, const Renders& undisturbed) {
   std::size_t different = 0;
+  ASSERT_FALSE(disturbed.images.empty()) << disturbed.name;
+  ASSERT_EQ(disturbed.images.size(), undisturbed.images.size()) << disturbed.name;
+  for (std::size_t i = 0; i < disturbed.images.size(); ++i)
+    ASSERT_EQ(disturbed.images[i].values.size(), undisturbed.images[i].values.size());
   for (std::size_t i = 0; i < disturbed.images.size(); ++i)
     for (std::size_t k = 0; k < disturbed.images[i].values.size(); ++k)
       different += disturbed.images[i].values[k] != undisturbed.images[i].values[k];

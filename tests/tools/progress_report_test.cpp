@@ -49,8 +49,11 @@ TEST(Unit_ProgressReport, ReportsNowAndThenAndStops) {
     ProgressReport report(console, 5ms);
     report.expect(100);
     report.advance(50);
-    while (cli_test::file_text(path).find("50.0 %") == std::string::npos)
-      std::this_thread::sleep_for(1ms);
+    const auto is_told = [&] {
+      return cli_test::file_text(path).find("50.0 %") != std::string::npos;
+    };
+    for (int i = 0; i < 60'000 && !is_told(); ++i) std::this_thread::sleep_for(1ms);
+    EXPECT_TRUE(is_told());
   }
   const std::string text = cli_test::file_text(path);
   std::this_thread::sleep_for(20ms);

@@ -3,12 +3,14 @@
 #include <ImfInputFile.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "renderer/image/compare.h"
+#include "renderer/image/decode.h"
+#include "renderer/image/display_transform.h"
 #include "renderer/image/image_io.h"
 #include "tests/tools/run_program.h"
 
@@ -21,13 +23,18 @@ Image image_at(const std::string& path) {
   return image ? std::move(*image) : Image{};
 }
 
-Image rendered(const std::string& path, const std::vector<std::string>& more) {
-  std::vector<std::string> arguments{"render", small_scene(), "-q",    "-o", path,
-                                     "--size", "20x14",       "--spp", "2"};
+Image rendered_of(const std::string& scene, const std::string& path,
+                  const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{"render", scene,   "-q",    "-o", path,
+                                     "--size", "20x14", "--spp", "2"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   const ProgramResult result = run_candela(arguments);
   EXPECT_EQ(result.exit_code, 0) << result.error;
   return image_at(path);
+}
+
+Image rendered(const std::string& path, const std::vector<std::string>& more) {
+  return rendered_of(small_scene(), path, more);
 }
 
 bool are_same_bits(const Image& a, const Image& b) {
@@ -118,10 +125,50 @@ TEST(Unit_RenderCommand, LayersWithoutAnExrAreWarnedOf) {
   EXPECT_NE(result.error.find("warning: --aov: only an EXR"), std::string::npos) << result.error;
 }
 
+// A white square, which takes the middle of the picture, before a bright sky.
+constexpr const char* square_before_a_sky = R"(
+LookAt 0 0 4  0 0 0  0 1 0
+Camera "perspective" "float fov" 60
+Film "rgb" "integer xresolution" 20 "integer yresolution" 14
+WorldBegin
+LightSource "infinite" "rgb L" [5 5 5]
+Material "diffuse" "rgb reflectance" [.5 .5 .5]
+Shape "bilinearmesh" "point3 P" [-1 -1 0  1 -1 0  -1 1 0  1 1 0]
+)";
+
 TEST(Unit_RenderCommand, TransparencyIsAlpha) {
-  const Image image = rendered(fresh_folder("alpha") + "/a.exr", {"--transparent"});
-  ASSERT_GE(image.channel_index("A"), 0);
-  EXPECT_EQ(image.pixel(10, 7)[image.channel_index("A")], 1);  // the back wall
+  const std::string folder = fresh_folder("alpha");
+  write_text(folder + "/sky.pbrt", square_before_a_sky);
+  const auto picture = [&](const std::vector<std::string>& more) {
+    return rendered_of(folder + "/sky.pbrt", folder + "/a.exr", more);
+  };
+  EXPECT_EQ(picture({}).channel_index("A"), -1);
+  EXPECT_NEAR(picture({}).pixel(0, 0)[0], 5, 1e-5);
+  const Image image = picture({"--transparent"});
+  ASSERT_EQ(image.channels, (std::vector<std::string>{"R", "G", "B", "A"}));
+  for (int c = 0; c < 4; ++c) EXPECT_EQ(image.pixel(0, 0)[c], 0) << c;
+  EXPECT_EQ(image.pixel(10, 7)[3], 1);
+  EXPECT_GT(image.pixel(10, 7)[0], 0);
+  int partial = 0;
+  for (int x = 0; x < image.width; ++x)
+    if (const float alpha = image.pixel(x, 7)[3]; alpha > 0 && alpha < 1) ++partial;
+  EXPECT_GT(partial, 0) << "no edge";
+}
+
+TEST(Unit_RenderCommand, ExposureAndToneMapReachTheBytes) {
+  const std::string folder = fresh_folder("display");
+  const Image linear = rendered(
+      folder + "/a.exr", {"-o", folder + "/a.png", "--exposure", "-1.5", "--tonemap", "aces"});
+  const std::string file = file_text(folder + "/a.png");
+  const Result<DecodedImage> shown = decode_image("a.png", Bytes(file.begin(), file.end()), {});
+  ASSERT_TRUE(shown);
+  ASSERT_EQ(shown->header.sample_type, SampleType::U8);
+  const auto* bytes = reinterpret_cast<const unsigned char*>(shown->samples.get());
+  const std::vector<std::uint8_t> expected = display_bytes(linear, {ToneMap::Aces, -1.5}, true);
+  ASSERT_EQ(shown->header.sample_count(), expected.size());
+  EXPECT_TRUE(std::equal(expected.begin(), expected.end(), bytes));
+  EXPECT_NE(expected, display_bytes(linear, {ToneMap::Srgb, -1.5}, true));
+  EXPECT_NE(expected, display_bytes(linear, {ToneMap::Aces, 0}, true));
 }
 
 TEST(Unit_RenderCommand, QuietIsSilent) {
@@ -155,11 +202,19 @@ TEST(Unit_RenderCommand, OnATerminalThereIsABar) {
   EXPECT_NE(result.error.find("\r\x1b[K100 %"), std::string::npos) << result.error;
 }
 
-TEST(Unit_RenderCommand, BothAcceleratorsRender) {
+// The same paths; that another accelerator met them shows in the last bits.
+TEST(Unit_RenderCommand, AllAcceleratorsRenderTheSamePicture) {
   const std::string folder = fresh_folder("accel");
-  const Image embree = rendered(folder + "/embree.exr", {"--robust", "off"});
+  const Image faces = rendered(folder + "/auto.exr", {});
+  const Image embree = rendered(folder + "/embree.exr", {"--accel", "embree"});
   const Image bvh = rendered(folder + "/bvh.exr", {"--accel", "bvh"});
-  EXPECT_EQ(embree.values.size(), bvh.values.size());
+  for (const Image* other : {&faces, &bvh}) {
+    EXPECT_FALSE(are_same_bits(*other, embree));
+    const Result<ImageComparison> comparison = compare_images(*other, embree);
+    ASSERT_TRUE(comparison);
+    EXPECT_LT(comparison->rel_mse_trimmed, 1e-3);
+    EXPECT_NEAR(comparison->mean_ratio[1], 1, 1e-2);
+  }
 }
 
 TEST(Unit_RenderCommand, TheGeneralKernelGivesTheSameBits) {

@@ -1,4 +1,4 @@
-// --sampling, --heuristic, --fresnel and --geometry on the command line.
+// --sampling, --heuristic and --guiding on the command line.
 #include <algorithm>
 
 #include <nlohmann/json.hpp>

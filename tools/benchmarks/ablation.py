@@ -144,7 +144,6 @@ def wanted(options):
 
 
 def run(options):
-    from convergence import default_scenes
     from renders import Candela
     from results import Results
     out = options.out.resolve()
@@ -153,7 +152,7 @@ def run(options):
     plan = Plan(options.size or (48 if options.quick else 96),
                 options.spp or (16 if options.quick else 128),
                 options.pairs or (3 if options.quick else 8), options.threads)
-    scenes = chosen_scenes.chosen(candela, out, options.scenes, default_scenes(),
+    scenes = chosen_scenes.chosen(candela, out, options.scenes, chosen_scenes.own_names(),
                                   results.note)
     techniques = wanted(options)
     rows = []

@@ -26,6 +26,11 @@ def names():
     return [*present(), *(f"gen/{name}" for name in GENERATED)]
 
 
+def own_names():
+    """Of the shipped and the generated scenes."""
+    return [name for name in names() if not name.startswith(("lab3/", "pbrt/"))]
+
+
 def add_argument(parser, default="all but " + ", ".join(ANALYTIC)):
     parser.add_argument("scenes", nargs="*", metavar="SCENE",
                         help=f"names ({default}); gen/NAME is what tools/scene_gen NAME writes: "

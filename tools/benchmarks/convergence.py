@@ -56,10 +56,6 @@ def add_arguments(parser):
                         help="of the measured pictures (1)")
 
 
-def default_scenes():
-    return [name for name in chosen_scenes.names() if not name.startswith(("lab3/", "pbrt/"))]
-
-
 def run(options):
     from renders import Candela
     from results import Results
@@ -71,7 +67,7 @@ def run(options):
     seeds = range(1, 1 + (options.seeds or (2 if options.quick else 5)))
     counts = [4 ** power for power in range(1, 10) if 4 ** power <= most]
     curves = {name: CURVES[name] for name in options.curve or CURVES}
-    scenes = chosen_scenes.chosen(candela, out, options.scenes, default_scenes())
+    scenes = chosen_scenes.chosen(candela, out, options.scenes, chosen_scenes.own_names())
     rows, ends = [], []
     for name, scene in scenes.items():
         with results.attempt(name):
