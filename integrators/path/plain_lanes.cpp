@@ -57,8 +57,8 @@ CANDELA_LANES void find_front_normals(MetLanes& met) {
 void place_point(MetLanes& met, std::uint32_t i) {
   const Instance& instance = *met.instance[i];
   const Vec3f own = met.is_front[i] != 0 ? met.normal[i] : -met.normal[i];
-  const surface_point_detail::PlanePoint<Vec3f> plane = surface_point_detail::placed_point(
-      instance, own, {met.corner0[i], met.corner1[i], met.corner2[i]}, met.u[i], met.v[i]);
+  const surface_point_detail::PlanePoint<Vec3f> plane =
+      surface_point_detail::placed_point(instance, {met.position[i], own, met.offset[i]});
   const Vec3f outside = plane.normal;
   met.position.set(i, plane.position);
   met.offset[i] = plane.offset;

@@ -80,19 +80,14 @@ template <class V>
   return {p0 * b0 + p1 * u + p2 * v, normal, dot3(absolute(normal), error)};
 }
 
-// The same in the world, of an object's triangle with this unit normal and these corners there.
-// The normal is placed as it is: far from the world's origin corners of a small triangle round
-// together. It points to where the winding calls outside, of a mirrored instance, too.
-[[nodiscard]] inline PlanePoint<Vec3f> placed_point(const Instance& instance, const Vec3f& normal,
-                                                    const Corners& corners, float u, float v) {
-  const float b0 = 1 - u - v;
-  const Vec3f p0 = instance.point(corners.p0);
-  const Vec3f p1 = instance.point(corners.p1);
-  const Vec3f p2 = instance.point(corners.p2);
-  const Vec3f outside = normalize(instance.normal(normal));
-  const Vec3f error = interpolation_error(p0, p1, p2, std::abs(b0), u, v, p1 - p0, p2 - p0);
-  return {p0 * b0 + p1 * u + p2 * v, outside,
-          dot(glm::abs(outside), error) + instance.offset(outside)};
+// The same in the world, of a point in the object's space. Not by placed corners: far from the
+// world's origin those of a small triangle round together. The normal points to where the winding
+// calls outside, of a mirrored instance, too.
+[[nodiscard]] inline PlanePoint<Vec3f> placed_point(const Instance& instance,
+                                                    const PlanePoint<Vec3f>& own) {
+  const Vec3f outside = normalize(instance.normal(own.normal));
+  const float scale = std::abs(dot(outside, instance.vector(own.normal)));  // of planes' distances
+  return {instance.point(own.position), outside, own.offset * scale + instance.offset(outside)};
 }
 
 // `n`: interpolated, of any length; the triangle's own where it is zero.
@@ -165,7 +160,7 @@ inline void set_tangents(const Geometry& geometry, const std::array<std::uint32_
   const PlanePoint<Float4> own =
       plane_point(to_lanes(c.p0), to_lanes(c.p1), to_lanes(c.p2), hit.u, hit.v);
   PlanePoint<Vec3f> plane{to_vec3(own.position), to_vec3(own.normal), own.offset};
-  if (instance != nullptr) plane = placed_point(*instance, plane.normal, c, hit.u, hit.v);
+  if (instance != nullptr) plane = placed_point(*instance, plane);
 
   SurfacePoint point;
   point.position = plane.position;

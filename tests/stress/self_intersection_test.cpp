@@ -79,6 +79,7 @@ std::vector<Convex> convex_surfaces() {
     all.push_back({fmt::format("instanced sphere, 1:{:g}", 1 / size),
                    small_instances(sphere({0, 0, 0}, 1, 3, false), size)});
   }
+  all.push_back({"instanced cube, 1:10000", small_instances(box({-1, -1, -1}, {1, 1, 1}), 1e-4)});
   return all;
 }
 
