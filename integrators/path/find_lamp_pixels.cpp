@@ -78,7 +78,7 @@ PixelMask lamp_edges(const std::vector<LampCoverage>& coverage, int width, int h
 }
 
 std::uint32_t affordable_lamp_rays(std::size_t pixels, const RenderOptions& options) {
-  constexpr double share = 0.03;
+  constexpr double share = 0.12;
   if (pixels == 0) return 0;
   const double affordable =
       share * cost_of_sample * pixel_count(options) / static_cast<double>(pixels);

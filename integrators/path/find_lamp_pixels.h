@@ -54,8 +54,8 @@ struct LampTrial {
 [[nodiscard]] PixelMask lamp_edges(const std::vector<LampCoverage>& coverage, int width,
                                    int height);
 
-// The most rays a sample of so many pixels that take at most a thirtieth or so of the picture's
-// time, by twos; 0: more than one would take longer.
+// The most rays a sample of so many pixels that take at most an eighth or so of the picture's time,
+// by twos; 0: more than one would take longer.
 [[nodiscard]] std::uint32_t affordable_lamp_rays(std::size_t pixels, const RenderOptions& options);
 
 // Of the whole picture, by random numbers of its own: the same for any crop and threads. None in

@@ -239,7 +239,8 @@ def used_word(technique, on, off, info):
     if technique.is_used is None:
         return None
     differs = any(a.relmse != b.relmse for a, b in zip(on, off))
-    return "yes" if technique.is_used(Seen(on[0].stats, info, differs)) else "no"
+    seen = (Seen(run.stats, info, differs) for run in on)  # a seed's trials may say no
+    return "yes" if any(technique.is_used(one) for one in seen) else "no"
 
 
 def compared(on, off, same_picture, rate):
