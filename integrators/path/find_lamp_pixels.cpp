@@ -12,10 +12,10 @@ double pixel_count(const RenderOptions& options) {
 // In rays of a packet, of which a path's ray takes some five times as long.
 constexpr double cost_of_sample = 20;
 
-// How many blocks of rays a trial of so many pixels may have: a hundredth of the picture's time.
+// How many blocks of rays a trial of so many pixels may have: a fiftieth of the picture's time.
 std::uint32_t affordable_blocks(double pixels, const RenderOptions& options) {
   constexpr double most = 4;
-  constexpr double share = 0.01;
+  constexpr double share = 0.02;
   const double affordable = share * cost_of_sample * picture_samples(options);
   return static_cast<std::uint32_t>(std::min(affordable / (pixels * block_size), most));
 }

@@ -101,10 +101,10 @@ TEST(Unit_LampPixels, ATrialTakesAShareOfTheSamplesThatAreSure) {
   };
   EXPECT_EQ(blocks(), 4u);
   options.time_limit_seconds = 1;
-  EXPECT_EQ(blocks(), 1u);
+  EXPECT_EQ(blocks(), 3u);
   options.time_limit_seconds.reset();
   options.target_relmse = 1e-4;
-  EXPECT_EQ(blocks(), 1u);
+  EXPECT_EQ(blocks(), 3u);
   options.samples_per_pixel = 16;
   EXPECT_EQ(blocks(), 0u);
 }
