@@ -122,11 +122,16 @@ TEST(Unit_MixedMaterials, ByAPatternOfNothingAndAllAreThePattern) {
             rendered(textured, settings).film.to_image(false).values);
 }
 
-TEST(Unit_MixedMaterials, SameBitsForAnyThreadsAndTiles) {
+SceneDescription room_with_a_mixed_ball() {
   SceneDescription scene = small_room();
   const MaterialHandle mirror = add_material(scene, description::MirrorMaterial{});
   const MaterialHandle white = add_material(scene, diffuse(Vec3d(0.7)));
   add_mesh(scene, sphere({0.3, -0.2, 0.1}, 0.4, 3), add_mix(scene, mirror, white, 0.4));
+  return scene;
+}
+
+TEST(Unit_MixedMaterials, SameBitsForAnyThreadsAndTiles) {
+  const SceneDescription scene = room_with_a_mixed_ball();
   RenderSettings settings = settings_of(24, 16);
   settings.threads = 1;
   const Image one = rendered(scene, settings).film.to_image(false);
@@ -136,10 +141,7 @@ TEST(Unit_MixedMaterials, SameBitsForAnyThreadsAndTiles) {
 }
 
 TEST(Unit_MixedMaterials, AreTheSameByBothAccelerators) {
-  SceneDescription scene = small_room();
-  const MaterialHandle mirror = add_material(scene, description::MirrorMaterial{});
-  const MaterialHandle white = add_material(scene, diffuse(Vec3d(0.7)));
-  add_mesh(scene, sphere({0.3, -0.2, 0.1}, 0.4, 3), add_mix(scene, mirror, white, 0.4));
+  const SceneDescription scene = room_with_a_mixed_ball();
   RenderSettings settings = settings_of(24, 16);
   settings.accelerator = AcceleratorKind::Embree;
   const Image embree = rendered(scene, settings).film.to_image(false);
