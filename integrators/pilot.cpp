@@ -17,17 +17,23 @@ PixelRect with_whole_squares(const PixelRect& crop, const RenderOptions& options
           std::min(after(crop.y1), options.height)};
 }
 
+// One replicate is told by as many pieces as there are replicates by default.
+std::uint32_t sums_of(const RenderOptions& options) {
+  constexpr std::uint32_t pieces = 4;
+  const std::uint32_t replicates = film_replicates(options);
+  return replicates > 1 ? replicates : pieces;
+}
+
 // Four a replicate are the fewest that tell noise from structure; a quarter of all, where it is
 // known how many those are, leaves enough to deal out.
 std::uint32_t samples_of(const RenderOptions& options) {
   constexpr std::uint32_t share = 4;
   constexpr std::uint32_t most_blocks = 4;
-  const std::uint32_t replicates = film_replicates(options);
-  const std::uint32_t fewest =
-      std::max((whole_block + replicates - 1) / replicates, 4u) * replicates;
+  const std::uint32_t sums = sums_of(options);
+  const std::uint32_t fewest = std::max((whole_block + sums - 1) / sums, 4u) * sums;
   const std::uint32_t blocks =
       static_cast<std::uint32_t>(options.samples_per_pixel) / (share * fewest);
-  if (!options.adaptive || replicates < 2 || blocks == 0) return 0;
+  if (!options.adaptive || blocks == 0) return 0;
   return may_end_early(options) ? fewest : std::min(blocks, most_blocks) * fewest;
 }
 
@@ -38,7 +44,7 @@ Pilot pilot_of(const RenderOptions& options) {
                              ? with_whole_squares(rendered_rect(options), options)
                              : PixelRect{0, 0, options.width, options.height};
   const bool is_picture = rect.width() > 1 && rect.height() > 1;
-  return {rect, is_picture ? samples_of(options) : 0};
+  return {rect, is_picture ? samples_of(options) : 0, sums_of(options)};
 }
 
 }  // namespace candela

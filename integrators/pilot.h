@@ -11,6 +11,13 @@ struct Pilot {
   // time may end the render, and a crop has counts of its own, no more than the crop needs.
   PixelRect rect;
   std::uint32_t samples = 0;  // a pixel; 0: there is none
+  // By which its noise is told: replicates, or pieces of a pixel's one sequence.
+  std::uint32_t sums = 0;
+
+  // Whether a film of such pixels and replicates can hold it.
+  [[nodiscard]] bool fits(const PixelRect& crop, std::uint32_t replicates) const {
+    return rect == crop && sums == replicates;
+  }
 };
 
 [[nodiscard]] Pilot pilot_of(const RenderOptions& options);

@@ -71,11 +71,12 @@ class Loop {
     return {guide_.training_samples, guide_.field->cells(), guide_.field->guided_cells()};
   }
 
-  // Into the film itself where that has all pixels of the pilot.
+  // Into the film itself where that has all pixels and sums of the pilot.
   std::optional<StopReason> render_pilot() {
-    if (pilot_.rect == film_.crop()) return render_pilot(film_);
-    Film pilot(options_.width, options_.height, pilot_.rect, film_.aovs(), film_.replicates(),
+    if (pilot_.fits(film_.crop(), film_.replicates())) return render_pilot(film_);
+    Film pilot(options_.width, options_.height, pilot_.rect, film_.aovs(), pilot_.sums,
                film_balance(options_));
+    if (film_.replicates() == 1) pilot.sum_pieces_of(pilot_.samples / pilot_.sums);
     const auto stop = render_pilot(pilot);
     film_.take_part_of(pilot);
     return stop;
@@ -111,7 +112,7 @@ class Loop {
                                          const std::optional<ErrorEstimate>& error) {
     return render_passes(end, error, [&](const SampleRange& range) {
       TilePass pass = pass_of(range);
-      if (density_) pass.density = &*density_;
+      if (density_) pass.deal_out_by(*density_);
       render_pass(tiles_, pass, film_);
     });
   }

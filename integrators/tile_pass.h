@@ -1,6 +1,7 @@
 // What a pass takes of the pixels of a tile.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "integrators/path_plan.h"
@@ -18,14 +19,20 @@ struct TilePass {
   SampleRange range;                       // of each pixel; with a density: of the mean over all
   const SampleDensity* density = nullptr;  // null: all pixels get the same
   std::uint64_t seed = 0;
-  PathPlan plan{};                      // of the path kernel
-  const GuidingField* guide = nullptr;  // null: paths are not guided
-  PathObserver* observer = nullptr;     // who is told what paths do; null: nobody
+  PathPlan plan{};                                // of the path kernel
+  const GuidingField* guide = nullptr;            // null: paths are not guided
+  PathObserver* observer = nullptr;               // who is told what paths do; null: nobody
+  std::array<SampleDensity::Scales, 2> scales{};  // the density's, where the range begins and ends
+
+  void deal_out_by(const SampleDensity& by) {
+    density = &by;
+    scales = {by.scales(range.first), by.scales(range.end)};
+  }
 
   // Half-open range of the pixel's own sample indices. Those of consecutive passes join.
   [[nodiscard]] SampleRange of_pixel(int x, int y) const {
     if (density == nullptr) return range;
-    return {density->samples(x, y, range.first), density->samples(x, y, range.end)};
+    return {density->samples(x, y, scales[0]), density->samples(x, y, scales[1])};
   }
 };
 

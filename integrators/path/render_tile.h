@@ -81,7 +81,7 @@ inline void finish(BlockTrip<A>& trip, const PixelRect& tile, Film& film, TileCo
 // How many independent sequences the samples of a pixel are dealt to: one a replicate, or one each.
 [[nodiscard]] inline std::uint32_t sequences_of(const RenderOptions& options, const Film& film) {
   return options.sampler == SamplerKind::Independent ? std::numeric_limits<std::uint32_t>::max()
-                                                     : film.replicates();
+                                                     : film.sequences();
 }
 
 [[nodiscard]] inline PairOrder pair_order_of(const RenderOptions& options) {

@@ -31,11 +31,17 @@ std::size_t Film::index(int x, int y) const {
          static_cast<std::size_t>(x - crop_.x0);
 }
 
+std::uint32_t Film::next_sum(const Pixel& pixel) const {
+  const std::uint32_t turn =
+      samples_a_piece_ > 0 ? pixel.samples / samples_a_piece_ : pixel.samples;
+  return turn % replicates_;
+}
+
 void Film::add(int x, int y, const FilmSample& sample) {
   const std::size_t i = index(x, y);
   Pixel& pixel = pixels_[i];
   const Vec3d radiance(sample.radiance);
-  sums_[i * replicates_ + pixel.samples % replicates_] +=
+  sums_[i * replicates_ + next_sum(pixel)] +=
       (balance_ ? *balance_ * radiance : radiance) * double{sample.weight};
   pixel.alpha += static_cast<double>(sample.alpha);
   ++pixel.samples;
@@ -55,8 +61,9 @@ void Film::add_invalid(int x, int y) {
 
 void Film::take_pixel(std::size_t i, const Film& other, std::size_t from) {
   pixels_[i] = other.pixels_[from];
-  for (std::uint32_t r = 0; r < replicates_; ++r)
-    sums_[i * replicates_ + r] = other.sums_[from * replicates_ + r];
+  for (std::uint32_t r = 0; r < replicates_; ++r) sums_[i * replicates_ + r] = Vec3d(0.0);
+  for (std::uint32_t r = 0; r < other.replicates_; ++r)
+    sums_[i * replicates_ + r % replicates_] += other.sums_[from * other.replicates_ + r];
   if (!aov_pixels_.empty() && !other.aov_pixels_.empty()) aov_pixels_[i] = other.aov_pixels_[from];
 }
 

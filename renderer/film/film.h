@@ -1,5 +1,5 @@
-// Where samples are summed: in double, a pixel's replicates apart, each in the order of the sample
-// index.
+// Where samples are summed: in double, a pixel's replicates (or pieces of its one sequence) apart,
+// each in the order of the sample index.
 #pragma once
 
 #include <cstdint>
@@ -64,6 +64,13 @@ class Film {
   Film(int full_width, int full_height, PixelRect crop, AovSet aovs, std::uint32_t replicates = 1,
        const std::optional<Mat3d>& balance = {});
 
+  // Of a film without samples: its samples are of one sequence, and in place of replicates pieces
+  // of `samples` consecutive ones are summed apart, in turn. They are not independent, so that they
+  // tell where there is more noise, but not how much there is.
+  void sum_pieces_of(std::uint32_t samples) { samples_a_piece_ = samples; }
+  // Sequences of random numbers that the samples of a pixel are of.
+  [[nodiscard]] std::uint32_t sequences() const { return samples_a_piece_ > 0 ? 1 : replicates_; }
+
   // Adds the next sample of a pixel; calls for one pixel come in order of the sample index and from
   // one thread at a time. Coordinates of the full picture. Non-finite or negative radiance must not
   // come here: the caller counts it.
@@ -75,7 +82,7 @@ class Film {
 
   // All pixels become as those of a film that has them, too (take_pixel()).
   void take_part_of(const Film& other);
-  // Pixel i becomes as pixel `from` of a film with as many replicates; without its layers where
+  // Pixel i becomes as pixel `from` of a film with as many sequences; without its layers where
   // either has none.
   void take_pixel(std::size_t i, const Film& other, std::size_t from);
 
@@ -93,6 +100,7 @@ class Film {
   [[nodiscard]] std::size_t index(int x, int y) const;
   [[nodiscard]] std::uint32_t samples(std::size_t i) const { return pixels_[i].samples; }
   [[nodiscard]] std::uint32_t cost(std::size_t i) const { return pixels_[i].cost; }
+  // Of pieces: where all are whole.
   [[nodiscard]] std::uint32_t samples_of_replicate(std::size_t i, std::uint32_t replicate) const {
     return (pixels_[i].samples + replicates_ - 1 - replicate) / replicates_;
   }
@@ -127,11 +135,15 @@ class Film {
     std::uint32_t material = 0;  // + 1; 0: none
   };
 
+  // Which of the pixel's sums its next sample belongs to.
+  [[nodiscard]] std::uint32_t next_sum(const Pixel& pixel) const;
+
   int full_width_ = 0;
   int full_height_ = 0;
   PixelRect crop_;
   AovSet aovs_ = 0;
   std::uint32_t replicates_ = 1;
+  std::uint32_t samples_a_piece_ = 0;  // 0: there are replicates
   std::vector<Pixel> pixels_;
   std::vector<Vec3d> sums_;  // of radiance: `replicates_` a pixel
   std::vector<AovPixel> aov_pixels_;

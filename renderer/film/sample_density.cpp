@@ -9,7 +9,7 @@
 #include "renderer/film/heavy_tails.h"
 #include "renderer/film/variance.h"
 #include "renderer/image/relmse.h"
-#include "renderer/sampling/sampler_block.h"
+#include "renderer/sampling/even_counts.h"
 
 namespace candela {
 namespace {
@@ -151,52 +151,81 @@ std::vector<double> density_of(std::size_t colour, const Film& pilot) {
   return values;
 }
 
+// In [-1/2, 1/2), about as often each in every part of a picture: multiples of the two roots of the
+// plastic number, whose points fill the square evenly.
+double evenly_spread(int x, int y) {
+  const double turns = 0.7548776662466927 * x + 0.5698402909980532 * y;
+  return turns - std::floor(turns) - 0.5;
+}
+
 }  // namespace
 
 SampleDensity::SampleDensity(const Film& pilot)
     : rect_(pilot.crop()),
-      replicates_(pilot.replicates()),
+      sequences_(pilot.sequences()),
       pilot_samples_(pilot.samples(0)),
       values_(pilot.pixel_count()) {
-  for (std::size_t c = 0; c < colours_.size(); ++c) {
-    Colour& colour = colours_[c];
-    colour.values = density_of(c, pilot);
+  for (std::size_t colour = 0; colour < wishes_.size(); ++colour) {
+    const std::vector<double> values = density_of(colour, pilot);
     std::size_t next = 0;
-    for_each_pixel(pilot, c,
-                   [&](std::size_t i) { values_[i] = static_cast<float>(colour.values[next++]); });
-    std::sort(colour.values.begin(), colour.values.end());
-    colour.sums = colour.values;
-    for (std::size_t i = colour.sums.size() - 1; i-- > 0;) colour.sums[i] += colour.sums[i + 1];
+    for_each_pixel(pilot, colour,
+                   [&](std::size_t i) { values_[i] = static_cast<float>(values[next++]); });
+  }
+  for (int y = rect_.y0; y < rect_.y1; ++y)
+    for (int x = rect_.x0; x < rect_.x1; ++x) wishes_[colour_of(x, y)].push_back(wish_at(x, y));
+  for (Wishes& wishes : wishes_) std::sort(wishes.begin(), wishes.end());
+}
+
+// The value, and up to 5 % more or less: where many are alike not all of them turn to the next
+// level at the same mean.
+double SampleDensity::wish_at(int x, int y) const {
+  constexpr double octaves = 0.125;
+  return static_cast<double>(at(x, y)) *
+         std::exp2(octaves * evenly_spread(x - rect_.x0, y - rect_.y0));
+}
+
+std::uint32_t SampleDensity::samples(int x, int y, const Scales& scales) const {
+  const double wanted = scales[colour_of(x, y)] * wish_at(x, y);
+  if (wanted <= pilot_samples_) return pilot_samples_;
+  const double of_sequence = even_count(nearest_level(wanted / sequences_));
+  return std::max(pilot_samples_, sequences_ * static_cast<std::uint32_t>(of_sequence));
+}
+
+double SampleDensity::sum_of_samples(const Wishes& wishes, double scale) const {
+  double last = pilot_samples_;
+  double sum = last * static_cast<double>(wishes.size());
+  for (int level = nearest_level(last / sequences_);; ++level) {
+    const double samples = sequences_ * even_count(level);
+    if (samples <= last) continue;
+    const double first_wish = sequences_ * lower_end_of_level(level) / scale;
+    const auto first = std::lower_bound(wishes.begin(), wishes.end(), first_wish);
+    if (first == wishes.end()) return sum;
+    sum += (samples - last) * static_cast<double>(wishes.end() - first);
+    last = samples;
   }
 }
 
-// The first `i` pixels get the least, the others a scale times their values: the smallest i at
-// which that is not too little for the first of the others.
-double SampleDensity::Colour::scale(double pilot_samples, double mean) const {
-  const double all = mean * static_cast<double>(values.size());
-  const auto scale_from = [&](std::size_t i) {
-    return (all - pilot_samples * static_cast<double>(i)) / sums[i];
-  };
-  std::size_t low = 0;
-  std::size_t high = values.size() - 1;
+// The nearest of scales that are 1/64 octave apart.
+double SampleDensity::scale_of(const Wishes& wishes, std::uint32_t mean) const {
+  if (mean <= pilot_samples_) return 0;
+  const auto scale_at = [](int step) { return std::exp2(step / 64.0); };
+  const double wanted = static_cast<double>(mean) * static_cast<double>(wishes.size());
+  int low = 0;
+  int high = 64 * 40;  // beyond all numbers of samples, be the least of wishes a tenth
   while (low < high) {
-    const std::size_t middle = (low + high) / 2;
-    if (scale_from(middle) * values[middle] >= pilot_samples)
+    const int middle = (low + high) / 2;
+    if (sum_of_samples(wishes, scale_at(middle)) >= wanted)
       high = middle;
     else
       low = middle + 1;
   }
-  return scale_from(low);
+  const bool is_one_less_nearer = wanted - sum_of_samples(wishes, scale_at(low - 1)) <
+                                  sum_of_samples(wishes, scale_at(low)) - wanted;
+  return scale_at(is_one_less_nearer ? low - 1 : low);
 }
 
-std::uint32_t SampleDensity::samples(int x, int y, std::uint32_t mean) const {
-  const double wanted =
-      static_cast<double>(at(x, y)) * colours_[colour_of(x, y)].scale(pilot_samples_, mean) -
-      pilot_samples_;
-  if (mean <= pilot_samples_ || wanted <= 0) return pilot_samples_;
-  const std::uint32_t whole = std::lcm(replicates_, block_size);  // traced together
-  const std::uint32_t step = wanted < 0.75 * whole ? replicates_ : whole;
-  return pilot_samples_ + static_cast<std::uint32_t>(wanted / step + 0.5) * step;
+SampleDensity::Scales SampleDensity::scales(std::uint32_t mean) const {
+  return {scale_of(wishes_[0], mean), scale_of(wishes_[1], mean)};
 }
 
 }  // namespace candela

@@ -20,40 +20,42 @@ namespace candela {
 class SampleDensity {
  public:
   SampleDensity() = default;  // of no picture: not to be asked
-  // From a pilot of at least two pixels a side, with at least two replicates and the same number of
-  // samples in every pixel. `mean` and all that is relative to one is of the pilot's pixels, and no
-  // others may be asked for.
+  // From a pilot of at least two pixels a side, with at least two replicates (or pieces) and the
+  // same number of samples in every pixel. `mean` and all that is relative to one is of the pilot's
+  // pixels, and no others may be asked for.
   explicit SampleDensity(const Film& pilot);
 
   // What making one takes for each pixel, at least, beside the pilot.
   static constexpr std::size_t bytes_a_pixel =
-      sizeof(float) + 2 * sizeof(double) + 2 * sizeof(double);  // values, colours, what each says
+      sizeof(float) + sizeof(double) + 2 * sizeof(double);  // values, colours, what each says
 
   // Relative to the mean over the pixels, which is 1 but for what the colours differ by.
   [[nodiscard]] float at(int x, int y) const { return values_[index(x, y)]; }
 
-  // How many samples, the pilot's first, a pixel gets where the mean over all is `mean`, at
-  // least the pilot's: a multiple of the replicates that never falls as `mean` rises.
-  [[nodiscard]] std::uint32_t samples(int x, int y, std::uint32_t mean) const;
+  // What the values of each colour are multiplied by for a mean of samples, at least the pilot's.
+  using Scales = std::array<double, 2>;
+  [[nodiscard]] Scales scales(std::uint32_t mean) const;
+
+  // How many samples, the pilot's first, a pixel gets: the pilot's, or of each of its sequences as
+  // many as are evenly spread (sampling/even_counts.h). It never falls as the mean rises.
+  [[nodiscard]] std::uint32_t samples(int x, int y, const Scales& scales) const;
 
  private:
-  // The values of a colour's pixels, rising, and sums of each and all above it.
-  struct Colour {
-    std::vector<double> values;
-    std::vector<double> sums;
-    // What to multiply values by so that with the pilot's samples as the least the mean is `mean`.
-    [[nodiscard]] double scale(double pilot_samples, double mean) const;
-  };
+  // The wishes (wish_at) of a colour's pixels, rising.
+  using Wishes = std::vector<double>;
+  [[nodiscard]] double wish_at(int x, int y) const;
+  [[nodiscard]] double scale_of(const Wishes& wishes, std::uint32_t mean) const;
+  [[nodiscard]] double sum_of_samples(const Wishes& wishes, double scale) const;
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y - rect_.y0) * static_cast<std::size_t>(rect_.width()) +
            static_cast<std::size_t>(x - rect_.x0);
   }
 
   PixelRect rect_;
-  std::uint32_t replicates_ = 1;
+  std::uint32_t sequences_ = 1;
   std::uint32_t pilot_samples_ = 0;
   std::vector<float> values_;
-  std::array<Colour, 2> colours_;
+  std::array<Wishes, 2> wishes_;
 };
 
 }  // namespace candela

@@ -56,6 +56,24 @@ TEST(Unit_Film, ACropKeepsAllThatIsKnown) {
   EXPECT_EQ(part.samples(part.index(1, 1)), 0u);
 }
 
+TEST(Unit_Film, PiecesOfASequenceAreTakenTogether) {
+  Film film(2, 1, {0, 0, 2, 1}, 0, 2);
+  EXPECT_EQ(film.sequences(), 2u);
+  film.sum_pieces_of(3);
+  EXPECT_EQ(film.sequences(), 1u);
+  for (const float radiance : {1.0f, 2.0f, 4.0f, 8.0f, 16.0f, 32.0f})
+    film.add(1, 0, sample_of(Rgb(radiance)));
+  EXPECT_EQ(film.replicate_sum(1, 0).x, 7);
+  EXPECT_EQ(film.replicate_sum(1, 1).x, 56);
+  Film whole(2, 1, film.crop(), 0, 1);
+  whole.add(1, 0, sample_of(Rgb(100)));
+  whole.take_part_of(film);
+  EXPECT_EQ(whole.samples(1), 6u);
+  EXPECT_EQ(whole.replicate_sum(1, 0).x, 63);
+  whole.add(1, 0, sample_of(Rgb(1)));
+  EXPECT_EQ(whole.replicate_sum(1, 0).x, 64);
+}
+
 TEST(Unit_Film, LayersAverageOverSamplesThatHit) {
   Film film(1, 1, {0, 0, 1, 1},
             aov_bit(Aov::Depth) | aov_bit(Aov::MaterialId) | aov_bit(Aov::Normal));

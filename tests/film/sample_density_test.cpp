@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/sampling/even_counts.h"
 #include "tests/film/synthetic_film.h"
 
 namespace candela {
@@ -43,10 +44,39 @@ TEST(Unit_SampleDensity, FollowsTheCostOfHalves) {
   EXPECT_NEAR(column_mean(density, 54), 0.1 + 0.9 * 4.0 / 3, 0.08);
 }
 
+std::uint32_t samples_of(const SampleDensity& density, int x, int y, std::uint32_t mean) {
+  return density.samples(x, y, density.scales(mean));
+}
+
+double mean_of_samples(const SampleDensity& density, std::uint32_t mean) {
+  const SampleDensity::Scales scales = density.scales(mean);
+  double sum = 0;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) sum += density.samples(x, y, scales);
+  return sum / (size * size);
+}
+
 TEST(Unit_SampleDensity, WithoutNoiseAllGetTheSame) {
   const SampleDensity density(pilot_of([](int) { return 0.0; }, [](int) { return 1u; }));
-  EXPECT_EQ(density.at(0, 0), 1);
-  EXPECT_EQ(density.samples(63, 63, 112), 112u);
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      EXPECT_EQ(density.at(x, y), 1);
+      EXPECT_EQ(samples_of(density, x, y, 128), 128u);
+    }
+}
+
+// Where that many are not well spread: more or less, evenly over the picture.
+TEST(Unit_SampleDensity, WithoutNoiseTheMeanIsKept) {
+  const SampleDensity density(pilot_of([](int) { return 0.0; }, [](int) { return 1u; }));
+  for (const std::uint32_t mean : {20u, 100u, 112u, 124u})
+    EXPECT_NEAR(mean_of_samples(density, mean), mean, 0.02 * mean);
+  const SampleDensity::Scales scales = density.scales(112);
+  for (int y = 0; y < size; y += 8)
+    for (int x = 0; x < size; x += 8) {
+      double sum = 0;
+      for (int i = 0; i < 64; ++i) sum += density.samples(x + i % 8, y + i / 8, scales);
+      EXPECT_NEAR(sum / 64, 112, 5);
+    }
 }
 
 TEST(Unit_SampleDensity, OneFireflyDoesNotTakeAll) {
@@ -95,17 +125,18 @@ TEST(Unit_SampleDensity, WhereFlashesAreAllTheLightAllGetNearlyTheSame) {
   EXPECT_LT(loss(SampleDensity(flashing_pilot(0.002, 0))), 1.02);
 }
 
-// Counts join from pass to pass: the pilot's, or a multiple of the replicates, and never fewer.
+// Counts join from pass to pass: of each replicate evenly spread points, and never fewer.
 TEST(Unit_SampleDensity, CountsRiseWithTheMeanAndFillTheReplicates) {
   const SampleDensity density(
       pilot_of([](int x) { return 0.01 + 0.02 * x; }, [](int) { return 1u; }));
   for (int x = 0; x < size; ++x) {
     std::uint32_t last = 16;
-    EXPECT_EQ(density.samples(x, 7, 16), last);
+    EXPECT_EQ(samples_of(density, x, 7, 16), last);
     for (std::uint32_t mean = 17; mean < 400; ++mean) {
-      const std::uint32_t count = density.samples(x, 7, mean);
+      const std::uint32_t count = samples_of(density, x, 7, mean);
       ASSERT_GE(count, last);
       ASSERT_EQ(count % 4, 0u);
+      ASSERT_EQ(count / 4, even_count(nearest_level(count / 4)));
       last = count;
     }
   }
@@ -114,12 +145,8 @@ TEST(Unit_SampleDensity, CountsRiseWithTheMeanAndFillTheReplicates) {
 TEST(Unit_SampleDensity, HandsOutWhatThereIs) {
   const SampleDensity density(
       pilot_of([](int x) { return 0.01 + 0.02 * x; }, [](int) { return 1u; }));
-  for (const std::uint32_t mean : {48u, 112u, 1000u}) {
-    double sum = 0;
-    for (int y = 0; y < size; ++y)
-      for (int x = 0; x < size; ++x) sum += density.samples(x, y, mean);
-    EXPECT_NEAR(sum / (size * size), mean, 0.03 * mean) << mean;
-  }
+  for (const std::uint32_t mean : {48u, 112u, 1000u, 1u << 28})
+    EXPECT_NEAR(mean_of_samples(density, mean), mean, 0.02 * mean);
 }
 
 // What pixels keep of the pilot though they need less is taken from the others.
@@ -127,11 +154,8 @@ TEST(Unit_SampleDensity, HandsOutNoMoreWhereThePilotIsMuch) {
   const SampleDensity density(
       pilot_of([](int x) { return x < size / 2 ? 0.05 : 1.0; }, [](int) { return 1u; }));
   for (const std::uint32_t mean : {24u, 40u}) {
-    double sum = 0;
-    for (int y = 0; y < size; ++y)
-      for (int x = 0; x < size; ++x) sum += density.samples(x, y, mean);
-    EXPECT_EQ(density.samples(5, 5, mean), 16u);
-    EXPECT_NEAR(sum / (size * size), mean, 0.05 * mean) << mean;
+    EXPECT_EQ(samples_of(density, 5, 5, mean), 16u);
+    EXPECT_NEAR(mean_of_samples(density, mean), mean, 0.02 * mean);
   }
 }
 
@@ -155,7 +179,7 @@ TEST(Unit_SampleDensity, OfACropIsThatOfSuchAPicture) {
       for (int y = 0; y < 17; ++y)
         for (int x = 0; x < width; ++x) {
           ASSERT_EQ(other.at(x0 + x, y0 + y), density.at(x, y));
-          ASSERT_EQ(other.samples(x0 + x, y0 + y, 100), density.samples(x, y, 100));
+          ASSERT_EQ(samples_of(other, x0 + x, y0 + y, 100), samples_of(density, x, y, 100));
         }
     }
   }
@@ -178,12 +202,14 @@ TEST(Unit_SampleDensity, NoPixelHasASayInItsOwnCount) {
     };
     const SampleDensity quiet(pilot_with(0, width - 1, 30));
     const SampleDensity loud(pilot_with(50, width - 1, 30));
+    const SampleDensity::Scales quiet_scales = quiet.scales(100);
+    const SampleDensity::Scales loud_scales = loud.scales(100);
     std::size_t others = 0;
     for (int y = 0; y < size; ++y)
       for (int x = 0; x < width; ++x) {
         const bool has_its_colour = (x + y) % 2 == (width - 1 + 30) % 2;
-        const bool is_same =
-            quiet.at(x, y) == loud.at(x, y) && quiet.samples(x, y, 100) == loud.samples(x, y, 100);
+        const bool is_same = quiet.at(x, y) == loud.at(x, y) &&
+                             quiet.samples(x, y, quiet_scales) == loud.samples(x, y, loud_scales);
         if (has_its_colour) {
           ASSERT_TRUE(is_same) << width << ": " << x << ' ' << y;
         } else if (!is_same) {

@@ -28,7 +28,20 @@ TEST(Unit_Pilot, HasAQuarterOfTheSamplesUpToSixtyFour) {
   RenderOptions options = options_with(10000);
   options.time_limit_seconds = 1;
   EXPECT_EQ(pilot_of(options).samples, 16u);
+}
+
+// Where a pixel has one sequence, pieces of it tell the pilot's noise: they need a film of its own.
+TEST(Unit_Pilot, OfOneReplicateHasPieces) {
+  RenderOptions options = options_with(192);
+  const PixelRect whole = pilot_of(options).rect;
+  EXPECT_TRUE(pilot_of(options).fits(whole, 4));
+  EXPECT_FALSE(pilot_of(options).fits({0, 0, 8, 8}, 4));
   options.replicates = 1;
+  const Pilot pilot = pilot_of(options);
+  EXPECT_EQ(pilot.samples, 48u);
+  EXPECT_EQ(pilot.sums, 4u);
+  EXPECT_FALSE(pilot.fits(whole, 1));
+  options.samples_per_pixel = 63;
   EXPECT_EQ(pilot_of(options).samples, 0u);
 }
 

@@ -172,7 +172,7 @@ RenderSettings random_settings(std::uint64_t seed) {
   RenderSettings settings = settings_of(12 + draw.below(12), draw.one_of({3, 16, 37, 64}), seed);
   RenderOptions& options = settings.options;
   options.replicates = draw.one_of({1, 2, 4, 5});
-  options.adaptive = options.replicates > 1 && draw.one_in(2);
+  options.adaptive = draw.one_in(2);
   options.plan.splitting = draw.one_of({1u, 1u, 3u});
   options.plan.roulette_threshold = draw.one_of({0.1f, 0.5f, 1.0f});
   options.plan.first_roulette_bounce = draw.one_of({0u, 2u});

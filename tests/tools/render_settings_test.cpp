@@ -115,6 +115,11 @@ TEST(Unit_RenderSettings, TheCommandLineOverridesTheScene) {
 TEST(Unit_RenderSettings, WaysOfSamplingAreAsAsked) {
   const RenderOptions silent = settings({}, {}).options;
   EXPECT_TRUE(silent.adaptive);
+  RenderArguments of_one_replicate;
+  of_one_replicate.replicates = 1;
+  EXPECT_FALSE(settings(of_one_replicate, {}).options.adaptive);
+  of_one_replicate.adaptive = true;
+  EXPECT_TRUE(settings(of_one_replicate, {}).options.adaptive);
   EXPECT_EQ(silent.lamp_rays, 8);
   EXPECT_EQ(silent.sampler, SamplerKind::Sobol);
   EXPECT_EQ(silent.light_sampling, LightSampling::Area);

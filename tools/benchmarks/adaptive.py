@@ -27,18 +27,21 @@ def add_arguments(parser):
     parser.add_argument("--size", type=at_least(1), default=96, help="pixels a side (96)")
     parser.add_argument("--spp", type=numbers(1), default=(128, 512), metavar="LIST",
                         help="counts, by comma (128,512)")
+    parser.add_argument("--replicates", type=at_least(1), default=4, metavar="N",
+                        help="of all pictures; one states no error (4)")
 
 
-def measure(candela, path, right, size, spp, seeds):
+def measure(candela, path, right, spp, options):
     """Runs with adaptive sampling off, on, and off with twice the samples, by seed."""
     ways = {"off": (spp, "off"), "on": (spp, "on"), "twice": (2 * spp, "off")}
 
     def run_of(way, seed):
         samples, switch = ways[way]
-        return truth.measured(candela, path, right, integrator="path", size=square(size),
-                              spp=samples, seed=seed, threads=1, adaptive=switch)
+        return truth.measured(candela, path, right, integrator="path", size=square(options.size),
+                              spp=samples, seed=seed, threads=1, adaptive=switch,
+                              replicates=options.replicates)
 
-    return in_turn(ways, range(1, seeds + 1), run_of)
+    return in_turn(ways, range(1, options.seeds + 1), run_of)
 
 
 def compared(off, on, twice):
@@ -53,11 +56,17 @@ def compared(off, on, twice):
             "high": efficiency * factor}
 
 
+def stated_over_true(runs):
+    """None where no error is stated."""
+    if any(run.stats["error"] is None for run in runs):
+        return None
+    return ratio_of_errors(statistics.fmean(run.stats["error"]["relmse"] for run in runs),
+                           statistics.fmean(run.relmse for run in runs))
+
+
 def row_of(name, spp, found, right):
-    stated = statistics.fmean(run.stats["error"]["relmse"] for run in found["on"])
-    true = statistics.fmean(run.relmse for run in found["on"])
     return ({"scene": name, "spp": spp} | compared(**found)
-            | {"stated_over_true": ratio_of_errors(stated, true),
+            | {"stated_over_true": stated_over_true(found["on"]),
                "reference": truth.judged(right, *([run.relmse for run in runs]
                                                   for runs in found.values()))})
 
@@ -75,8 +84,7 @@ def run(options):
             right = truth.reference(candela, name, path, options.size,
                                     REFERENCE_FACTOR * max(options.spp))
             for spp in options.spp:
-                rows.append(row_of(name, spp, measure(candela, path, right, options.size, spp,
-                                                      options.seeds), right))
+                rows.append(row_of(name, spp, measure(candela, path, right, spp, options), right))
                 print(f"{name}, {spp} spp: {rows[-1]['efficiency']:.2f}", flush=True)
             results.keep("adaptive", rows)
     results.table("adaptive", f"{options.size}x{options.size}, {options.seeds} seeds", rows)

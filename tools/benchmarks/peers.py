@@ -14,10 +14,10 @@ With --nearest pbrt's scenes are compared where Blender has only something near 
 coats and shapes: one answer each, two pictures that are alike. What is only near is listed, scene
 by scene.
 
-With --all each has the better of two settings: candela, which then adapts and states its error,
-four replicates and two, Cycles a fixed number of samples and its noise threshold. Of Cycles' that
-is the one to whose last error candela takes the longer, over Cycles' own time; of candela's the one
-that does better against that.
+With --all each has the best of its settings: candela, which then adapts, four replicates and two,
+by which it states its error, and one; Cycles a fixed number of samples and its noise threshold. Of
+Cycles' that is the one to whose last error candela takes the longer, over Cycles' own time; of
+candela's the one that does better against that.
 """
 
 import dataclasses
@@ -201,13 +201,13 @@ class Bench:
 
     def our_ladders(self, file, right, seed):
         """By setting. Cycles tells no error of a picture: without --all candela does not either."""
-        settings = ({"candela": 4, "candela, two replicates": 2} if self.with_all
-                    else {"candela": 1})
+        settings = ({"candela": 4, "candela, two replicates": 2, "candela, one replicate": 1}
+                    if self.with_all else {"candela": 1})
         return {setting: [self.our_run(file, right, seed, spp, replicates) for spp in self.counts]
                 for setting, replicates in settings.items()}
 
     def our_run(self, file, right, seed, spp, replicates):
-        adapts = replicates > 1 and spp >= PILOTS
+        adapts = self.with_all and spp >= PILOTS
         return truth.measured(self.candela, file, right, size=f"{self.size}x{self.size}", spp=spp,
                               seed=seed, threads=self.threads, max_depth="none",
                               replicates=replicates, adaptive="on" if adapts else "off")

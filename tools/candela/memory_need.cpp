@@ -63,7 +63,10 @@ Need need_of(const RenderOptions& options, const SceneDescription& scene) {
   const double channel_bytes = 4.0 * (4 + 3 * std::popcount(options.aovs));
   const Pilot pilot = pilot_of(options);
   const double pilot_bytes =
-      static_cast<double>(SampleDensity::bytes_a_pixel) + (pilot.rect == crop ? 0 : film_bytes);
+      static_cast<double>(SampleDensity::bytes_a_pixel) +
+      (pilot.fits(crop, film_replicates(options))
+           ? 0
+           : static_cast<double>(Film::bytes_a_pixel(options.aovs, pilot.sums)));
   const double film = pixels_of(crop) * film_bytes;
   Need need;
   need.film = film + pixels_of(crop) * channel_bytes;

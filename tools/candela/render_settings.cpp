@@ -151,9 +151,6 @@ void refuse_stop_rules(const RenderArguments& arguments, const RenderOptions& op
     refuse(arguments.replicates.has_value(), "--replicates");
     refuse(arguments.clamp.has_value(), "--clamp");
   }
-  if (options.adaptive && options.replicates < 2)
-    throw Refusal{"--adaptive needs an error to go by, and --replicates 1 states none",
-                  ExitCode::Usage};
   if (options.target_relmse && options.replicates < 2)
     throw Refusal{fmt::format("{} needs an error to go by, and --replicates 1 states none",
                               arguments.error_goal ? "--error" : "--relmse"),
