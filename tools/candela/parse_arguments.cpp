@@ -117,7 +117,7 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
   add_value(command, "--replicates", "R", render.replicates, integer_between(1, max_replicates),
             "Independent sequences a pixel, from which the error is stated; 1 states none [4]");
   add_value(command, "--adaptive", "on|off", render.adaptive, parse_switch,
-            "Deal out the samples by a pilot: --spp is then the mean over the picture [on]");
+            "Deal out samples by a pilot: --spp is then the mean [on; off with --replicates 1]");
   add_value(command, "--splitting", "N", render.splitting,
             integer_between(1, static_cast<int>(max_splitting)),
             "Paths that go on from the first hit of a camera ray [1]");
