@@ -83,6 +83,17 @@ TEST(Unit_StopOptions, TheScenesOwnSamplesCountOnlyWithoutARule) {
   EXPECT_NE(timed.messages.find("stopped by --time at "), std::string::npos) << timed.messages;
 }
 
+TEST(Unit_StopOptions, OneReplicateAdaptsWhereThatIsAskedFor) {
+  const StopRun plain = run_of({"--spp", "64", "--replicates", "1"});
+  EXPECT_EQ(plain.stats["min_samples"], 64);
+  EXPECT_EQ(plain.stats["max_samples"], 64);
+  const StopRun adaptive = run_of({"--spp", "64", "--replicates", "1", "--adaptive", "on"});
+  EXPECT_LT(adaptive.stats["min_samples"], 64);
+  EXPECT_GT(adaptive.stats["max_samples"], 64);
+  EXPECT_NEAR(adaptive.stats["mean_samples"].get<double>(), 64, 3);
+  EXPECT_TRUE(adaptive.stats["error"].is_null());
+}
+
 // Lamps that are met by chance alone: most of the light is in few samples.
 TEST(Unit_StopOptions, ErrorsThatCannotBeTrustedAreWarnedOf) {
   const char* const warning = "rare strong samples hold most of the light";
