@@ -76,7 +76,7 @@ class Loop {
     if (pilot_.fits(film_.crop(), film_.replicates())) return render_pilot(film_);
     Film pilot(options_.width, options_.height, pilot_.rect, film_.aovs(), pilot_.sums,
                film_balance(options_));
-    if (film_.replicates() == 1) pilot.sum_pieces_of(pilot_.samples / pilot_.sums);
+    if (pilot_.sums != film_.replicates()) pilot.sum_pieces_of(pilot_.samples / pilot_.sums);
     const auto stop = render_pilot(pilot);
     film_.take_part_of(pilot);
     return stop;

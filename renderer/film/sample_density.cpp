@@ -151,8 +151,8 @@ std::vector<double> density_of(std::size_t colour, const Film& pilot) {
   return values;
 }
 
-// In [-1/2, 1/2), about as often each in every part of a picture: multiples of the two roots of the
-// plastic number, whose points fill the square evenly.
+// In [-1/2, 1/2), about as often each in every part of a picture: fractions of multiples of the
+// plastic number's first two inverse powers.
 double evenly_spread(int x, int y) {
   const double turns = 0.7548776662466927 * x + 0.5698402909980532 * y;
   return turns - std::floor(turns) - 0.5;

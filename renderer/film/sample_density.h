@@ -44,6 +44,7 @@ class SampleDensity {
   // The wishes (wish_at) of a colour's pixels, rising.
   using Wishes = std::vector<double>;
   [[nodiscard]] double wish_at(int x, int y) const;
+  // By the pixels of one colour: scales(), and what a scale gives all of them together.
   [[nodiscard]] double scale_of(const Wishes& wishes, std::uint32_t mean) const;
   [[nodiscard]] double sum_of_samples(const Wishes& wishes, double scale) const;
   [[nodiscard]] std::size_t index(int x, int y) const {

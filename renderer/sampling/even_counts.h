@@ -1,6 +1,6 @@
 // Numbers of a sequence's first points that are evenly spread: powers of two, and those and half as
 // many again: 1, 1.5, 2, 3, 4, 6, 8 ..., level by level. In smooth parts of a picture Sobol points
-// of a number between two levels have little less noise than those of the lower one
+// of a number between two levels often have no less noise than those of the lower one
 // (docs/decisions.md).
 #pragma once
 
