@@ -28,7 +28,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanit
   set_source_files_properties(
     integrators/path/block_lanes.cpp integrators/path/camera_rays.cpp
     integrators/path/plain_bsdf_lanes.cpp
-    integrators/path/plain_lanes.cpp integrators/path/sky_lanes.cpp
+    integrators/path/plain_lanes.cpp integrators/path/reuse_lanes.cpp
+    integrators/path/sky_lanes.cpp
     renderer/accel/box_list.cpp
     renderer/accel/embree_block.cpp
     renderer/accel/face_hits.cpp renderer/accel/face_lanes.cpp

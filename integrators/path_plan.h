@@ -2,6 +2,7 @@
 // expectation with any; what pays: docs/decisions.md, "Splitting, by the same time".
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 namespace candela {
@@ -23,8 +24,12 @@ struct PathPlan {
   float roulette_threshold = 1;
   std::uint32_t first_roulette_bounce = Roulette{}.first_bounce;
 
+  // Pixels share what their paths find behind first hits (path/path_reuse.h), which roulette then
+  // leaves alone.
+  bool reuses_paths = false;
+
   [[nodiscard]] Roulette roulette() const {
-    return {1 / roulette_threshold, first_roulette_bounce};
+    return {1 / roulette_threshold, std::max(first_roulette_bounce, reuses_paths ? 1u : 0u)};
   }
 };
 

@@ -80,6 +80,16 @@ Kernel select_kernel(const Scene& scene, const A& accelerator, const Filter& fil
   throw std::invalid_argument("no such integrator");
 }
 
+// Paths of which pixels can share what they find (path/path_reuse.h). Where cut-outs let some of
+// the light through, whether two points see each other is drawn at random, and so would be the
+// densities.
+bool may_reuse_paths(const Scene& scene, const RenderOptions& options) {
+  const auto has_cutouts = [](const Geometry& geometry) { return geometry.has_cutouts; };
+  return options.integrator == IntegratorKind::Path && has_default_strategy(options) &&
+         options.plan.splitting == 1 && options.guiding == Guiding::Off && !scene.features.media &&
+         options.max_depth.value_or(2) >= 2 && std::ranges::none_of(scene.geometries, has_cutouts);
+}
+
 // The options without what such scenes and strategies have none of.
 RenderOptions what_is_done(const Scene& scene, const RenderOptions& options) {
   RenderOptions done = options;
@@ -88,6 +98,7 @@ RenderOptions what_is_done(const Scene& scene, const RenderOptions& options) {
     done.guiding = Guiding::Off;
     done.plan.splitting = 1;
   }
+  done.plan.reuses_paths = options.plan.reuses_paths && may_reuse_paths(scene, done);
   done.chooses_roulette = options.chooses_roulette && options.integrator == IntegratorKind::Path &&
                           done.plan.splitting == 1 && done.guiding == Guiding::Off &&
                           has_default_strategy(options);

@@ -2,6 +2,7 @@
 
 #include "integrators/closer_look.h"
 #include "integrators/guiding/choose_guide.h"
+#include "integrators/path/reuse_groups.h"
 #include "integrators/pilot.h"
 #include "integrators/rounds.h"
 #include "renderer/base/parallel.h"
@@ -94,7 +95,8 @@ class Loop {
     std::optional<PixelErrors> errors = estimate_pixel_errors(film_);
     if (!errors || (errors->is_black() && has_light_ && !is_background())) return {};
     if (is_sure) counts_.add(look_.correct(film_, pass_of({}), *errors));
-    ErrorEstimate estimate = estimate_error(film_, *errors);
+    ErrorEstimate estimate =
+        estimate_error(film_, *errors, plan_.reuses_paths ? reuse_group_size : 1);
     estimate.looked_at = look_.pixels();
     estimate.look_samples = look_.samples();
     return estimate;

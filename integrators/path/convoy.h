@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "integrators/path/path_reuse.h"
 #include "integrators/path/step_plain_lanes.h"
 #include "integrators/path/trip_rays.h"
 
@@ -13,11 +14,13 @@ namespace candela {
 template <FeatureSet F, class A>
 class Convoy {
  public:
-  static constexpr std::size_t capacity = F.lanes ? 16 : 1;  // blocks
+  static constexpr std::size_t capacity = F.lanes || F.reuses_paths() ? 16 : 1;  // blocks
 
-  explicit Convoy(bool is_together = true) : most_(is_together ? capacity : 1) {}
+  explicit Convoy(bool is_together = true) : most_(is_together && F.lanes ? capacity : 1) {}
 
   [[nodiscard]] bool is_full() const { return size_ == most_; }
+  // Of a group, which travels together whatever the convoy was told.
+  [[nodiscard]] bool has_room_for(std::size_t blocks) const { return size_ + blocks <= capacity; }
 
   // The next block, whose paths are to be started.
   template <class... Arguments>
@@ -26,12 +29,18 @@ class Convoy {
     return trips_[i].emplace(arguments..., blocks_[i]);
   }
 
+  // The blocks since the last group are one.
+  void end_group() { reuse_.end_group(size_); }
+
   // From the camera rays to the paths' radiances.
   void travel() {
     for_each_trip([](BlockTrip<A>& trip) {
       if (trip.branches.is_split()) trip.branches.begin(trip.alive, trip.block);
     });
-    while (travel_to_next_bounce()) {
+    for (bounces_ = 0; travel_to_next_bounce(); ++bounces_) {
+    }
+    if constexpr (F.reuses_paths()) {
+      if (reuse_.has_groups() && bounces_ > 1) reuse_.gather(trips_);
     }
     for_each_trip([](BlockTrip<A>& trip) {
       if (trip.branches.is_split()) trip.branches.end(trip.block);
@@ -44,7 +53,10 @@ class Convoy {
     for (std::size_t i = 0; i < size_; ++i) visit(*trips_[i]);
   }
 
-  void clear() { size_ = 0; }
+  void clear() {
+    size_ = 0;
+    reuse_.clear();
+  }
 
  private:
   // False where no path is on its way any more.
@@ -63,11 +75,23 @@ class Convoy {
     for_each_moving([&](BlockTrip<A>& trip) { rays_.add_rays(trip); });
     rays_.end_rays();
     for_each_moving([](BlockTrip<A>& trip) { meet<F>(trip); });
+    if constexpr (F.reuses_paths()) {
+      if (reuse_.has_groups() && bounces_ == 1) share_points();
+    }
     step();
     for_each_moving([&](BlockTrip<A>& trip) { rays_.add_shadow_rays(trip); });
     rays_.end_shadow_rays();
     for_each_moving([&](BlockTrip<A>& trip) { go_on<F>(trip, lanes_); });
+    if constexpr (F.reuses_paths()) {
+      if (reuse_.has_groups() && bounces_ == 0)
+        for (std::size_t i = 0; i < size_; ++i) reuse_.leave_first_hits(i, *trips_[i]);
+    }
     return true;
+  }
+
+  void share_points() {
+    for (std::size_t i = 0; i < size_; ++i) reuse_.meet_next(i, *trips_[i]);
+    reuse_.share(trips_);
   }
 
   void step() {
@@ -104,8 +128,10 @@ class Convoy {
   std::array<std::optional<BlockTrip<A>>, capacity> trips_;
   std::size_t size_ = 0;
   std::size_t most_;
+  std::size_t bounces_ = 0;  // on the way
   PlainLanes lanes_;
   TripRays<F, A> rays_;
+  PathReuse<A, F.reuses_paths() ? capacity : 1> reuse_;
 };
 
 }  // namespace candela

@@ -27,6 +27,11 @@ struct FeatureSet {
     return guided || (media && !lanes && !strategies);
   }
 
+  // Pixels may share what paths find (path_reuse.h): in scenes without media.
+  [[nodiscard]] constexpr bool reuses_paths() const {
+    return !strategies && !guided && !(media && lanes);
+  }
+
   [[nodiscard]] constexpr LightKindSet light_kinds() const {
     return spheres ? all_light_kinds : all_light_kinds & ~light_kind_bit(LightKind::Sphere);
   }

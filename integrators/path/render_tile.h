@@ -4,6 +4,7 @@
 #include "integrators/background_pixels.h"
 #include "integrators/lamp_pixels.h"
 #include "integrators/path/convoy.h"
+#include "integrators/path/reuse_groups.h"
 #include "integrators/path/seen_lamps.h"
 #include "integrators/path/shared_block.h"
 #include "integrators/tile_pass.h"
@@ -34,9 +35,12 @@ inline void start(BlockTrip<A>& trip) {
 template <class A>
 inline void add_cost(const BlockTrip<A>& trip, const PixelRect& tile, Film& film) {
   const PixelLanes& pixels = trip.place.pixels;
-  if (trip.pixel)
-    return film.add_cost(pixels.x[0], pixels.y[0],
-                         static_cast<std::uint32_t>(cost_of(trip.counts.rays)));
+  if (trip.pixel) {
+    if (tile.contains(pixels.x[0], pixels.y[0]))
+      film.add_cost(pixels.x[0], pixels.y[0],
+                    static_cast<std::uint32_t>(cost_of(trip.counts.rays)));
+    return;
+  }
   const auto of_camera = static_cast<std::uint32_t>(cost_of({.camera = 1}));
   for_each_lane(trip.place.lanes, [&](std::uint32_t i) {
     if (tile.contains(pixels.x[i], pixels.y[i]))
@@ -78,6 +82,11 @@ inline void finish(BlockTrip<A>& trip, const PixelRect& tile, Film& film, TileCo
   return from_first & to_end & all_lanes;
 }
 
+// Where the block begins that has the first sample of a range.
+[[nodiscard]] inline std::uint32_t first_block(const SampleRange& range) {
+  return range.first & ~(block_size - 1);
+}
+
 // How many independent sequences the samples of a pixel are dealt to: one a replicate, or one each.
 [[nodiscard]] inline std::uint32_t sequences_of(const RenderOptions& options, const Film& film) {
   return options.sampler == SamplerKind::Independent ? std::numeric_limits<std::uint32_t>::max()
@@ -116,7 +125,11 @@ class TileRenderer {
 
   [[nodiscard]] TileCounts run() {
     const RenderOptions& options = context_.options;
-    if (shares_blocks(options, pass_, splitting_)) {
+    if (F.reuses_paths() && reuses_paths(pass_)) {
+      for_each_group(
+          pass_.tile, options.width, options.height, [&](int x, int y) { add_to_group(x, y); },
+          [&] { end_group(); });
+    } else if (shares_blocks(options, pass_, splitting_)) {
       for_each_square(pass_.tile, options.width, options.height,
                       [&](const PixelRect& square) { add_square(square); });
     } else {
@@ -148,9 +161,37 @@ class TileRenderer {
   void add_alone(int x, int y) {
     const SampleRange range = pass_.of_pixel(x, y);
     const PixelSampler pixel = sampler_of(x, y);
-    for (std::uint32_t base = range.first & ~(block_size - 1); base < range.end; base += block_size)
+    for (std::uint32_t base = first_block(range); base < range.end; base += block_size)
       add_block(place_in_pixel(context_.options, x, y, base, lanes_in(base, range)), pixel,
                 splitting_);
+  }
+
+  // Pixels that share what their paths find.
+  void add_to_group(int x, int y) {
+    if (!is_rendered(x, y)) return;
+    const SampleRange range = pass_.of_pixel(x, y);
+    if (range.first < range.end) group_.push_back({x, y, range});
+  }
+  void end_group() {
+    const auto first = [](const Member& member) { return first_block(member.range); };
+    const auto end = [](const Member& member) { return member.range.end; };
+    if (group_.empty()) return;
+    const std::uint32_t last = std::ranges::max(group_, {}, end).range.end;
+    for (std::uint32_t base = first(std::ranges::min(group_, {}, first)); base < last;
+         base += block_size)
+      add_blocks_of_group(base);
+    group_.clear();
+  }
+  void add_blocks_of_group(std::uint32_t base) {
+    if (!convoy_.has_room_for(group_.size())) travel();
+    for (const auto& [x, y, range] : group_) {
+      if (base < first_block(range) || base >= range.end) continue;
+      aim_lamp_rays(x, y, context_);
+      start<F>(convoy_.add(context_,
+                           place_in_pixel(context_.options, x, y, base, lanes_in(base, range)),
+                           sampler_of(x, y), splitting_));
+    }
+    convoy_.end_group();
   }
 
   void add_square(const PixelRect& square) {
@@ -192,6 +233,11 @@ class TileRenderer {
   Film& film_;
   TileCounts counts_;
   SharedBlock shared_;
+  struct Member {
+    int x, y;
+    SampleRange range;
+  };
+  std::vector<Member> group_;  // pixels that share
   Convoy<F, A> convoy_;
 };
 

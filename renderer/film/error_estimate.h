@@ -32,7 +32,9 @@ struct ErrorEstimate {
 // None where some pixel has no two replicates.
 [[nodiscard]] std::optional<ErrorEstimate> estimate_error(const Film& film);
 
-// By `errors` of the same film, with two replicates in each pixel at least.
-[[nodiscard]] ErrorEstimate estimate_error(const Film& film, const PixelErrors& errors);
+// By `errors` of the same film, with two replicates in each pixel at least. `together`: how many
+// pixels may be wrong by the same, which makes the interval wider.
+[[nodiscard]] ErrorEstimate estimate_error(const Film& film, const PixelErrors& errors,
+                                           int together = 1);
 
 }  // namespace candela

@@ -187,6 +187,7 @@ RenderSettings random_settings(std::uint64_t seed) {
       draw.one_of({LightSampling::Area, LightSampling::Triangles, LightSampling::SolidAngle});
   options.transparent = draw.one_in(4);
   options.filter = draw.one_of({FilterKind::Box, FilterKind::BlackmanHarris});
+  options.plan.reuses_paths = draw.one_in(2);
   return settings;
 }
 

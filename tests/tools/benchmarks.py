@@ -215,9 +215,17 @@ def errors(shape, reference_noise, picture_noise):
 
 def judged(noise, errors):
     """Of a reference whose own relMSE is `noise`."""
+    return truth.judged(noisy_reference(noise), *json.loads(errors))
+
+
+def noisy_reference(noise):
     grey = numpy.ones((2, 2, 3))
-    right = references.with_weight(grey, float(noise) * 1.01 * grey)
-    return truth.judged(right, *json.loads(errors))
+    return references.with_weight(grey, float(noise) * 1.01 * grey)
+
+
+def judged_apart(our_noise, their_noise, our_error, their_error):
+    row = {"relmse_candela": float(our_error), "relmse_Cycles": float(their_error)}
+    return peers.judged(row, noisy_reference(our_noise), noisy_reference(their_noise))
 
 
 def techniques():

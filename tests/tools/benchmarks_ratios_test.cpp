@@ -251,7 +251,8 @@ TEST_F(Unit_BenchmarksRatios, PeersRatiosAreThoseOfPairs) {
   EXPECT_NEAR(row["cpu_mean"], std::sqrt(32), 1e-9);
   EXPECT_NEAR(row["cpu_plus_minus"], std::log(2), 1e-9);
   EXPECT_NEAR(row["relmse_ratio"], 1.5, 1e-9);
-  EXPECT_NEAR(row["relmse"], 0.0075, 1e-12);
+  EXPECT_NEAR(row["relmse_candela"], 0.0075, 1e-12);
+  EXPECT_NEAR(row["relmse_Cycles"], 0.01, 1e-12);
   EXPECT_NEAR(row["relmse_cpu_s_candela"], 0.03, 1e-12);
   EXPECT_NEAR(row["relmse_cpu_s_Cycles"], 0.16, 1e-12);
   EXPECT_TRUE(last("-0.01")["cpu_ratio"].is_null());
@@ -291,6 +292,14 @@ TEST_F(Unit_BenchmarksRatios, PeersPicturesFillBlocksOfCyclesSamples) {
 TEST_F(Unit_BenchmarksRatios, AReferencesNoiseMayBeATwentiethOfTheSmallestError) {
   EXPECT_EQ(ask({"judged", "0.001", "[[0.03], [0.5, 0.021, 0.01]]"}), "good");
   EXPECT_EQ(ask({"judged", "0.001", "[[0.03], [0.5, 0.019, 0.01]]"}), "too noisy");
+}
+
+// Against Cycles each renderer has a reference of its own: candela's smaller error asks nothing of
+// Cycles'.
+TEST_F(Unit_BenchmarksRatios, EachOfTwoReferencesIsHeldAgainstItsOwnRenderersError) {
+  EXPECT_EQ(ask({"judged_apart", "0.001", "0.003", "0.021", "0.061"}), "good");
+  EXPECT_EQ(ask({"judged_apart", "0.001", "0.003", "0.019", "0.061"}), "too noisy");
+  EXPECT_EQ(ask({"judged_apart", "0.001", "0.003", "0.021", "0.059"}), "too noisy");
 }
 
 TEST_F(Unit_BenchmarksRatios, EarlierBuildsAreHeldAgainstThisOne) {

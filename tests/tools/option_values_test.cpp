@@ -133,7 +133,7 @@ TEST(Unit_OptionValues, OptionsReachTheirFields) {
 
 TEST(Unit_OptionValues, OptionsOfSamplingReachTheirFields) {
   const RenderArguments a = rendering(
-      "--error 0.5 --relmse 0.25 --time 3s --replicates 6 --adaptive off --splitting 3 "
+      "--error 0.5 --relmse 0.25 --time 3s --replicates 6 --adaptive off --splitting 3 --reuse on "
       "--roulette 0.75 --guiding auto --clamp 2.5 --sampling bsdf --heuristic balance "
       "--sampler padded --lamp-rays 5 --light-sampling solid_angle --rr 0.125 "
       "--without packets,convoys --fresnel schlick --geometry smith");
@@ -143,6 +143,7 @@ TEST(Unit_OptionValues, OptionsOfSamplingReachTheirFields) {
   EXPECT_EQ(a.replicates, 6);
   EXPECT_EQ(a.adaptive, false);
   EXPECT_EQ(a.splitting, 3);
+  EXPECT_EQ(a.reuses_paths, true);
   EXPECT_EQ(a.roulette, RouletteThreshold{0.75});
   EXPECT_EQ(a.guiding, Guiding::Auto);
   EXPECT_EQ(a.clamp, 2.5);

@@ -27,6 +27,13 @@ TEST(Errors_StrategyOptions, AreRefusedInSentences) {
   expect_refused({cornell_box, "--guiding", "auto", "--ray-limit"}, 2, "not with --guiding");
   expect_refused({cornell_box, "--guiding", "on", "--integrator", "report"}, 2,
                  "--guiding is for path, this is report");
+  expect_refused({cornell_box, "--reuse", "on", "--integrator", "report"}, 2,
+                 "--reuse is for path, this is report");
+  expect_refused({cornell_box, "--reuse", "on", "--splitting", "2"}, 2,
+                 "--reuse on and --splitting 2: paths are shared where one goes on from each first "
+                 "hit, by its surface alone");
+  expect_refused({cornell_box, "--reuse", "on", "--guiding", "auto"}, 2,
+                 "--reuse on and --guiding auto");
 }
 
 nlohmann::json stats_of(std::vector<std::string> words) {
@@ -60,6 +67,8 @@ TEST(Unit_StrategyOptions, StatsTellTheStrategy) {
   EXPECT_EQ(balance["heuristic"], "balance");
   EXPECT_EQ(balance["kernel"], "path/strategies");
   EXPECT_EQ(stats_of({})["kernel"], "path/lanes");
+  EXPECT_EQ(stats_of({})["reuse"], false);
+  EXPECT_EQ(stats_of({"--reuse", "on"})["reuse"], true);
   EXPECT_EQ(stats_of({"--integrator", "report"})["sampling"], "light");
 }
 

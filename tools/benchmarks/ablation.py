@@ -82,6 +82,7 @@ TECHNIQUES = (  # a row is a line
     Technique("adaptive sampling", {"adaptive": "off"}),
     Technique("no splitting (off: by two)", {"splitting": 2}, both=USUAL_ROULETTE),
     Technique("no splitting (off: by four)", {"splitting": 4}, both=USUAL_ROULETTE),
+    Technique("each pixel's paths its own (off: shared)", {"reuse": "on"}),
     Technique("roulette by what walks tell (off: from 1/2 on)", {"roulette": .5},
               is_used=has_walks),
     Technique("roulette by what walks tell (off: from 1/4 on)", {"roulette": .25},

@@ -15,7 +15,8 @@ coats and shapes: one answer each, two pictures that are alike. What is only nea
 by scene.
 
 With --all each has the best of its settings: candela, which then adapts, four replicates and two,
-by which it states its error, and one; Cycles a fixed number of samples and its noise threshold. Of
+by which it states its error, and one, each pixel's paths its own or shared; Cycles a fixed number
+of samples and its noise threshold. Of
 Cycles' that is the one to whose last error candela takes the longer, over Cycles' own time; of
 candela's the one that does better against that.
 """
@@ -36,12 +37,21 @@ ABOUT = "the same scenes by Blender's Cycles: time to the same error; Embree's p
 # Blender's unit is the metre, the Cornell box's the millimetre.
 SCALES = {"cornell_box_diffuse": .001}
 GOALS = (1e-2, 1e-3)
+RENDERERS = ("candela", "Cycles")
 MEASURES = (("cpu", "relmse", "cpu_seconds"), ("wall", "relmse", "seconds"),
             ("trimmed_cpu", "trimmed", "cpu_seconds"))  # column, error, time
+# Of --all: name -> candela's options.
+OUR_SETTINGS = {f"candela, {words}{', paths shared' if reuse == 'on' else ''}":
+                {"replicates": replicates, "reuse": reuse}
+                for replicates, words in ((4, "four replicates"), (2, "two"), (1, "one"))
+                for reuse in ("off", "on")}
 PILOTS = 64  # samples a pixel from which on candela's sampling adapts
 THRESHOLD = .4  # of Cycles' noise, over the root of the samples that it should about take
 MOST_ADAPTIVE = 4096
-REFERENCE = 48  # times the most samples: independent ones then have 1/48 of the error
+# Times the most samples, twice over in both references. Independent ones then have 1/24 of Cycles'
+# error; candela's own falls faster, and less of it is left by what adapts.
+CYCLES_REFERENCE = 12
+REFERENCE = 48
 
 
 def default_scenes():
@@ -181,9 +191,10 @@ class Bench:
 
     def measure(self, name, file, scene):
         """(points, ratios, references): rows of two tables, and the two long pictures."""
-        spp = REFERENCE * self.counts[-1]
-        ours = truth.reference(self.candela, name, file, self.size, spp, max_depth="none")
-        theirs = self.cycles_reference(name, scene, spp)
+        most = self.counts[-1]
+        ours = truth.reference(self.candela, name, file, self.size, REFERENCE * most,
+                               max_depth="none")
+        theirs = self.cycles_reference(name, scene, CYCLES_REFERENCE * most)
         apart = float(ours.image.mean() / theirs.image.mean())
         pairs = [(self.our_ladders(file, ours, seed), self.their_ladders(name, scene, theirs, seed))
                  for seed in range(1, self.pairs + 1)]
@@ -201,16 +212,15 @@ class Bench:
 
     def our_ladders(self, file, right, seed):
         """By setting. Cycles tells no error of a picture: without --all candela does not either."""
-        settings = ({"candela": 4, "candela, two replicates": 2, "candela, one replicate": 1}
-                    if self.with_all else {"candela": 1})
-        return {setting: [self.our_run(file, right, seed, spp, replicates) for spp in self.counts]
-                for setting, replicates in settings.items()}
+        settings = OUR_SETTINGS if self.with_all else {"candela": {"replicates": 1}}
+        return {setting: [self.our_run(file, right, seed, spp, own) for spp in self.counts]
+                for setting, own in settings.items()}
 
-    def our_run(self, file, right, seed, spp, replicates):
+    def our_run(self, file, right, seed, spp, own):
         adapts = self.with_all and spp >= PILOTS
         return truth.measured(self.candela, file, right, size=f"{self.size}x{self.size}", spp=spp,
                               seed=seed, threads=self.threads, max_depth="none",
-                              replicates=replicates, adaptive="on" if adapts else "off")
+                              adaptive="on" if adapts else "off", **own)
 
     def their_ladders(self, name, scene, right, seed):
         """One process: a picture to warm up, one of one sample to take off, and those that count.
@@ -289,9 +299,9 @@ def ratios_of(pairs, counts):
 def count_row(pairs, i, count):
     runs = [(ours[i], theirs[i]) for ours, theirs in pairs]
     errors = [ratio_of_errors(theirs.relmse, ours.relmse) for ours, theirs in runs]
-    row = {"by": f"{count} spp", "relmse": min(map(median_relmse, zip(*runs))),
-           "relmse_ratio": ratio_columns("relmse", errors)["relmse_ratio"]}
-    for who, own in zip(("candela", "Cycles"), zip(*runs)):
+    row = {"by": f"{count} spp", "relmse_ratio": ratio_columns("relmse", errors)["relmse_ratio"]}
+    for who, own in zip(RENDERERS, zip(*runs)):
+        row[f"relmse_{who}"] = statistics.median(run.relmse for run in own)
         row[f"relmse_cpu_s_{who}"] = statistics.median(run.relmse * run.cpu_seconds for run in own)
     for key, error, seconds in MEASURES:
         row |= ratio_columns(key, [time_to_their_error(*pair, i, error, seconds)
@@ -304,20 +314,18 @@ def goal_row(goal, pairs):
     found = {key: times_to(goal, pairs, error, seconds) for key, error, seconds in MEASURES}
     if not found["cpu"] or not found["wall"]:
         return None
-    row = {"by": f"time to {goal:g}", "relmse": goal, "relmse_ratio": None,
-           "relmse_cpu_s_candela": None, "relmse_cpu_s_Cycles": None}
+    row = {"by": f"time to {goal:g}", "relmse_ratio": None}
+    for who in RENDERERS:
+        row |= {f"relmse_{who}": goal, f"relmse_cpu_s_{who}": None}
     for key, ratios in found.items():
         row |= ratio_columns(key, ratios)
     return row
 
 
-def median_relmse(runs):
-    return statistics.median(run.relmse for run in runs)
-
-
 def judged(row, *references):
-    """Whether both are good enough for the smallest error that the row speaks of."""
-    words = {truth.judged(reference, [row["relmse"]]) for reference in references}
+    """Whether each renderer's reference is good enough for the error that the row tells of it."""
+    words = {truth.judged(reference, [row[f"relmse_{who}"]])
+             for who, reference in zip(RENDERERS, references)}
     return "good" if words == {"good"} else "too noisy"
 
 

@@ -54,6 +54,7 @@ struct RenderArguments {
   std::optional<int> replicates;
   std::optional<bool> adaptive;
   std::optional<int> splitting;
+  std::optional<bool> reuses_paths;
   std::optional<RouletteThreshold> roulette;
   std::optional<Guiding> guiding;
   std::optional<double> clamp;

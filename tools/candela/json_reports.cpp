@@ -80,6 +80,7 @@ void add_options(Json& json, const RenderReport& report) {
   json["replicates"] = report.replicates;
   json["adaptive"] = options.adaptive;
   json["splitting"] = report.statistics.plan.splitting;
+  json["reuse"] = report.statistics.plan.reuses_paths;
   json["guiding"] = guiding_json(report);
   json["biased"] = biases_of(options);
   json["max_depth"] = or_null(options.max_depth);
@@ -91,7 +92,7 @@ void add_options(Json& json, const RenderReport& report) {
     json["sampling"] = sampling_name(options);
     if (options.integrator == IntegratorKind::Path) {
       json["roulette"] = report.statistics.plan.roulette_threshold;
-      json["roulette_bounce"] = report.statistics.plan.first_roulette_bounce;
+      json["roulette_bounce"] = report.statistics.plan.roulette().first_bounce;
       json["roulette_samples"] = report.statistics.roulette_samples;
       json["heuristic"] = name_of(options.heuristic, heuristic_choices());
       json["sampler"] = name_of(options.sampler, sampler_choices());

@@ -26,7 +26,7 @@ std::string strategy_text(const RenderReport& report) {
       return fmt::format(
           " roulette={}/{} sampling={} heuristic={} sampler={} sky_samples={} sky_compensation={} "
           "lamp_rays={} light_sampling={} light_cells={}",
-          report.statistics.plan.roulette_threshold, report.statistics.plan.first_roulette_bounce,
+          report.statistics.plan.roulette_threshold, report.statistics.plan.roulette().first_bounce,
           sampling_name(options), name_of(options.heuristic, heuristic_choices()),
           name_of(options.sampler, sampler_choices()), options.samples_constant_sky ? "on" : "off",
           options.compensates_sky ? "on" : "off", options.lamp_rays,
@@ -61,13 +61,14 @@ std::string options_text(const RenderReport& report) {
   const PixelRect crop = report.rect();
   return fmt::format(
       "size={}x{} crop={},{},{},{} camera={} max_depth={} filter={} transparent={} accel={} "
-      "robust={}{} replicates={} adaptive={} splitting={}{}{}{}{}",
+      "robust={}{} replicates={} adaptive={} splitting={} reuse={}{}{}{}{}",
       options.width, options.height, crop.x0, crop.y0, crop.x1, crop.y1, options.camera,
       depth_text(options.max_depth), name_of(options.filter, filter_choices()),
       options.transparent ? "yes" : "no", name_of(report.accelerator, accelerator_choices()),
       report.is_robust ? "on" : "off", without_text(report), report.replicates,
-      options.adaptive ? "on" : "off", report.statistics.plan.splitting, guiding_text(options),
-      lab_text(options), strategy_text(report), balance_text(options));
+      options.adaptive ? "on" : "off", report.statistics.plan.splitting,
+      report.statistics.plan.reuses_paths ? "on" : "off", guiding_text(options), lab_text(options),
+      strategy_text(report), balance_text(options));
 }
 
 }  // namespace

@@ -117,6 +117,7 @@ void refuse_what_only_path_does(const RenderArguments& arguments, const RenderOp
   refuse(options.adaptive, "--adaptive");
   refuse(arguments.uses_general_kernel, "--kernel general");
   refuse(arguments.splitting.has_value(), "--splitting");
+  refuse(arguments.reuses_paths.has_value(), "--reuse");
   refuse(arguments.roulette.has_value(), "--roulette");
   refuse(arguments.guiding.has_value(), "--guiding");
   refuse(arguments.sampler.has_value(), "--sampler");
@@ -127,6 +128,21 @@ void refuse_what_only_path_does(const RenderArguments& arguments, const RenderOp
   refuse(arguments.light_cells.has_value(), "--light-cells");
   const std::string_view saving = saving_of_path(arguments.without);
   refuse(!saving.empty(), fmt::format("--without {}", saving));
+}
+
+// Paths that all go the same number of ways from each first hit, by their surfaces alone.
+void refuse_reuse(const RenderOptions& options) {
+  if (!options.plan.reuses_paths) return;
+  const auto refuse = [](bool is_said, std::string_view option) {
+    if (is_said)
+      throw Refusal{fmt::format("--reuse on and {}: paths are shared where one goes on from each "
+                                "first hit, by its surface alone",
+                                option),
+                    ExitCode::Usage};
+  };
+  refuse(options.plan.splitting > 1, fmt::format("--splitting {}", options.plan.splitting));
+  refuse(options.guiding != Guiding::Off,
+         fmt::format("--guiding {}", name_of(options.guiding, guiding_choices())));
 }
 
 void refuse_savings(const RenderArguments& arguments) {
@@ -165,6 +181,7 @@ void settle_stop_rules(const RenderArguments& arguments, RenderOptions& options)
   options.adaptive = arguments.adaptive.value_or(options.integrator == IntegratorKind::Path &&
                                                  options.replicates > 1);
   options.plan.splitting = static_cast<std::uint32_t>(arguments.splitting.value_or(1));
+  options.plan.reuses_paths = arguments.reuses_paths.value_or(false);
   const RouletteThreshold roulette = arguments.roulette.value_or(RouletteThreshold{});
   options.plan.roulette_threshold =
       static_cast<float>(roulette.threshold.value_or(default_roulette_threshold));
@@ -182,6 +199,7 @@ void settle_stop_rules(const RenderArguments& arguments, RenderOptions& options)
     throw Refusal{fmt::format("--clamp {} would leave no light", *arguments.clamp),
                   ExitCode::Usage};
   refuse_what_only_path_does(arguments, options);
+  refuse_reuse(options);
   refuse_savings(arguments);
   refuse_stop_rules(arguments, options);
 }

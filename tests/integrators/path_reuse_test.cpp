@@ -1,0 +1,186 @@
+// Pixels that share what their paths find (integrators/path/path_reuse.h): the same expectation and
+// less noise, the error that is stated stays true, the same bits however it is rendered.
+#include <gtest/gtest.h>
+
+#include "integrators/path/reuse_groups.h"
+#include "renderer/image/compare.h"
+#include "tests/integrators/replicated_pictures.h"
+#include "tests/integrators/sample_ranges.h"
+#include "tests/scenes/description.h"
+#include "tests/scenes/exact_sphere.h"
+#include "tests/scenes/render_scene.h"
+
+namespace candela {
+namespace {
+
+using namespace test;
+using description::SceneDescription;
+
+// Flat diffuse surfaces share, of one piece and of instances, in mirrors and through glass; a ball
+// with normals of its own, a glossy wall, a dim one that shines, and a sky do not.
+SceneDescription room_of_kinds() {
+  SceneDescription scene = small_room();
+  add_mesh(scene, quad({-0.9, -0.9, 0.3}, {0.6, 0, 0.3}, {0, 0.8, 0}),
+           add_material(scene, description::MirrorMaterial{}));
+  add_mesh(scene, sphere({0.5, -0.6, 0.4}, 0.3, 2), add_material(scene, diffuse(Vec3d(0.6))));
+  description::CookTorranceMaterial glossy;
+  glossy.diffuse.factor = Vec3d(0.3);
+  glossy.specular.factor = Vec3d(0.5);
+  glossy.roughness.factor = 0.3;
+  add_mesh(scene, quad({-0.95, -0.5, -0.9}, {0.8, 0, 0}, {0, 0.9, 0}), add_material(scene, glossy));
+  add_mesh(scene, quad({0.3, 0.1, -0.9}, {0.5, 0, 0}, {0, 0.4, 0}),
+           add_material(scene, diffuse(Vec3d(0.4)), {0.4, 0.2, 0.6}));
+  const auto block =
+      add_mesh(scene, box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}),
+               add_material(scene, diffuse({0.7, 0.3, 0.2})), at_place({0.1, -0.8, 0.6}));
+  add_instance(scene, block, at_place({-0.6, 0.5, 0.2}));
+  add_light(scene, description::ConstantEnvironment{Vec3d(0.2), true});
+  return scene;
+}
+
+RenderSettings settings_with(bool reuses_paths, int size, int samples, std::uint64_t seed = 1) {
+  RenderSettings settings = settings_of(size, samples, seed);
+  settings.options.plan.reuses_paths = reuses_paths;
+  return settings;
+}
+
+TEST(Statistical_PathReuse, KeepsEveryPixelsMean) {
+  for (const SceneDescription& description : {small_room(), room_of_kinds()}) {
+    statistics::AgreementOptions options;
+    options.pixel_levels = {};  // pixels of a group are not independent
+    options.block = 4;          // none has two pixels of a group
+    const auto agreement = statistics::compare_replicates(
+        replicated_pictures(description, settings_with(false, 32, 64, 1), "each by itself"),
+        replicated_pictures(description, settings_with(true, 32, 64, 101), "shared"), options);
+    EXPECT_TRUE(agreement.passed) << agreement.message;
+    EXPECT_NEAR(agreement.whole_ratio, 1, 0.01);
+  }
+}
+
+struct Errors {
+  double stated = 0;
+  double true_relmse = 0;
+};
+
+Errors errors_over_seeds(const Scene& scene, bool reuses_paths, const Image& reference) {
+  Errors errors;
+  for (std::uint64_t seed = 1; seed <= 32; ++seed) {
+    const auto result = rendered(scene, settings_with(reuses_paths, reference.width, 64, seed));
+    errors.stated += result.error->relmse;
+    errors.true_relmse += compare_images(result.film.to_image(false), reference)->rel_mse;
+  }
+  return errors;
+}
+
+// The room without the lamp's edges, of which more is stated than there is with and without.
+TEST(Statistical_PathReuse, LowersTheErrorAndTheOneThatIsStated) {
+  SceneDescription description = furnace(inside_out(box({-1, -1, -1}, {1, 1, 1})), 0.7, 0);
+  add_light(description, description::PointLight{{0.3, 0.4, 0.2}, Vec3d(1)});
+  const Scene scene = compiled(description, settings_of(32, 64).options);
+  const Image reference = rendered(scene, settings_with(false, 32, 8192, 107)).film.to_image(false);
+  const Errors alone = errors_over_seeds(scene, false, reference);
+  const Errors shared = errors_over_seeds(scene, true, reference);
+  EXPECT_LT(shared.true_relmse, 0.4 * alone.true_relmse);
+  EXPECT_NEAR(shared.stated / shared.true_relmse, 1, 0.15);
+}
+
+TEST(Agreement_PathReuse, SameBitsOverThreadsTilesCropsAndKernels) {
+  RenderSettings settings = settings_with(true, 40, 24);
+  settings.options.replicates = 3;
+  settings.options.aovs = all_aovs;
+  settings.options.lamp_rays = 4;
+  for (const SceneDescription& description : {small_room(), room_of_kinds()}) {
+    const Scene scene = compiled(description, settings.options);
+    const RenderResult whole = rendered(scene, settings);
+    EXPECT_TRUE(whole.statistics.plan.reuses_paths);
+    EXPECT_EQ(whole.statistics.kernel, "path/lanes");
+    const Image image = whole.film.to_image(true);
+    expect_same_bits_however_rendered(scene, settings, image, {13, 5, 38, 40});
+    RenderSettings general = settings;
+    general.options.use_general_kernel = true;
+    EXPECT_EQ(rendered(scene, general).film.to_image(true).values, image.values);
+    RenderSettings alone = settings;
+    alone.options.plan.reuses_paths = false;
+    EXPECT_NE(rendered(scene, alone).film.to_image(true).values, image.values);
+  }
+}
+
+TEST(Agreement_PathReuse, AdaptiveSamplingToo) {
+  for (const int replicates : {1, 4}) {
+    RenderSettings settings = settings_with(true, 40, 128);
+    settings.options.replicates = replicates;
+    settings.options.adaptive = true;
+    const Scene scene = compiled(small_room(), settings.options);
+    expect_same_bits_however_rendered(scene, settings, picture(scene, settings), {13, 5, 38, 40});
+  }
+}
+
+// Where nothing is flat and diffuse nothing is shared.
+TEST(Agreement_PathReuse, ChangesNothingWhereNothingIsShared) {
+  SceneDescription description = ball_on_ground({0, 0, 0});
+  description.materials[0].model = description.materials[1].model;
+  add_light(description, description::PointLight{{0, 2, 0}, Vec3d(3)});
+  const Scene scene = compiled(description, settings_of(24, 32).options);
+  EXPECT_EQ(picture(scene, settings_with(true, 24, 32)).values,
+            picture(scene, settings_with(false, 24, 32)).values);
+}
+
+TEST(Unit_PathReuse, IsLeftOutWhereItCannotBe) {
+  const auto is_done = [](const SceneDescription& description, RenderSettings settings) {
+    settings.options.plan.reuses_paths = true;
+    const Scene scene = compiled(description, settings.options);
+    return rendered(scene, settings).statistics.plan.reuses_paths;
+  };
+  const SceneDescription room = small_room();
+  const RenderSettings plain = settings_of(16, 16);
+  EXPECT_TRUE(is_done(room, plain));
+  SceneDescription foggy = room;
+  foggy.cameras[0].medium = add_medium(foggy, Vec3d(0.01), Vec3d(0.0));
+  EXPECT_FALSE(is_done(foggy, plain));
+  SceneDescription veiled = room;
+  veiled.materials[0].opacity.factor = 0.5;
+  EXPECT_FALSE(is_done(veiled, plain));
+  for (const auto& change : std::initializer_list<void (*)(RenderOptions&)>{
+           [](RenderOptions& options) { options.plan.splitting = 2; },
+           [](RenderOptions& options) { options.guiding = Guiding::On; },
+           [](RenderOptions& options) { options.max_depth = 1; },
+           [](RenderOptions& options) { options.sampling = SamplingStrategy::Light; },
+           [](RenderOptions& options) { options.integrator = IntegratorKind::Report; }}) {
+    RenderSettings settings = plain;
+    change(settings.options);
+    EXPECT_FALSE(is_done(room, settings));
+  }
+}
+
+// Roulette may not end paths at first hits, where it would change with which density points are
+// met.
+TEST(Unit_PathReuse, RouletteLeavesFirstHitsAlone) {
+  EXPECT_EQ((PathPlan{1, 1, 0, true}.roulette().first_bounce), 1u);
+  EXPECT_EQ((PathPlan{1, 1, 2, true}.roulette().first_bounce), 2u);
+  EXPECT_EQ((PathPlan{1, 1, 0, false}.roulette().first_bounce), 0u);
+}
+
+TEST(Unit_ReuseGroups, EachPixelIsInOneGroupAndApartFromItsNeighbours) {
+  const PixelRect tile{5, 3, 21, 18};
+  std::vector<std::pair<int, int>> group;
+  std::vector<int> groups_of(40 * 30, 0);
+  for_each_group(
+      tile, 40, 30, [&](int x, int y) { group.emplace_back(x, y); },
+      [&] {
+        for (const auto& [x, y] : group) {
+          ++groups_of[static_cast<std::size_t>(y * 40 + x)];
+          for (const auto& [x2, y2] : group) {
+            EXPECT_EQ((x + y + x2 + y2) % 2, 0);
+            EXPECT_TRUE((x == x2 && y == y2) || std::max(std::abs(x - x2), std::abs(y - y2)) > 2);
+          }
+        }
+        EXPECT_LE(group.size(), 16u);
+        group.clear();
+      });
+  for (int y = tile.y0; y < tile.y1; ++y)
+    for (int x = tile.x0; x < tile.x1; ++x)
+      EXPECT_EQ(groups_of[static_cast<std::size_t>(y * 40 + x)], 1) << x << " " << y;
+}
+
+}  // namespace
+}  // namespace candela
