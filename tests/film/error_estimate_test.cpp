@@ -140,6 +140,16 @@ TEST(Unit_ErrorEstimate, ItsIntervalIsByStudentsT) {
   EXPECT_NEAR(estimate.interval95.high, 1 + reach, 1e-5);
 }
 
+// The same where four pixels each are wrong together: of 12 degrees it is 2.17881.
+TEST(Unit_ErrorEstimate, ItsIntervalIsWiderWherePixelsAreWrongTogether) {
+  const Film film =
+      test::synthetic_film(4, 8, 4, 1, [](std::mt19937_64&, int, int) { return 1.0; });
+  const ErrorEstimate estimate = estimate_error(film, {std::vector<double>(16, 1.0), 1e-2}, 4);
+  EXPECT_EQ(estimate.relmse, 1);
+  const double reach = std::hypot(2.17881 * std::sqrt(4 * 25.6), 1.6) / 16;
+  EXPECT_NEAR(estimate.interval95.high, 1 + reach, 1e-4);
+}
+
 TEST(Unit_ErrorEstimate, NeedsTwoReplicatesInEveryPixel) {
   const auto one = [](std::mt19937_64&, int, int) { return 1.0; };
   EXPECT_FALSE(estimate_error(test::synthetic_film(4, 1, 4, 1, one)));

@@ -1,22 +1,22 @@
 """The same scenes by candela and by Blender's Cycles, in pairs that take turns: time to an error.
 
-Box filter, no denoising, no clamping, no adaptive sampling, depth without limit against 100. Each
-renderer is measured against a long reference of its own, of other seeds, so that no difference
-between the two counts as an error of either; how far the references' means are apart is told
-beside. Neither states an error (`--replicates 1`). Each pair tells ratios of its own: of them
-median, range and geometric mean, with twice the standard error of the mean's logarithm. Time is of
-rendering alone. Cycles' CPU time is that of the call that renders, less what a picture of one
-sample costs (start-up, synchronization, file), in proportion to the other samples. Beside it
-Embree's tutorial path tracer, for speed at equal samples: it draws point lights only, ends paths
-early and writes 8 bits, so nothing is said of its error.
+Box filter, no denoising, no clamping, no adaptive sampling, depth without limit against 100;
+candela with each pixel's paths its own or shared, by what does better. Each renderer is measured
+against a long reference of its own, of other seeds, so that no difference between the two counts as
+an error of either; how far the references' means are apart is told beside. Neither states an error
+(`--replicates 1`). Each pair tells ratios of its own: of them median, range and geometric mean,
+with twice the standard error of the mean's logarithm. Time is of rendering alone. Cycles' CPU time
+is that of the call that renders, less what a picture of one sample costs (start-up,
+synchronization, file), in proportion to the other samples. Beside it Embree's tutorial path tracer,
+for speed at equal samples: it draws point lights only, ends paths early and writes 8 bits, so
+nothing is said of its error.
 
 With --nearest pbrt's scenes are compared where Blender has only something near to their metals,
 coats and shapes: one answer each, two pictures that are alike. What is only near is listed, scene
 by scene.
 
 With --all each has the best of its settings: candela, which then adapts, four replicates and two,
-by which it states its error, and one, each pixel's paths its own or shared; Cycles a fixed number
-of samples and its noise threshold. Of
+by which it states its error, and one; Cycles a fixed number of samples and its noise threshold. Of
 Cycles' that is the one to whose last error candela takes the longer, over Cycles' own time; of
 candela's the one that does better against that.
 """
@@ -40,7 +40,7 @@ GOALS = (1e-2, 1e-3)
 RENDERERS = ("candela", "Cycles")
 MEASURES = (("cpu", "relmse", "cpu_seconds"), ("wall", "relmse", "seconds"),
             ("trimmed_cpu", "trimmed", "cpu_seconds"))  # column, error, time
-# Of --all: name -> candela's options.
+# Name -> candela's options.
 OUR_SETTINGS = {f"candela, {words}{', paths shared' if reuse == 'on' else ''}":
                 {"replicates": replicates, "reuse": reuse}
                 for replicates, words in ((4, "four replicates"), (2, "two"), (1, "one"))
@@ -212,9 +212,9 @@ class Bench:
 
     def our_ladders(self, file, right, seed):
         """By setting. Cycles tells no error of a picture: without --all candela does not either."""
-        settings = OUR_SETTINGS if self.with_all else {"candela": {"replicates": 1}}
         return {setting: [self.our_run(file, right, seed, spp, own) for spp in self.counts]
-                for setting, own in settings.items()}
+                for setting, own in OUR_SETTINGS.items()
+                if self.with_all or own["replicates"] == 1}
 
     def our_run(self, file, right, seed, spp, own):
         adapts = self.with_all and spp >= PILOTS
