@@ -124,7 +124,9 @@ TEST(Statistical_ErrorEstimate, ItsIntervalHoldsTheTrueError) {
       if (estimate.interval95.low <= truth && truth <= estimate.interval95.high) ++held;
     }
     EXPECT_GE(held, 178) << side;  // 95 % of 200 less four standard deviations
-    if (side == 8) EXPECT_LT(held, runs) << "no interval of 95 % holds always";
+    if (side == 8) {
+      EXPECT_LT(held, runs) << "no interval of 95 % holds always";
+    }
   }
 }
 
