@@ -111,7 +111,7 @@ CloserLook::Look CloserLook::render_part(const Film& film, const TilePass& setti
   pass.tile = pixel_at(film, part.index);
   pass.range = {0, part_samples};
   pass.density = nullptr;
-  pass.plan.reuses_paths = false;  // there is no company
+  pass.plan.reuses_paths = false;  // else its company would be rendered, too
   const std::uint64_t seed = seed_of(SeedStream::CloserLook, options_.seed);
   pass.seed = hash_counter(seed, part.number);
   Film own(film.full_width(), film.full_height(), pass.tile, 0, part_replicates,

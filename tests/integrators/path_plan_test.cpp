@@ -8,6 +8,7 @@
 
 #include "integrators/render.h"
 #include "renderer/image/compare.h"
+#include "tests/integrators/leaning_mirror.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
 #include "tests/statistics/moments.h"
@@ -21,8 +22,7 @@ using description::SceneDescription;
 // Lamps, a sky, a mirror, glass, a lens: whatever a first hit can be.
 SceneDescription room_of_kinds() {
   SceneDescription scene = small_room();
-  add_mesh(scene, quad({-0.9, -0.9, 0.3}, {0.6, 0, 0.3}, {0, 0.8, 0}),
-           add_material(scene, description::MirrorMaterial{}));
+  add_leaning_mirror(scene);
   add_mesh(scene, quad({0.2, -0.9, 0.5}, {0.6, 0, 0.2}, {0, 0.8, 0}),
            add_material(scene, description::DielectricMaterial{}));
   add_light(scene, description::PointLight{{0.2, 0.6, 0.1}, Vec3d(0.3)});

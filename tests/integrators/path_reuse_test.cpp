@@ -4,6 +4,7 @@
 
 #include "integrators/path/reuse_groups.h"
 #include "renderer/image/compare.h"
+#include "tests/integrators/leaning_mirror.h"
 #include "tests/integrators/replicated_pictures.h"
 #include "tests/integrators/sample_ranges.h"
 #include "tests/scenes/description.h"
@@ -16,12 +17,11 @@ namespace {
 using namespace test;
 using description::SceneDescription;
 
-// Flat diffuse surfaces share, of one piece and of instances, in mirrors and through glass; a ball
-// with normals of its own, a glossy wall, a dim one that shines, and a sky do not.
-SceneDescription room_of_kinds() {
+// Flat diffuse surfaces share; a mirror, a ball with normals of its own, a glossy wall, a dim one
+// that shines and a sky do not, and what is instanced receives alone.
+SceneDescription room_of_what_shares_and_not() {
   SceneDescription scene = small_room();
-  add_mesh(scene, quad({-0.9, -0.9, 0.3}, {0.6, 0, 0.3}, {0, 0.8, 0}),
-           add_material(scene, description::MirrorMaterial{}));
+  add_leaning_mirror(scene);
   add_mesh(scene, sphere({0.5, -0.6, 0.4}, 0.3, 2), add_material(scene, diffuse(Vec3d(0.6))));
   description::CookTorranceMaterial glossy;
   glossy.diffuse.factor = Vec3d(0.3);
@@ -45,7 +45,7 @@ RenderSettings settings_with(bool reuses_paths, int size, int samples, std::uint
 }
 
 TEST(Statistical_PathReuse, KeepsEveryPixelsMean) {
-  for (const SceneDescription& description : {small_room(), room_of_kinds()}) {
+  for (const SceneDescription& description : {small_room(), room_of_what_shares_and_not()}) {
     statistics::AgreementOptions options;
     options.pixel_levels = {};  // pixels of a group are not independent
     options.block = 4;          // none has two pixels of a group
@@ -89,7 +89,7 @@ TEST(Agreement_PathReuse, SameBitsOverThreadsTilesCropsAndKernels) {
   settings.options.replicates = 3;
   settings.options.aovs = all_aovs;
   settings.options.lamp_rays = 4;
-  for (const SceneDescription& description : {small_room(), room_of_kinds()}) {
+  for (const SceneDescription& description : {small_room(), room_of_what_shares_and_not()}) {
     const Scene scene = compiled(description, settings.options);
     const RenderResult whole = rendered(scene, settings);
     EXPECT_TRUE(whole.statistics.plan.reuses_paths);

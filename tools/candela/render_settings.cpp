@@ -130,7 +130,7 @@ void refuse_what_only_path_does(const RenderArguments& arguments, const RenderOp
   refuse(!saving.empty(), fmt::format("--without {}", saving));
 }
 
-// Paths that all go the same number of ways from each first hit, by their surfaces alone.
+// What paths cannot be shared with: several from a first hit, or directions that others learned.
 void refuse_reuse(const RenderOptions& options) {
   if (!options.plan.reuses_paths) return;
   const auto refuse = [](bool is_said, std::string_view option) {
