@@ -11,6 +11,7 @@
 #include "integrators/path/check_sampling.h"
 #include "integrators/path/find_lamp_pixels.h"
 #include "integrators/path/kernels.h"
+#include "integrators/path/shared_surfaces.h"
 #include "integrators/render_rounds.h"
 #include "integrators/report/check_report.h"
 #include "integrators/report/report_context.h"
@@ -84,10 +85,16 @@ Kernel select_kernel(const Scene& scene, const A& accelerator, const Filter& fil
 // the light through, whether two points see each other is drawn at random, and so would be the
 // densities.
 bool may_reuse_paths(const Scene& scene, const RenderOptions& options) {
-  const auto has_cutouts = [](const Geometry& geometry) { return geometry.has_cutouts; };
-  return options.integrator == IntegratorKind::Path && has_default_strategy(options) &&
-         options.plan.splitting == 1 && options.guiding == Guiding::Off && !scene.features.media &&
-         options.max_depth.value_or(2) >= 2 && std::ranges::none_of(scene.geometries, has_cutouts);
+  if (options.integrator != IntegratorKind::Path || !has_default_strategy(options) ||
+      options.plan.splitting > 1 || options.guiding != Guiding::Off || scene.features.media ||
+      options.max_depth.value_or(2) < 2)
+    return false;
+  bool any_gives = false;
+  for (std::uint32_t i = 0; i < scene.geometries.size(); ++i) {
+    if (scene.geometries[i].has_cutouts) return false;
+    any_gives |= gives_shared(scene, i);
+  }
+  return any_gives;
 }
 
 // The options without what such scenes and strategies have none of.
@@ -98,7 +105,9 @@ RenderOptions what_is_done(const Scene& scene, const RenderOptions& options) {
     done.guiding = Guiding::Off;
     done.plan.splitting = 1;
   }
-  done.plan.reuses_paths = options.plan.reuses_paths && may_reuse_paths(scene, done);
+  const bool may_reuse = may_reuse_paths(scene, done);
+  done.plan.reuses_paths = options.plan.reuses_paths && may_reuse;
+  done.chooses_reuse = options.chooses_reuse && may_reuse;
   done.chooses_roulette = options.chooses_roulette && options.integrator == IntegratorKind::Path &&
                           done.plan.splitting == 1 && done.guiding == Guiding::Off &&
                           has_default_strategy(options);
@@ -132,9 +141,10 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
         const RoundsDone done = render_rounds(rounds, kernel.render_tile, result.film, progress,
                                               cancel, has_light(scene), start);
         const TileCounts& counts = done.counts;
-        result.statistics = {counts.rays,           counts.skipped, counts.invalid_samples,
-                             counts.first_invalid,  kernel.name,    done.roulette.plan,
-                             done.roulette.samples, done.guiding,   done.stop};
+        result.statistics = {
+            counts.rays,  counts.skipped, counts.invalid_samples, counts.first_invalid,
+            kernel.name,  done.plan,      done.roulette_samples,  done.reuse_samples,
+            done.guiding, done.stop};
         if (done.guiding.cells > 0) result.statistics.kernel = "path/guided";
         result.error = done.error;
       },

@@ -68,6 +68,9 @@ struct RenderOptions {
   // path by Mis and Power, without splitting or guiding: walks decide on the plan's roulette
   // (roulette/choose_roulette.h).
   bool chooses_roulette = false;
+  // path: a trial decides whether the plan's pixels share what their paths find, where they can
+  // (reuse/choose_reuse.h).
+  bool chooses_reuse = false;
   // path: camera rays a sample that look for lamps alone in pixels that lamps cover in part, at
   // most (path/find_lamp_pixels.h); 0: none.
   int lamp_rays = 0;
@@ -120,7 +123,8 @@ struct RayCounts {
   std::uint64_t camera = 0;
   std::uint64_t indirect = 0;
   std::uint64_t shadow = 0;
-  std::uint64_t lamp = 0;  // more camera rays, which look for lamps alone
+  std::uint64_t lamp = 0;     // more camera rays, which look for lamps alone
+  std::uint64_t segment = 0;  // between first hits and what other pixels' paths met
 };
 
 // What was not done because it could not matter.
@@ -150,8 +154,9 @@ struct RenderStatistics {
   std::uint64_t invalid_samples = 0;
   std::optional<InvalidSample> first_invalid;
   std::string kernel;  // the instance that ran
-  PathPlan plan;       // the options', but for what is never split and what walks decided
+  PathPlan plan;       // the options', but for what is never split, what walks and trials decided
   std::uint64_t roulette_samples = 0;  // that those took
+  std::uint64_t reuse_samples = 0;     // that the trial of shared paths took
   GuidingDone guiding;
   StopReason stop = StopReason::Samples;
 };

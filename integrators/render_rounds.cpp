@@ -4,6 +4,8 @@
 #include "integrators/guiding/choose_guide.h"
 #include "integrators/path/reuse_groups.h"
 #include "integrators/pilot.h"
+#include "integrators/reuse/choose_reuse.h"
+#include "integrators/roulette/choose_roulette.h"
 #include "integrators/rounds.h"
 #include "renderer/base/parallel.h"
 #include "renderer/film/tiles.h"
@@ -42,8 +44,7 @@ class Loop {
     const auto most = static_cast<std::uint32_t>(options_.samples_per_pixel);
     std::optional<StopReason> stop;
     expect({});
-    result.roulette = choose_roulette(options_, render_tile_, cancel_);
-    plan_ = result.roulette.plan;
+    choose_plan(result);
     if (options_.integrator == IntegratorKind::Path)
       guide_ = choose_guide(options_, render_tile_, cancel_);
     result.guiding = guiding_done();
@@ -67,6 +68,16 @@ class Loop {
   }
 
  private:
+  void choose_plan(RoundsDone& result) {
+    const RouletteChoice roulette = choose_roulette(options_, render_tile_, cancel_);
+    plan_ = roulette.plan;
+    const ReuseChoice reuse = choose_reuse(options_, plan_, render_tile_, cancel_);
+    plan_.reuses_paths = reuse.reuses_paths;
+    result.plan = plan_;
+    result.roulette_samples = roulette.samples;
+    result.reuse_samples = reuse.samples;
+  }
+
   [[nodiscard]] GuidingDone guiding_done() const {
     if (!guide_.field) return {guide_.training_samples};
     return {guide_.training_samples, guide_.field->cells(), guide_.field->guided_cells()};

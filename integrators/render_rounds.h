@@ -5,7 +5,6 @@
 
 #include "integrators/kernel.h"
 #include "integrators/render.h"
-#include "integrators/roulette/choose_roulette.h"
 #include "integrators/time_budget.h"
 
 namespace candela {
@@ -13,7 +12,9 @@ namespace candela {
 struct RoundsDone {
   TileCounts counts;
   StopReason stop = StopReason::Samples;
-  RouletteChoice roulette;
+  PathPlan plan;  // the options', but for what was chosen
+  std::uint64_t roulette_samples = 0;
+  std::uint64_t reuse_samples = 0;
   GuidingDone guiding;
   std::optional<ErrorEstimate> error;  // of the film as it is now; none: RenderResult says when
 };

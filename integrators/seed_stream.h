@@ -14,7 +14,8 @@ enum class SeedStream : std::uint64_t {
   GuideTraining = 4,  // guiding/training.h
   GuideTrial = 5,     // guiding/choose_guide.h
   Roulette = 6,       // roulette/choose_roulette.h
-  CloserLook = 7      // closer_look.h
+  CloserLook = 7,     // closer_look.h
+  Reuse = 8           // reuse/choose_reuse.h
 };
 
 [[nodiscard]] constexpr std::uint64_t seed_of(SeedStream stream, std::uint64_t picture_seed) {

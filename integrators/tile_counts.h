@@ -14,7 +14,8 @@ namespace candela {
 // of eleven scenes with and without adaptive sampling (docs/decisions.md).
 inline constexpr std::uint64_t cost_of_bounce = 20;
 [[nodiscard]] inline std::uint64_t cost_of(const RayCounts& rays) {
-  return 6 * rays.camera + cost_of_bounce * rays.indirect + 14 * (rays.shadow + rays.lamp);
+  return 6 * rays.camera + cost_of_bounce * rays.indirect + 14 * (rays.shadow + rays.lamp) +
+         8 * rays.segment;
 }
 
 // Summed over tiles at the end: no shared counters.
@@ -29,6 +30,7 @@ struct TileCounts {
     rays.indirect += other.rays.indirect;
     rays.shadow += other.rays.shadow;
     rays.lamp += other.rays.lamp;
+    rays.segment += other.rays.segment;
     skipped.shadow_rays += other.skipped.shadow_rays;
     skipped.samples += other.skipped.samples;
     invalid_samples += other.invalid_samples;

@@ -14,6 +14,13 @@ namespace candela {
 class GuidingField;
 class PathObserver;
 
+// Of pixels that share what their paths find (path/path_reuse.h) a group alone, and what its
+// samples would be if they did not.
+struct GroupTrial {
+  int group = 0;          // of those of each square in the tile (path/reuse_groups.h)
+  Film* alone = nullptr;  // gets the samples without what is shared
+};
+
 struct TilePass {
   PixelRect tile;
   SampleRange range;                       // of each pixel; with a density: of the mean over all
@@ -23,6 +30,7 @@ struct TilePass {
   const GuidingField* guide = nullptr;            // null: paths are not guided
   PathObserver* observer = nullptr;               // who is told what paths do; null: nobody
   std::array<SampleDensity::Scales, 2> scales{};  // the density's, where the range begins and ends
+  const GroupTrial* trial = nullptr;              // null: all groups
 
   void deal_out_by(const SampleDensity& by) {
     density = &by;

@@ -51,6 +51,10 @@ struct BlockTrip {
     counts.rays.shadow += lane_count(lanes);
     add_cost(lanes, cost_of({.shadow = 1}));
   }
+  void count_segments(LaneMask lanes) {
+    counts.rays.segment += lane_count(lanes);
+    add_cost(lanes, cost_of({.segment = 1}));
+  }
   // Calls count(), which counts rays of the lane.
   template <class Count>
   void count_for(std::uint32_t lane, const Count& count) {

@@ -53,6 +53,12 @@ class Convoy {
     for (std::size_t i = 0; i < size_; ++i) visit(*trips_[i]);
   }
 
+  // Calls visit(trip, gain): by how much sharing makes its samples larger (path_reuse.h).
+  template <class Visit>
+  void for_each_gain(const Visit& visit) {
+    for (std::size_t i = 0; i < size_; ++i) visit(*trips_[i], reuse_.gain(i));
+  }
+
   void clear() {
     size_ = 0;
     reuse_.clear();

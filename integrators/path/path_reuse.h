@@ -9,26 +9,21 @@
 // where p is the density with which x' finds y, per area: (cos at x') (cos at y) / (pi distance^2)
 // if they see each other, else 0. It is the multi-sample estimator by the balance heuristic
 // [Veach97, section 9.2], of which the throughput, cosine and distance at x cancel: no weight is
-// above 1. Unbiased, since which points give and receive follows from where they lie alone: first
-// hits on flat diffuse surfaces receive, points on such that do not shine give. Whatever else a
-// path meets after its first hit is its own pixel's.
+// above 1. Unbiased, since which points give to which first hits follows from where both lie alone:
+// first hits on diffuse surfaces receive, points on such that do not shine give to those from which
+// they are seen with a shading normal that is not bent. Whatever else a path meets after its first
+// hit is its own pixel's.
 //
 // Samples of the same index share, so that replicates stay independent of each other.
 #pragma once
 
 #include "integrators/path/block_trip.h"
+#include "integrators/path/gathered_rays.h"
 #include "integrators/path/reuse_lanes.h"
-#include "renderer/material/bump.h"
+#include "integrators/path/shared_surfaces.h"
+#include "integrators/path/trace_block.h"
 
 namespace candela {
-
-// Diffuse, and the normal is the triangle's: what leaves it is the same in all directions, and
-// depends on no direction from which it is seen.
-[[nodiscard]] inline bool is_flat_diffuse(const Scene& scene, std::uint32_t geometry_index) {
-  const Geometry& geometry = scene.geometries[geometry_index];
-  return scene.plain_models[geometry_index] == PlainModel::Diffuse && geometry.normals.empty() &&
-         !has_bump(scene.materials[geometry.material.index]);
-}
 
 // Of the trips of a convoy, which are given by their places. At most `capacity` of them.
 template <class A, std::size_t capacity>
@@ -36,32 +31,49 @@ class PathReuse {
  public:
   // The trips from the last group's end to this one share.
   void end_group(std::size_t end) {
+    for (std::size_t i = group_begin(groups_); i < end; ++i) lanes_[i].gain = {};
     if (end > group_begin(groups_)) group_ends_[groups_++] = end;
   }
   [[nodiscard]] bool has_groups() const { return groups_ > 0; }
   void clear() { groups_ = 0; }
 
-  // The paths that are alive have left their first hits.
+  // By how much what is shared makes a block's samples larger than what their own paths found.
+  [[nodiscard]] const Vec3Lanes& gain(std::size_t place) const { return lanes_[place].gain; }
+
+  // The paths that are alive have left their first hits; others that met a surface have ended
+  // there.
   void leave_first_hits(std::size_t place, const BlockTrip<A>& trip) {
     ReuseLanes& lanes = lanes_[place];
-    lanes.receives = flat_diffuse_lanes(trip);
+    const Scene& scene = trip.context.scene;
+    const PathBlock& block = trip.block;
+    lanes.receives = 0;
     lanes.gives = 0;
-    lanes.x = trip.block.rays.origin;
-    lanes.x_normal = trip.block.paths.receiving_normal;
-    lanes.throughput = trip.block.paths.throughput;
+    lanes.is_x_flat = true;
+    lanes.x = block.rays.origin;
+    lanes.x_shading = block.paths.receiving_normal;
+    lanes.x_geometric = lanes.x_shading;
+    lanes.throughput = block.paths.throughput;
+    if (trip.bounce == 0) return;  // no camera ray was traced
+    for_each_lane(trip.place.lanes & block.hits.met, [&](std::uint32_t i) {
+      const std::uint32_t geometry = block.hits.geometry[i];
+      if (!receives_shared(scene, geometry)) return;
+      const bool is_alive = (trip.alive >> i & 1) != 0;
+      const bool is_flat = has_flat_shading(scene, geometry);
+      if (is_flat && !is_alive) return;  // black
+      lanes.receives |= 1u << i;
+      if (is_flat) return;
+      lanes.is_x_flat = false;
+      is_alive ? receive_alive(scene, i, block, lanes) : receive_ended(scene, i, block, lanes);
+    });
   }
 
   // The rays from there have ended. What paths that give bring from now on is kept apart.
   void meet_next(std::size_t place, BlockTrip<A>& trip) {
     ReuseLanes& lanes = lanes_[place];
-    PathBlock& block = trip.block;
-    lanes.gives = lanes.receives & flat_diffuse_lanes(trip) & ~block.hits.instanced;
-    for_each_lane(lanes.gives, [&](std::uint32_t i) {
-      const Geometry& geometry = trip.context.scene.geometries[block.hits.geometry[i]];
-      if (geometry.is_emissive())
-        lanes.gives &= ~(1u << i);
-      else
-        begin_to_give(geometry, i, block, lanes);
+    lanes.is_y_flat = true;
+    for_each_lane(lanes.receives & trip.alive, [&](std::uint32_t i) {
+      if (!gives_shared(trip.context.scene, trip.block.hits.geometry[i])) return;
+      if (meet_point(trip.context.scene, i, trip.block, lanes)) begin_to_give(i, trip.block, lanes);
     });
   }
 
@@ -69,8 +81,15 @@ class PathReuse {
   template <class Trips>
   void share(Trips& trips) {
     for (std::size_t group = 0; group < groups_; ++group)
-      for (std::size_t from = group_begin(group); from < group_ends_[group]; ++from)
-        if (lanes_[from].gives != 0) share(from, group, trips);
+      for_each_giver(group, [&](std::size_t from) { connect_group(from, group, trips); });
+    end_segments(trips);
+    for (std::size_t group = 0; group < groups_; ++group)
+      for_each_giver(group, [&](std::size_t from) {
+        const std::size_t begin = group_begin(group);
+        const std::size_t size = group_ends_[group] - begin;
+        weigh(std::span(weights_[from]).subspan(begin, size),
+              std::span(seen_[from]).subspan(begin, size));
+      });
   }
 
   // The paths have ended.
@@ -84,44 +103,101 @@ class PathReuse {
     return group == 0 ? 0 : group_ends_[group - 1];
   }
 
-  [[nodiscard]] static LaneMask flat_diffuse_lanes(const BlockTrip<A>& trip) {
-    LaneMask lanes = 0;
-    for_each_lane(trip.alive, [&](std::uint32_t i) {
-      lanes |= flag(is_flat_diffuse(trip.context.scene, trip.block.hits.geometry[i])) << i;
-    });
-    return lanes;
+  // A first hit whose shading normal is its own.
+  static void receive_alive(const Scene& scene, std::uint32_t i, const PathBlock& block,
+                            ReuseLanes& lanes) {
+    const Vec3f wi = block.rays.direction[i];
+    lanes.x_geometric.set(i, point_met(scene, block.hits[i], wi).geometric_normal);
+  }
+  // And whose path ended, since its direction was above the shading normal's horizon alone: what
+  // others found is met from there as from any.
+  static void receive_ended(const Scene& scene, std::uint32_t i, const PathBlock& block,
+                            ReuseLanes& lanes) {
+    const Vec3f wo = -block.rays.direction[i];
+    const Hit hit = block.hits[i];
+    const Geometry& geometry = scene.geometries[hit.geometry];
+    const Material& material = scene.materials[geometry.material.index];
+    const SurfacePoint point = surface_point_at<general_features>(scene, hit, material, wo);
+    lanes.x.set(i, point.position + point.geometric_normal * point.offset);
+    lanes.x_shading.set(i, point.shading.z);
+    lanes.x_geometric.set(i, point.geometric_normal);
+    const Bsdf bsdf = bsdf_at(material, scene.textures, texture_point_of(point), point.is_front);
+    lanes.throughput.set(i, block.paths.throughput[i] * bsdf.diffuse);
   }
 
-  static void begin_to_give(const Geometry& geometry, std::uint32_t i, PathBlock& block,
-                            ReuseLanes& lanes) {
-    const auto [p0, p1, p2] = surface_point_detail::corners_of(geometry, block.hits.triangle[i]);
-    const auto met =
-        surface_point_detail::plane_point(p0, p1, p2, block.hits.u[i], block.hits.v[i]);
-    const bool is_front = dot(met.normal, block.rays.direction[i]) < 0;
-    const Vec3f normal = is_front ? met.normal : -met.normal;
-    lanes.y.set(i, met.position + normal * met.offset);
-    lanes.y_normal.set(i, normal);
+  // On the side that `wo` is on.
+  [[nodiscard]] static SurfacePoint point_met(const Scene& scene, const Hit& hit, const Vec3f& wo) {
+    const Instance* instance = hit.is_instanced() ? &scene.instances[hit.instance] : nullptr;
+    return make_triangle_point(scene.geometries[hit.geometry], instance, hit, wo, false);
+  }
+
+  // The point that a path met; false where it is seen with a normal that is bent.
+  [[nodiscard]] static bool meet_point(const Scene& scene, std::uint32_t i, const PathBlock& block,
+                                       ReuseLanes& lanes) {
+    const Vec3f wo = -block.rays.direction[i];
+    const SurfacePoint point = point_met(scene, block.hits[i], wo);
+    const Vec3f& geometric = point.geometric_normal;
+    Vec3f shading = geometric;
+    if (!point.is_flat) {
+      const float side = dot(point.front_normal, geometric);
+      shading = side < 0 ? -point.front_normal : point.front_normal;
+      const float between = std::abs(side);
+      if (!is_unbent(dot(shading, wo), between, dot(geometric, wo))) return false;
+      lanes.is_y_flat = false;
+    }
+    lanes.y.set(i, point.position + geometric * point.offset);
+    lanes.y_shading.set(i, shading);
+    lanes.y_geometric.set(i, geometric);
+    lanes.y_between[i] = dot(shading, geometric);
+    return true;
+  }
+  static void begin_to_give(std::uint32_t i, PathBlock& block, ReuseLanes& lanes) {
+    lanes.gives |= 1u << i;
     lanes.radiance.set(i, block.paths.radiance[i]);
     block.paths.radiance.set(i, Rgb(0));
     block.paths.throughput.set(i, Rgb(1));
   }
 
+  template <class Visit>
+  void for_each_giver(std::size_t group, const Visit& visit) const {
+    for (std::size_t from = group_begin(group); from < group_ends_[group]; ++from)
+      if (lanes_[from].gives != 0) visit(from);
+  }
+
+  // Which first hits of a group see the points that paths of a block of it met.
   template <class Trips>
-  void share(std::size_t from, std::size_t group, Trips& trips) {
-    const std::size_t begin = group_begin(group);
-    const std::size_t end = group_ends_[group];
-    std::array<LaneMask, capacity> seen{};
+  void connect_group(std::size_t from, std::size_t group, Trips& trips) {
     RayBlock segments;
-    for (std::size_t at = begin; at < end; ++at) {
+    for (std::size_t at = group_begin(group); at < group_ends_[group]; ++at) {
       const LaneMask lanes = lanes_[from].gives & lanes_[at].receives;
-      const LaneMask found = connect(lanes_[at], lanes_[from], lanes, segments, weights_[from][at]);
-      seen[at - begin] = found;
-      if (at == from || found == 0) continue;  // a path sees what it met
-      trips[at]->count_shadow_rays(found);
-      seen[at - begin] = found & ~trips[at]->context.accelerator.occluded(segments, found);
+      LaneMask& seen = seen_[from][at];
+      seen = 0;
+      if (lanes == 0) continue;
+      seen = connect(lanes_[at], lanes_[from], lanes, segments, weights_[from][at]);
+      if (at == from || seen == 0) continue;  // a path sees what it met
+      trips[at]->count_segments(seen);
+      const A& accelerator = trips[at]->context.accelerator;
+      if (!is_gathered(accelerator, seen)) {
+        seen &= ~accelerator.occluded(segments, seen);
+        continue;
+      }
+      for_each_lane(seen, [&](std::uint32_t lane) {
+        segments_.add(segments[lane], {from, at, lane});
+        if (segments_.is_full()) end_segments(trips);
+      });
     }
-    weigh(std::span(weights_[from]).subspan(begin, end - begin),
-          std::span(seen).first(end - begin));
+  }
+
+  // Tells which of the segments that were gathered are clear.
+  template <class Trips>
+  void end_segments(const Trips& trips) {
+    if (segments_.is_empty()) return;
+    const A& accelerator = trips[0]->context.accelerator;
+    for_each_lane(accelerator.occluded(segments_.rays(), segments_.lanes()), [&](std::uint32_t k) {
+      const auto& [from, at, lane] = segments_.place(k);
+      seen_[from][at] &= ~(1u << lane);
+    });
+    segments_.clear();
   }
 
   template <class Trips>
@@ -129,24 +205,36 @@ class PathReuse {
     const std::size_t begin = group_begin(group);
     const std::size_t end = group_ends_[group];
     std::array<Vec3Lanes, capacity> given{};
-    for (std::size_t from = begin; from < end; ++from)
+    for_each_giver(group, [&](std::size_t from) {
       for_each_lane(lanes_[from].gives, [&](std::uint32_t i) {
         PathLanes& paths = trips[from]->block.paths;
-        given[from].set(i, paths.radiance[i]);
+        given[from - begin].set(i, paths.radiance[i]);
         paths.radiance.set(i, lanes_[from].radiance[i]);
       });
+    });
     for (std::size_t at = begin; at < end; ++at) {
       Vec3Lanes sum;
-      for (std::size_t from = begin; from < end; ++from)
-        if (lanes_[from].gives != 0) add_weighted(weights_[from][at], given[from], sum);
+      for_each_giver(group, [&](std::size_t from) {
+        add_weighted(weights_[from][at], given[from - begin], sum);
+      });
       for_each_lane(lanes_[at].receives, [&](std::uint32_t i) {
-        trips[at]->block.paths.add_radiance(i, lanes_[at].throughput[i] * sum[i]);
+        const Rgb shared = lanes_[at].throughput[i] * sum[i];
+        trips[at]->block.paths.add_radiance(i, shared);
+        lanes_[at].gain.set(i, shared - lanes_[at].throughput[i] * given[at - begin][i]);
       });
     }
   }
 
+  struct Segment {
+    std::size_t from = 0;    // whose paths' points
+    std::size_t at = 0;      // are met from this block's first hits
+    std::uint32_t lane = 0;  // in this lane of both
+  };
+
   std::array<ReuseLanes, capacity> lanes_;
   std::array<std::array<Lanes<float>, capacity>, capacity> weights_;  // of a point, at a first hit
+  std::array<std::array<LaneMask, capacity>, capacity> seen_;  // whether it is met from there
+  GatheredRays<Segment> segments_;
   std::array<std::size_t, capacity> group_ends_{};
   std::size_t groups_ = 0;
 };

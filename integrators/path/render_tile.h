@@ -107,6 +107,22 @@ inline void add_background(const BackgroundPixels& background, const SampleRange
   counts.skipped.samples += count;
 }
 
+// A trial's samples without what sharing added to them.
+template <class A>
+inline void add_unshared(const BlockTrip<A>& trip, const Vec3Lanes& gain, const TilePass& pass) {
+  TileCounts not_told;
+  for_each_lane(trip.place.lanes, [&](std::uint32_t i) {
+    const int x = trip.place.pixels.x[i];
+    const int y = trip.place.pixels.y[i];
+    if (!pass.tile.contains(x, y)) return;
+    FilmSample sample;
+    sample.radiance = glm::max(trip.block.paths.radiance[i] - gain[i], Rgb(0));  // but for rounding
+    sample.weight = trip.block.weight[i];
+    add_or_count(sample, x, y, trip.place.samples[i], trip.context.options.clamp,
+                 *pass.trial->alone, not_told);
+  });
+}
+
 // The samples of a pass, in order.
 template <FeatureSet F, class A>
 class TileRenderer {
@@ -127,7 +143,7 @@ class TileRenderer {
     const RenderOptions& options = context_.options;
     if (F.reuses_paths() && reuses_paths(pass_)) {
       for_each_group(
-          pass_.tile, options.width, options.height, [&](int x, int y) { add_to_group(x, y); },
+          pass_, options.width, options.height, [&](int x, int y) { add_to_group(x, y); },
           [&] { end_group(); });
     } else if (shares_blocks(options, pass_, splitting_)) {
       for_each_square(pass_.tile, options.width, options.height,
@@ -224,6 +240,12 @@ class TileRenderer {
   void travel() {
     convoy_.travel();
     convoy_.for_each_trip([&](BlockTrip<A>& trip) { finish<F>(trip, pass_.tile, film_, counts_); });
+    if constexpr (F.reuses_paths()) {
+      if (pass_.trial != nullptr)
+        convoy_.for_each_gain([&](const BlockTrip<A>& trip, const Vec3Lanes& gain) {
+          add_unshared(trip, gain, pass_);
+        });
+    }
     convoy_.clear();
   }
 

@@ -19,16 +19,28 @@ static_assert(reuse_step % 2 == 0);  // the same colour
   return pass.plan.reuses_paths && pass.observer == nullptr;
 }
 
-// Calls visit(x, y) for the pixels of the squares that have one in the tile, and end() after those
-// of each group.
+// Where the aligned square begins that has a pixel, each way.
+inline constexpr int reuse_square = reuse_side * reuse_step;
+[[nodiscard]] inline int reuse_square_begin(int pixel) {
+  return pixel - pixel % reuse_square;
+}
+
+// Of a pixel, among those of its square.
+[[nodiscard]] inline int reuse_group_of(int x, int y) {
+  return y % reuse_step * reuse_step + x % reuse_step;
+}
+
+// Calls visit(x, y) for the pixels of the pass' squares, all that have one in the tile, and end()
+// after those of each group.
 template <class Visit, class End>
-inline void for_each_group(const PixelRect& tile, int width, int height, const Visit& visit,
+inline void for_each_group(const TilePass& pass, int width, int height, const Visit& visit,
                            const End& end) {
-  constexpr int square = reuse_side * reuse_step;
-  const auto aligned = [](int i) { return i - i % square; };
-  for (int y0 = aligned(tile.y0); y0 < tile.y1; y0 += square)
-    for (int x0 = aligned(tile.x0); x0 < tile.x1; x0 += square)
+  constexpr int square = reuse_square;
+  const PixelRect& tile = pass.tile;
+  for (int y0 = reuse_square_begin(tile.y0); y0 < tile.y1; y0 += square)
+    for (int x0 = reuse_square_begin(tile.x0); x0 < tile.x1; x0 += square)
       for (int i = 0; i < reuse_step * reuse_step; ++i) {
+        if (pass.trial != nullptr && pass.trial->group != i) continue;
         for (int y = y0 + i / reuse_step; y < std::min(y0 + square, height); y += reuse_step)
           for (int x = x0 + i % reuse_step; x < std::min(x0 + square, width); x += reuse_step)
             visit(x, y);

@@ -3,11 +3,23 @@
 #include <cmath>
 
 #include "renderer/base/vector_widths.h"
+#include "renderer/geometry/surface_point.h"
 
 namespace candela {
 
-CANDELA_LANES LaneMask connect(const ReuseLanes& at, const ReuseLanes& from, LaneMask lanes,
-                               RayBlock& segments, Lanes<float>& density) {
+namespace {
+
+struct Vectors {
+  const Vec3Lanes& lanes;
+  [[nodiscard]] float dot(std::size_t i, float x, float y, float z) const {
+    return x * lanes.x[i] + y * lanes.y[i] + z * lanes.z[i];
+  }
+};
+
+template <bool are_flat>
+[[nodiscard]] inline LaneMask connect_lanes(const ReuseLanes& at, const ReuseLanes& from,
+                                            LaneMask lanes, RayBlock& segments,
+                                            Lanes<float>& density) {
   constexpr float before_end = 1 - 0x1p-20f;  // y itself is in nobody's way
   const LaneFlags flags = flags_of(lanes);
   LaneFlags found;
@@ -24,15 +36,35 @@ CANDELA_LANES LaneMask connect(const ReuseLanes& at, const ReuseLanes& from, Lan
     segments.direction.y[i] = y * inverse;
     segments.direction.z[i] = z * inverse;
     segments.t_max[i] = distance * before_end;
-    const float cos_x =
-        (x * at.x_normal.x[i] + y * at.x_normal.y[i] + z * at.x_normal.z[i]) * inverse;
-    const float cos_y =
-        -(x * from.y_normal.x[i] + y * from.y_normal.y[i] + z * from.y_normal.z[i]) * inverse;
-    const bool is_found = is_apart & (cos_x > 0) & (cos_y > 0);
+    const float cos_x = Vectors{at.x_shading}.dot(i, x, y, z) * inverse;
+    const float cos_y = -Vectors{from.y_geometric}.dot(i, x, y, z) * inverse;
+    bool is_found = is_apart & (cos_x > 0) & (cos_y > 0);
+    if constexpr (!are_flat) {
+      const float geometric_x = Vectors{at.x_geometric}.dot(i, x, y, z);
+      const float shading_y = -Vectors{from.y_shading}.dot(i, x, y, z) * inverse;
+      is_found = is_found & (geometric_x > 0) & is_unbent(shading_y, from.y_between[i], cos_y);
+    }
     found[i] = is_found ? 1 : 0;
     density[i] = is_found ? cos_x * cos_y * inverse * inverse : 0.0f;
   }
   return mask_of(found);
+}
+
+CANDELA_LANES LaneMask connect_flat(const ReuseLanes& at, const ReuseLanes& from, LaneMask lanes,
+                                    RayBlock& segments, Lanes<float>& density) {
+  return connect_lanes<true>(at, from, lanes, segments, density);
+}
+CANDELA_LANES LaneMask connect_any(const ReuseLanes& at, const ReuseLanes& from, LaneMask lanes,
+                                   RayBlock& segments, Lanes<float>& density) {
+  return connect_lanes<false>(at, from, lanes, segments, density);
+}
+
+}  // namespace
+
+LaneMask connect(const ReuseLanes& at, const ReuseLanes& from, LaneMask lanes, RayBlock& segments,
+                 Lanes<float>& density) {
+  if (at.is_x_flat && from.is_y_flat) return connect_flat(at, from, lanes, segments, density);
+  return connect_any(at, from, lanes, segments, density);
 }
 
 CANDELA_LANES void weigh(std::span<Lanes<float>> densities, std::span<const LaneMask> seen) {

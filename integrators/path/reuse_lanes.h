@@ -12,10 +12,15 @@ namespace candela {
 struct ReuseLanes {
   LaneMask receives = 0;  // whose first hit x can be reached by others' light
   LaneMask gives = 0;     // whose path met a point y, from which on it serves others
-  Vec3Lanes x, x_normal;  // off their surfaces by the positions' errors; on the side that is seen
-  Vec3Lanes y, y_normal;
+  // Places, off their surfaces by their errors; shading and geometric normals on the side that is
+  // seen. Where all are flat the shading normals are the geometric ones.
+  Vec3Lanes x, x_shading, x_geometric;
+  Vec3Lanes y, y_shading, y_geometric;
+  Lanes<float> y_between{};  // the cosine between both
+  bool is_x_flat = true, is_y_flat = true;
   Vec3Lanes throughput;  // from the camera to x, with the surface's albedo
   Vec3Lanes radiance;    // of the path up to y
+  Vec3Lanes gain;        // what comes to x from all points, less what comes from the path's own
 };
 
 // Segments from the first hits of `at` to the points of `from`, and the densities with which the

@@ -1,13 +1,11 @@
-// The rays of the blocks of a convoy: block by block; or, where what a ray is told depends on none
-// that are asked for with it, so that blocks are full however few paths of each are on their way.
+// The rays of the blocks of a convoy: block by block, or gathered from several, so that blocks are
+// full however few paths of each are on their way.
 #pragma once
 
+#include "integrators/path/gathered_rays.h"
 #include "integrators/path/trace_block.h"
 
 namespace candela {
-
-// Blocks of at least so many rays are traced as they are.
-inline constexpr std::uint32_t fewest_alone = 12;
 
 template <FeatureSet F, class A>
 class TripRays {
@@ -22,16 +20,19 @@ class TripRays {
     trip.block.hits.met = 0;  // what other lanes hold means nothing
     trip.block.hits.instanced = 0;
     for_each_lane(trip.alive, [&](std::uint32_t lane) {
-      put(trip, lane, rays);
-      if (size_ == block_size) end_rays();
+      gathered_.add(rays[lane], {&trip, lane});
+      if (gathered_.is_full()) end_rays();
     });
   }
   void end_rays() {
-    if (size_ == 0) return;
-    const HitBlock hits = accelerator().intersect(rays_, filled(), Coherence::Incoherent);
-    for (std::uint32_t k = 0; k < size_; ++k)
-      places_[k].trip->block.hits.set(places_[k].lane, hits[k]);
-    size_ = 0;
+    if (gathered_.is_empty()) return;
+    const HitBlock hits =
+        accelerator().intersect(gathered_.rays(), gathered_.lanes(), Coherence::Incoherent);
+    for_each_lane(gathered_.lanes(), [&](std::uint32_t k) {
+      const auto& [trip, lane] = gathered_.place(k);
+      trip->block.hits.set(lane, hits[k]);
+    });
+    gathered_.clear();
   }
 
   // Which of the shadow rays arrive.
@@ -44,39 +45,36 @@ class TripRays {
     }
     trip.count_shadow_rays(after.shadow_rays);
     for_each_lane(after.shadow_rays, [&](std::uint32_t lane) {
-      put(trip, lane, trip.block.shadow_rays);
-      if (size_ == block_size) end_shadow_rays();
+      gathered_.add(trip.block.shadow_rays[lane], {&trip, lane});
+      if (gathered_.is_full()) end_shadow_rays();
     });
   }
   void end_shadow_rays() {
-    if (size_ == 0) return;
-    for_each_lane(filled() & ~accelerator().occluded(rays_, filled()), [&](std::uint32_t k) {
-      places_[k].trip->after.arriving |= 1u << places_[k].lane;
+    if (gathered_.is_empty()) return;
+    const LaneMask lanes = gathered_.lanes();
+    for_each_lane(lanes & ~accelerator().occluded(gathered_.rays(), lanes), [&](std::uint32_t k) {
+      const auto& [trip, lane] = gathered_.place(k);
+      trip->after.arriving |= 1u << lane;
     });
-    size_ = 0;
+    gathered_.clear();
   }
 
  private:
   [[nodiscard]] static bool shares(const BlockTrip<A>& trip, LaneMask lanes) {
     if constexpr (F.lanes && !F.media)
-      return lane_count(lanes) < fewest_alone && trip.context.accelerator.allows_any_company();
+      return is_gathered(trip.context.accelerator, lanes);
     else
       return false;
   }
-  [[nodiscard]] const A& accelerator() const { return places_[0].trip->context.accelerator; }
-  [[nodiscard]] LaneMask filled() const { return (1u << size_) - 1; }
-  void put(BlockTrip<A>& trip, std::uint32_t lane, const RayBlock& rays) {
-    rays_.set(size_, rays[lane]);
-    places_[size_++] = {&trip, lane};
+  [[nodiscard]] const A& accelerator() const {
+    return gathered_.place(0).trip->context.accelerator;
   }
 
   struct Place {
-    BlockTrip<A>* trip;
-    std::uint32_t lane;
+    BlockTrip<A>* trip = nullptr;
+    std::uint32_t lane = 0;
   };
-  std::array<Place, block_size> places_{};
-  std::uint32_t size_ = 0;
-  RayBlock rays_;
+  GatheredRays<Place> gathered_;
 };
 
 }  // namespace candela

@@ -100,6 +100,17 @@ inline void set_front_normal(const Vec3f& n, SurfacePoint& point) {
 
 }  // namespace surface_point_detail
 
+[[nodiscard]] inline float least_mirror_height(float geometric_wo) {
+  return std::min(0.9f * geometric_wo, 0.01f);
+}
+
+// Whether a shading normal needs no bending, by cosines between: it and wo, both normals, wo and
+// the geometric normal. The mirror direction about it has a height above the surface.
+[[nodiscard]] inline bool is_unbent(float shading_wo, float shading_geometric, float geometric_wo) {
+  const float height = 2 * shading_wo * shading_geometric - geometric_wo;
+  return height >= least_mirror_height(geometric_wo);
+}
+
 // The shading normal, bent towards the geometric one just as far as the mirror direction about it
 // needs to stay above the surface: no black silhouettes, no light through. All vectors unit, the
 // geometric normal on the side of wo.
@@ -111,9 +122,7 @@ inline void set_front_normal(const Vec3f& n, SurfacePoint& point) {
 [[nodiscard]] inline Vec3f valid_shading_normal(const Vec3f& shading, const Vec3f& geometric,
                                                 const Vec3f& wo) {
   const float z = dot(geometric, wo);
-  const float least = std::min(0.9f * z, 0.01f);
-  const float height = 2 * dot(shading, wo) * dot(shading, geometric) - z;
-  if (height >= least) return shading;
+  if (is_unbent(dot(shading, wo), dot(shading, geometric), z)) return shading;
   Vec3f aside = shading - geometric * dot(shading, geometric);
   const float length2 = dot(aside, aside);
   if (!(length2 > 0)) return geometric;
@@ -121,7 +130,7 @@ inline void set_front_normal(const Vec3f& n, SurfacePoint& point) {
   const float x = dot(tangent, wo);
   const float r = std::sqrt(x * x + z * z);
   if (!(r > 0)) return geometric;
-  const float cosine = least / r;
+  const float cosine = least_mirror_height(z) / r;
   const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
   Vec3f doubled =
       tangent * ((x * cosine + z * sine) / r) + geometric * ((z * cosine - x * sine) / r);

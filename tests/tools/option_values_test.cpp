@@ -143,7 +143,7 @@ TEST(Unit_OptionValues, OptionsOfSamplingReachTheirFields) {
   EXPECT_EQ(a.replicates, 6);
   EXPECT_EQ(a.adaptive, false);
   EXPECT_EQ(a.splitting, 3);
-  EXPECT_EQ(a.reuses_paths, true);
+  EXPECT_EQ(a.reuses_paths, PathSharing{true});
   EXPECT_EQ(a.roulette, RouletteThreshold{0.75});
   EXPECT_EQ(a.guiding, Guiding::Auto);
   EXPECT_EQ(a.clamp, 2.5);

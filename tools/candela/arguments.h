@@ -35,6 +35,12 @@ struct RouletteThreshold {
   friend bool operator==(const RouletteThreshold&, const RouletteThreshold&) = default;
 };
 
+// --reuse: none: `auto`.
+struct PathSharing {
+  std::optional<bool> is_on;
+  friend bool operator==(const PathSharing&, const PathSharing&) = default;
+};
+
 // What every command that reads a scene takes.
 struct SceneArguments {
   std::string path;
@@ -54,7 +60,7 @@ struct RenderArguments {
   std::optional<int> replicates;
   std::optional<bool> adaptive;
   std::optional<int> splitting;
-  std::optional<bool> reuses_paths;
+  std::optional<PathSharing> reuses_paths;
   std::optional<RouletteThreshold> roulette;
   std::optional<Guiding> guiding;
   std::optional<double> clamp;

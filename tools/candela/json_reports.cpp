@@ -94,6 +94,7 @@ void add_options(Json& json, const RenderReport& report) {
       json["roulette"] = report.statistics.plan.roulette_threshold;
       json["roulette_bounce"] = report.statistics.plan.roulette().first_bounce;
       json["roulette_samples"] = report.statistics.roulette_samples;
+      json["reuse_samples"] = report.statistics.reuse_samples;
       json["heuristic"] = name_of(options.heuristic, heuristic_choices());
       json["sampler"] = name_of(options.sampler, sampler_choices());
       json["sky_samples"] = options.samples_constant_sky;
@@ -123,7 +124,8 @@ void add_results(Json& json, const RenderReport& report) {
   json["rays"] = {{"camera", statistics.rays.camera},
                   {"indirect", statistics.rays.indirect},
                   {"shadow", statistics.rays.shadow},
-                  {"lamp", statistics.rays.lamp}};
+                  {"lamp", statistics.rays.lamp},
+                  {"segment", statistics.rays.segment}};
   json["skipped"] = {{"shadow_rays", statistics.skipped.shadow_rays},
                      {"textures", report.skipped_textures},
                      {"samples", statistics.skipped.samples}};

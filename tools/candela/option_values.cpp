@@ -264,6 +264,13 @@ Result<RouletteThreshold> parse_roulette(std::string_view text) {
   return RouletteThreshold{*threshold};
 }
 
+Result<PathSharing> parse_path_sharing(std::string_view text) {
+  if (text == "auto") return PathSharing{};
+  const Result<bool> is_on = parse_switch(text);
+  if (!is_on) return failure(fmt::format("expected 'on', 'off' or 'auto', found '{}'", text));
+  return PathSharing{*is_on};
+}
+
 Result<Vec3d> parse_rgb(std::string_view text) {
   const auto parts = split(text, ',');
   Vec3d colour{0.0};

@@ -93,6 +93,7 @@ template <class T>
 // "5" or "none".
 [[nodiscard]] Result<DepthLimit> parse_depth_limit(std::string_view text);
 [[nodiscard]] Result<RouletteThreshold> parse_roulette(std::string_view text);
+[[nodiscard]] Result<PathSharing> parse_path_sharing(std::string_view text);
 // "R,G,B", non-negative.
 [[nodiscard]] Result<Vec3d> parse_rgb(std::string_view text);
 // "albedo,normal".

@@ -121,9 +121,10 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
   add_value(command, "--splitting", "N", render.splitting,
             integer_between(1, static_cast<int>(max_splitting)),
             "Paths that go on from the first hit of a camera ray [1]");
-  add_value(command, "--reuse", "on|off", render.reuses_paths, parse_switch,
+  add_value(command, "--reuse", "on|off|auto", render.reuses_paths, parse_path_sharing,
             "Pixels share what their paths find behind first hits: less noise of indirect light, "
-            "which then is not independent from pixel to pixel [off]");
+            "which then is not independent from pixel to pixel; auto: where a trial says that it "
+            "pays [auto]");
   add_value(
       command, "--roulette", "X|auto", render.roulette, parse_roulette,
       "Throughput from which on no path is ended at random; auto: what some paths tell [auto]");

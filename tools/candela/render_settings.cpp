@@ -181,7 +181,9 @@ void settle_stop_rules(const RenderArguments& arguments, RenderOptions& options)
   options.adaptive = arguments.adaptive.value_or(options.integrator == IntegratorKind::Path &&
                                                  options.replicates > 1);
   options.plan.splitting = static_cast<std::uint32_t>(arguments.splitting.value_or(1));
-  options.plan.reuses_paths = arguments.reuses_paths.value_or(false);
+  const PathSharing sharing = arguments.reuses_paths.value_or(PathSharing{});
+  options.plan.reuses_paths = sharing.is_on.value_or(false);
+  options.chooses_reuse = !sharing.is_on;
   const RouletteThreshold roulette = arguments.roulette.value_or(RouletteThreshold{});
   options.plan.roulette_threshold =
       static_cast<float>(roulette.threshold.value_or(default_roulette_threshold));

@@ -1,0 +1,150 @@
+#include "integrators/reuse/choose_reuse.h"
+
+#include <algorithm>
+#include <array>
+
+#include "integrators/path/reuse_groups.h"
+#include "integrators/seed_stream.h"
+#include "integrators/tile_counts.h"
+#include "integrators/trial.h"
+#include "renderer/base/parallel.h"
+#include "renderer/sampling/hash.h"
+
+namespace candela {
+namespace {
+
+// Means of two blocks of a pixel's samples whose sequences know nothing of each other.
+using BlockMeans = std::array<Vec3d, 2>;
+
+struct PixelTrial {
+  BlockMeans shared, alone;
+  [[nodiscard]] Vec3d mean() const { return (shared[0] + shared[1]) / 2.0; }
+};
+
+// With and without what is shared.
+struct Pair {
+  double shared = 0;
+  double alone = 0;
+  Pair& operator+=(const Pair& other) {
+    shared += other.shared;
+    alone += other.alone;
+    return *this;
+  }
+};
+
+struct Group {
+  std::vector<PixelTrial> pixels;
+  Pair cost;  // of rays
+};
+constexpr std::uint32_t samples_a_group =  // but at the picture's edges
+    2 * whole_block * reuse_group_size;
+
+std::size_t groups_to_ask(const RenderOptions& options) {
+  constexpr double share = 1.0 / 200;
+  constexpr double fewest = 8, most = 64;
+  if (options.samples_per_pixel < static_cast<int>(whole_block)) return 0;
+  const double groups = std::min(share * picture_samples(options) / samples_a_group, most);
+  return groups < fewest ? 0 : static_cast<std::size_t>(groups);
+}
+
+PixelRect square_with(int x, int y, const RenderOptions& options) {
+  const int x0 = reuse_square_begin(x), y0 = reuse_square_begin(y);
+  return {x0, y0, std::min(x0 + reuse_square, options.width),
+          std::min(y0 + reuse_square, options.height)};
+}
+
+// One of the two blocks of each pixel of a group. `pass`: all but that.
+void run_block(TilePass pass, int group, std::size_t block, const RenderOptions& options,
+               const TileFunction& render_tile, Group& result) {
+  Film shared(options.width, options.height, pass.tile, 0, 1, film_balance(options));
+  Film alone = shared;
+  const GroupTrial trial{group, &alone};
+  pass.trial = &trial;
+  const TileCounts counts = render_tile(pass, shared);
+  // Samples that are skipped count as if they were not, as in other trials.
+  const std::uint64_t cost = cost_of(counts.rays) + cost_of({.camera = counts.skipped.samples});
+  const std::uint64_t of_segments = cost_of({.segment = counts.rays.segment});
+  result.cost += {static_cast<double>(cost), static_cast<double>(cost - of_segments)};
+  std::size_t pixel = 0;
+  for (std::size_t i = 0; i < shared.pixel_count(); ++i) {
+    if (shared.samples(i) == 0) continue;  // of another group
+    if (pixel == result.pixels.size()) result.pixels.emplace_back();
+    PixelTrial& means = result.pixels[pixel++];
+    means.shared[block] = shared.mean(i);
+    const bool is_background = alone.samples(i) == 0;
+    means.alone[block] = is_background ? shared.mean(i) : alone.mean(i);
+  }
+}
+
+std::vector<Group> run_groups(const RenderOptions& options, const PathPlan& plan,
+                              const TileFunction& render_tile, const CancelFlag* cancel) {
+  const std::uint64_t seed = seed_of(SeedStream::Reuse, options.seed);
+  std::vector<Group> groups(groups_to_ask(options));
+  parallel_for(groups.size(), [&](std::size_t i) {
+    if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return;
+    const auto index = static_cast<std::uint32_t>(i);
+    const PixelRect pixel = trial_tile(options, 1, seed, index);
+    TilePass pass;
+    pass.tile = square_with(pixel.x0, pixel.y0, options);
+    pass.range = {0, whole_block};
+    pass.plan = plan;
+    for (std::uint32_t block = 0; block < 2; ++block) {
+      pass.seed = hash_counter(seed, 2 * index + block);
+      run_block(pass, reuse_group_of(pixel.x0, pixel.y0), block, options, render_tile, groups[i]);
+    }
+  });
+  return groups;
+}
+
+// As relMSE weighs it.
+double noise_of(const BlockMeans& blocks, const Vec3d& mean, double picture_mean) {
+  const Vec3d off = blocks[0] - blocks[1];
+  double noise = 0;
+  for (int c = 0; c < 3; ++c) noise += off[c] * off[c] * relative_weight(mean[c], picture_mean);
+  return noise;
+}
+
+// Of all but the noisiest pixels.
+Pair noise_of(std::vector<PixelTrial> pixels) {
+  constexpr std::size_t noisy_share = 32;
+  std::erase_if(pixels, [](const PixelTrial& pixel) { return !is_finite(pixel.mean()); });
+  double picture_mean = 0;
+  for (const PixelTrial& pixel : pixels)
+    picture_mean += sum_of_components(pixel.mean()) / 3 / static_cast<double>(pixels.size());
+  if (!(picture_mean > 0)) return {};
+  std::vector<Pair> noise;
+  for (const PixelTrial& pixel : pixels)
+    noise.push_back({noise_of(pixel.shared, pixel.mean(), picture_mean),
+                     noise_of(pixel.alone, pixel.mean(), picture_mean)});
+  std::ranges::sort(noise, {}, [](const Pair& of) { return of.shared + of.alone; });
+  noise.resize(noise.size() - noise.size() / noisy_share);
+  Pair sum;
+  for (const Pair& of : noise) sum += of;
+  return sum;
+}
+
+bool pays(const std::vector<Group>& groups) {
+  constexpr double least_gain = 1.2;  // error falls faster than as 1 / time
+  std::vector<PixelTrial> pixels;
+  Pair cost;
+  for (const Group& group : groups) {
+    pixels.insert(pixels.end(), group.pixels.begin(), group.pixels.end());
+    cost += group.cost;
+  }
+  const Pair noise = noise_of(std::move(pixels));
+  return noise.alone * cost.alone > least_gain * noise.shared * cost.shared;
+}
+
+}  // namespace
+
+ReuseChoice choose_reuse(const RenderOptions& options, PathPlan plan,
+                         const TileFunction& render_tile, const CancelFlag* cancel) {
+  if (plan.reuses_paths || !options.chooses_reuse) return {plan.reuses_paths};
+  plan.reuses_paths = true;
+  const std::vector<Group> groups = run_groups(options, plan, render_tile, cancel);
+  ReuseChoice choice{pays(groups)};
+  for (const Group& group : groups) choice.samples += 2 * whole_block * group.pixels.size();
+  return choice;
+}
+
+}  // namespace candela

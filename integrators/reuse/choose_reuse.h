@@ -1,0 +1,22 @@
+// Whether pixels should share what their paths find (path/path_reuse.h), by what noise it takes
+// away and what it costs: a few groups of pixels are rendered, whose samples tell at once what they
+// are with and without what is shared.
+#pragma once
+
+#include "integrators/kernel.h"
+#include "integrators/render.h"
+
+namespace candela {
+
+struct ReuseChoice {
+  bool reuses_paths = false;
+  std::uint64_t samples = 0;  // that it took, which the picture does not use
+};
+
+// `plan`: with the picture's roulette. By groups all over the picture, whatever the crop: 1 in 200
+// of its samples, at most 32768; pictures whose share is below eight groups do not share, nor do
+// those of less than a block of samples a pixel. `cancel` may be null.
+[[nodiscard]] ReuseChoice choose_reuse(const RenderOptions& options, PathPlan plan,
+                                       const TileFunction& render_tile, const CancelFlag* cancel);
+
+}  // namespace candela

@@ -1,0 +1,102 @@
+// Whether a trial lets pixels share what their paths find: where that saves more noise than it
+// takes time, the same however rendered, and not where there is nothing to choose.
+#include <gtest/gtest.h>
+
+#include "integrators/render.h"
+#include "tests/scenes/description.h"
+#include "tests/scenes/render_scene.h"
+
+namespace candela {
+namespace {
+
+using namespace test;
+using description::SceneDescription;
+
+RenderSettings choosing(int size, int samples, std::uint64_t seed = 1) {
+  RenderSettings settings = settings_of(size, samples, seed);
+  settings.options.chooses_reuse = true;
+  return settings;
+}
+
+SceneDescription room(double albedo) {
+  return furnace(inside_out(box({-1, -1, -1}, {1, 1, 1})), albedo, 0);
+}
+
+// Direct light without noise; what bounces has all.
+SceneDescription room_of_a_point() {
+  SceneDescription scene = room(0.7);
+  add_light(scene, description::PointLight{{0.3, 0.4, 0.2}, Vec3d(1)});
+  return scene;
+}
+
+// Dark walls: the noise is of which parts of a large lamp are seen behind boxes.
+SceneDescription room_of_shadows() {
+  SceneDescription scene = room(0.15);
+  add_mesh(scene, quad({-0.8, 0.99, -0.8}, {1.6, 0, 0}, {0, 0, 1.6}),
+           add_material(scene, diffuse(Vec3d(0)), Vec3d(2)));
+  const auto grey = add_material(scene, diffuse(Vec3d(0.15)));
+  for (int i = 0; i < 9; ++i)
+    add_mesh(scene,
+             box({-0.8 + 0.6 * (i % 3), 0, -0.8 + 0.6 * (i / 3)},
+                 {-0.5 + 0.6 * (i % 3), 0.1, -0.5 + 0.6 * (i / 3)}),
+             grey);
+  return scene;
+}
+
+int times_shared(const SceneDescription& description) {
+  int shared = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    RenderSettings settings = choosing(96, 128, seed);
+    settings.options.crop = PixelRect{0, 0, 1, 1};  // the trial is of the whole picture
+    const RenderStatistics statistics = rendered(description, settings).statistics;
+    EXPECT_GT(statistics.reuse_samples, 0u);
+    shared += statistics.plan.reuses_paths ? 1 : 0;
+  }
+  return shared;
+}
+
+TEST(Statistical_ChooseReuse, SharesWhereIndirectLightHasTheNoise) {
+  EXPECT_EQ(times_shared(room_of_a_point()), 8);
+  EXPECT_EQ(times_shared(room_of_shadows()), 0);
+}
+
+TEST(Agreement_ChooseReuse, SameBitsOverThreadsTilesAndCrops) {
+  RenderSettings settings = choosing(96, 96);
+  settings.options.crop = PixelRect{10, 0, 34, 44};
+  const Scene scene = compiled(room_of_a_point(), settings.options);
+  const RenderResult result = rendered(scene, settings);
+  EXPECT_TRUE(result.statistics.plan.reuses_paths);
+  expect_same_bits_however_rendered(scene, settings, result.film.to_image(true), {13, 5, 30, 40});
+  RenderSettings told = settings;
+  told.options.chooses_reuse = false;
+  told.options.plan.reuses_paths = true;
+  EXPECT_EQ(picture(scene, told).values, result.film.to_image(true).values);
+}
+
+TEST(Unit_ChooseReuse, NotOfFewSamplesNorWherePathsCannotBeShared) {
+  const auto samples_of = [](const SceneDescription& description, const RenderSettings& settings) {
+    const RenderStatistics statistics = rendered(description, settings).statistics;
+    EXPECT_TRUE(statistics.reuse_samples > 0 || !statistics.plan.reuses_paths);
+    return statistics.reuse_samples;
+  };
+  RenderSettings settings = choosing(640, 16);
+  settings.options.crop = PixelRect{0, 0, 1, 1};
+  EXPECT_EQ(samples_of(room_of_a_point(), settings), 512u * (640 * 640 * 16 / 200 / 512));
+  settings.options.samples_per_pixel = 15;  // less than a block
+  EXPECT_EQ(samples_of(room_of_a_point(), settings), 0u);
+  settings.options.samples_per_pixel = 256;
+  EXPECT_EQ(samples_of(room_of_a_point(), settings), 512u * 64);
+  settings.options.width = settings.options.height = 100;
+  settings.options.samples_per_pixel = 81;  // less than eight groups
+  EXPECT_EQ(samples_of(room_of_a_point(), settings), 0u);
+  settings.options.samples_per_pixel = 82;
+  EXPECT_GT(samples_of(room_of_a_point(), settings), 0u);
+  SceneDescription veiled = room_of_a_point();
+  veiled.materials[0].opacity.factor = 0.5;
+  EXPECT_EQ(samples_of(veiled, settings), 0u);
+  settings.options.guiding = Guiding::On;
+  EXPECT_EQ(samples_of(room_of_a_point(), settings), 0u);
+}
+
+}  // namespace
+}  // namespace candela
