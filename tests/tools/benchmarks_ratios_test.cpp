@@ -202,12 +202,13 @@ TEST_F(Unit_BenchmarksRatios, MeansCountOnlyRowsOfGoodReferences) {
                            "the mean is without b, e at 64 spp: the reference is too noisy"}));
 }
 
-// What has no walks that choose a roulette stands beside what does not choose one either.
+// What has no walks that choose a roulette and shares no paths stands beside what does neither.
 TEST_F(Unit_BenchmarksRatios, CurvesAreComparedWithOnesOfTheSameRoulette) {
   const Json beside = ask({"compared_with"});
-  EXPECT_EQ(beside["path, split by four"], "path, roulette from 1/2 on");
-  EXPECT_EQ(beside["path, guided"], "path, roulette from 1/2 on");
-  EXPECT_EQ(beside["path, roulette from 1/2 on"], "path");
+  EXPECT_EQ(beside["path, split by four"], "path, roulette from 1/2 on, nothing shared");
+  EXPECT_EQ(beside["path, guided"], "path, roulette from 1/2 on, nothing shared");
+  EXPECT_EQ(beside["path, roulette from 1/2 on, nothing shared"], "path, nothing shared");
+  EXPECT_EQ(beside["path, nothing shared"], "path");
   EXPECT_EQ(beside["path, not robust"], "path");
 }
 

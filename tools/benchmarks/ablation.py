@@ -51,15 +51,16 @@ class Technique:
     # the reference BVH the general one alone. So that this does not count as theirs, the time with
     # everything on is that of these options.
     timed_on: dict | None = None
-    # Other strategies, splitting and guiding have no walks that choose a roulette (render.cpp). So
-    # that this does not count as theirs, these options hold on both sides.
+    # Other strategies, splitting and guiding have no walks that choose a roulette, and share no
+    # paths (render.cpp). So that this does not count as theirs, these options hold on both sides.
     both: dict = dataclasses.field(default_factory=dict)
     # Whether the scene uses it: where not, both sides are one program. None: that is not told.
     is_used: Callable[[Seen], bool] | None = None
 
 
 SAME_KERNEL = {"heuristic": "balance"}
-USUAL_ROULETTE = {"roulette": .5}  # what is taken where nothing is chosen (path_plan.h)
+# What is taken where nothing is chosen (path_plan.h).
+PLAIN_PATHS = {"roulette": .5, "reuse": "off"}
 
 TECHNIQUES = (  # a row is a line
     Technique("kernel for what the scene needs", {"kernel": "general"}, same_picture=True,
@@ -80,8 +81,8 @@ TECHNIQUES = (  # a row is a line
               is_used=lambda seen: seen.stats["skipped"]["samples"] > 0),
     Technique("grids of opacity", {"without": "opacity-grids"}, same_picture=True),
     Technique("adaptive sampling", {"adaptive": "off"}),
-    Technique("no splitting (off: by two)", {"splitting": 2}, both=USUAL_ROULETTE),
-    Technique("no splitting (off: by four)", {"splitting": 4}, both=USUAL_ROULETTE),
+    Technique("no splitting (off: by two)", {"splitting": 2}, both=PLAIN_PATHS),
+    Technique("no splitting (off: by four)", {"splitting": 4}, both=PLAIN_PATHS),
     Technique("shared paths where a trial says so (off: each pixel's its own)", {"reuse": "off"},
               is_used=lambda seen: seen.stats["reuse_samples"] > 0),
     Technique("shared paths where a trial says so (off: wherever they can be)", {"reuse": "on"},
@@ -92,9 +93,9 @@ TECHNIQUES = (  # a row is a line
               is_used=has_walks),
     Technique("roulette by what walks tell (off: at any throughput)", {"roulette": 1},
               is_used=has_walks),
-    Technique("no path guiding (off: everywhere)", {"guiding": "on"}, both=USUAL_ROULETTE),
+    Technique("no path guiding (off: everywhere)", {"guiding": "on"}, both=PLAIN_PATHS),
     Technique("no path guiding (off: where a trial says that it pays)", {"guiding": "auto"},
-              both=USUAL_ROULETTE),
+              both=PLAIN_PATHS),
     Technique("Sobol points (off: plain random numbers)", {"sampler": "independent"}),
     Technique("pairs of a path together (off: each shuffled by itself)", {"sampler": "padded"}),
     Technique("no light samples for a constant sky", {"sky_samples": "on"},
@@ -111,13 +112,13 @@ TECHNIQUES = (  # a row is a line
               is_used=has_other_pictures),
     Technique("four replicates (off: one, no stated error)", {"replicates": 1}),
     Technique("light and BSDF samples (off: light alone)", {"sampling": "light"},
-              timed_on=SAME_KERNEL, both=USUAL_ROULETTE),
+              timed_on=SAME_KERNEL, both=PLAIN_PATHS),
     Technique("light and BSDF samples (off: BSDF alone)", {"sampling": "bsdf"},
-              timed_on=SAME_KERNEL, both=USUAL_ROULETTE),
+              timed_on=SAME_KERNEL, both=PLAIN_PATHS),
     Technique("directions by the BSDF (off: by the cosine)", {"sampling": "cosine"},
-              timed_on=SAME_KERNEL, both=USUAL_ROULETTE),
+              timed_on=SAME_KERNEL, both=PLAIN_PATHS),
     Technique("power heuristic (off: balance)", {"heuristic": "balance"}, timed_on=SAME_KERNEL,
-              both=USUAL_ROULETTE),
+              both=PLAIN_PATHS),
 )
 GAIN, LOSS = 1.05, .97
 

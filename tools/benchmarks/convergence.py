@@ -8,7 +8,7 @@ compared with that whose roulette is theirs, from 1/2 on.
 
 import chosen_scenes
 import truth
-from ablation import USUAL_ROULETTE
+from ablation import PLAIN_PATHS
 from arguments import at_least
 from fits import fit_power, x_where
 from renders import CandelaFailed
@@ -20,14 +20,14 @@ ABOUT = "relMSE against seconds and samples, by sampling and option"
 CURVES = {
     "path": {},
     "path, not adaptive": {"adaptive": "off"},
-    "path, balance heuristic": USUAL_ROULETTE | {"heuristic": "balance"},
-    "path, light samples": USUAL_ROULETTE | {"sampling": "light"},
-    "path, BSDF samples": USUAL_ROULETTE | {"sampling": "bsdf"},
-    "path, cosine": USUAL_ROULETTE | {"sampling": "cosine"},
-    "path, uniform": USUAL_ROULETTE | {"sampling": "uniform"},
-    "path, split by four": USUAL_ROULETTE | {"splitting": 4},
-    "path, guided": USUAL_ROULETTE | {"guiding": "on"},
-    "path, guided by a trial": USUAL_ROULETTE | {"guiding": "auto"},
+    "path, balance heuristic": PLAIN_PATHS | {"heuristic": "balance"},
+    "path, light samples": PLAIN_PATHS | {"sampling": "light"},
+    "path, BSDF samples": PLAIN_PATHS | {"sampling": "bsdf"},
+    "path, cosine": PLAIN_PATHS | {"sampling": "cosine"},
+    "path, uniform": PLAIN_PATHS | {"sampling": "uniform"},
+    "path, split by four": PLAIN_PATHS | {"splitting": 4},
+    "path, guided": PLAIN_PATHS | {"guiding": "on"},
+    "path, guided by a trial": PLAIN_PATHS | {"guiding": "auto"},
     "path, 1 replicate": {"replicates": 1},
     "path, plain random numbers": {"sampler": "independent"},
     "path, padded points": {"sampler": "padded"},
@@ -36,7 +36,8 @@ CURVES = {
     "path, lamps by solid angle": {"light_sampling": "solid_angle"},
     "path, samples of constant skies": {"sky_samples": "on"},
     "path, skies as they are": {"sky_compensation": "off"},
-    "path, roulette from 1/2 on": USUAL_ROULETTE,
+    "path, nothing shared": {"reuse": "off"},
+    "path, roulette from 1/2 on, nothing shared": PLAIN_PATHS,
     "path, not robust": {"robust": "off"},
     "report": {"integrator": "report"},
 }
@@ -111,8 +112,10 @@ def points(candela, name, scene, right, curves, counts, seeds, common):
 
 def compared_with(curve):
     """The curve that differs from this one in one thing alone."""
-    usual = next(name for name, options in CURVES.items() if options == USUAL_ROULETTE)
-    return usual if "roulette" in CURVES[curve] and curve != usual else "path"
+    plain = next(name for name, options in CURVES.items() if options == PLAIN_PATHS)
+    if curve == plain:
+        return "path, nothing shared"
+    return plain if "roulette" in CURVES[curve] else "path"
 
 
 def end_of(name, curve, rows, right):
