@@ -30,8 +30,8 @@ inline constexpr int reuse_square = reuse_side * reuse_step;
   return y % reuse_step * reuse_step + x % reuse_step;
 }
 
-// Calls visit(x, y) for the pixels of the pass' squares, all that have one in the tile, and end()
-// after those of each group.
+// Calls visit(x, y) for the pixels of the squares that have one in the tile, of the trial's group
+// where there is one, and end() after those of each group.
 template <class Visit, class End>
 inline void for_each_group(const TilePass& pass, int width, int height, const Visit& visit,
                            const End& end) {

@@ -11,8 +11,8 @@ namespace candela {
   return scene.plain_models[geometry] == PlainModel::Diffuse;
 }
 
-// Where the shading normal is the same whatever it is seen from, or bent (surface_point.h) only
-// where that is easily told, what leaves such a surface can be known to be alike in all directions.
+// Whether what a path meets there can serve others: what leaves it is alike in all directions but
+// those from which its shading normal is bent (surface_point.h), which its geometry tells.
 [[nodiscard]] inline bool gives_shared(const Scene& scene, std::uint32_t geometry) {
   const Geometry& of = scene.geometries[geometry];
   return receives_shared(scene, geometry) && !has_bump(scene.materials[of.material.index]) &&

@@ -11,6 +11,7 @@
 #include "tests/integrators/leaning_mirror.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
+#include "tests/scenes/room_of_a_point.h"
 #include "tests/statistics/moments.h"
 
 namespace candela {
@@ -27,13 +28,6 @@ SceneDescription room_of_kinds() {
            add_material(scene, description::DielectricMaterial{}));
   add_light(scene, description::PointLight{{0.2, 0.6, 0.1}, Vec3d(0.3)});
   add_light(scene, description::ConstantEnvironment{Vec3d(0.2), true});
-  return scene;
-}
-
-// Its direct light has no noise at all, and most of its light has bounced.
-SceneDescription lamp_in_a_box() {
-  SceneDescription scene = furnace(inside_out(box({-1, -1, -1}, {1, 1, 1})), 0.7, 0);
-  add_light(scene, description::PointLight{{0.3, 0.4, 0.2}, Vec3d(1)});
   return scene;
 }
 
@@ -105,11 +99,11 @@ TEST(Statistical_Splitting, LowersTheErrorThatIsStated) {
 // In a closed box each hit multiplies the throughput by the albedo, and nothing but roulette ends a
 // path: the mean number of its rays is known.
 TEST(Statistical_PathPlan, PathsEndWhereTheThresholdSaysSo) {
-  const double albedo = 0.7;  // lamp_in_a_box()
+  const double albedo = 0.7;
   for (const double threshold : {1.0, 0.5, 0.2}) {
     RenderSettings settings = settings_of(32, 64);
     settings.options.plan.roulette_threshold = static_cast<float>(threshold);
-    const Scene scene = compiled(lamp_in_a_box(), settings.options);
+    const Scene scene = compiled(room_of_a_point(albedo), settings.options);
     const RayCounts rays = rendered(scene, settings).statistics.rays;
     double expected = 0;
     double alive = 1;
@@ -132,7 +126,7 @@ TEST(Agreement_Splitting, SameBitsOverThreadsTilesAndCrops) {
   RenderSettings settings = split_settings(96, 84, 4);
   settings.options.crop = PixelRect{10, 0, 34, 44};
   settings.options.aovs = aov_bit(Aov::Albedo) | aov_bit(Aov::Variance);
-  const Scene scene = compiled(lamp_in_a_box(), settings.options);
+  const Scene scene = compiled(room_of_a_point(0.7), settings.options);
   const RenderResult result = rendered(scene, settings);
   expect_same_bits_however_rendered(scene, settings, result.film.to_image(true), {13, 5, 30, 40});
 }
@@ -166,7 +160,7 @@ TEST(Agreement_Splitting, SameBitsOverKernelsAndCutBlocks) {
 
 // What a camera ray meets in media is a matter of chance.
 TEST(Unit_Splitting, MediaAreNotSplit) {
-  SceneDescription description = lamp_in_a_box();
+  SceneDescription description = room_of_a_point(0.7);
   description.cameras[0].medium = add_medium(description, Vec3d(0.01), Vec3d(0.0));
   const Scene scene = compiled(description, settings_of(16, 16).options);
   const RenderResult whole = rendered(scene, split_settings(16, 16, 1));

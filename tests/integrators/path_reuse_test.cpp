@@ -13,6 +13,7 @@
 #include "tests/scenes/description.h"
 #include "tests/scenes/exact_sphere.h"
 #include "tests/scenes/render_scene.h"
+#include "tests/scenes/room_of_a_point.h"
 
 namespace candela {
 namespace {
@@ -117,9 +118,7 @@ Errors errors_over_seeds(const Scene& scene, bool reuses_paths, const Image& ref
 
 // The room without the lamp's edges, of which more is stated than there is with and without.
 TEST(Statistical_PathReuse, LowersTheErrorAndTheOneThatIsStated) {
-  SceneDescription description = furnace(inside_out(box({-1, -1, -1}, {1, 1, 1})), 0.7, 0);
-  add_light(description, description::PointLight{{0.3, 0.4, 0.2}, Vec3d(1)});
-  const Scene scene = compiled(description, settings_of(32, 64).options);
+  const Scene scene = compiled(room_of_a_point(0.7), settings_of(32, 64).options);
   const Image reference = rendered(scene, settings_with(false, 32, 8192, 107)).film.to_image(false);
   const Errors alone = errors_over_seeds(scene, false, reference);
   const Errors shared = errors_over_seeds(scene, true, reference);

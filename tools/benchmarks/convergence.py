@@ -2,8 +2,8 @@
 
 Every curve is measured against a long reference of the same size and box filter, of seeds that no
 picture has, made once and kept. Points are medians over seeds; runs of all curves take turns. Other
-strategies, splitting and guiding have no walks that choose a roulette: these curves are to be
-compared with that whose roulette is theirs, from 1/2 on.
+strategies, splitting and guiding have no walks that choose a roulette, and share no paths: these
+curves are to be compared with that whose roulette is theirs, from 1/2 on, and which shares none.
 """
 
 import chosen_scenes

@@ -5,6 +5,7 @@
 #include "integrators/render.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
+#include "tests/scenes/room_of_a_point.h"
 
 namespace candela {
 namespace {
@@ -18,20 +19,9 @@ RenderSettings choosing(int size, int samples, std::uint64_t seed = 1) {
   return settings;
 }
 
-SceneDescription room(double albedo) {
-  return furnace(inside_out(box({-1, -1, -1}, {1, 1, 1})), albedo, 0);
-}
-
-// Direct light without noise; what bounces has all.
-SceneDescription room_of_a_point() {
-  SceneDescription scene = room(0.7);
-  add_light(scene, description::PointLight{{0.3, 0.4, 0.2}, Vec3d(1)});
-  return scene;
-}
-
 // Dark walls: the noise is of which parts of a large lamp are seen behind boxes.
 SceneDescription room_of_shadows() {
-  SceneDescription scene = room(0.15);
+  SceneDescription scene = furnace(inside_out(box({-1, -1, -1}, {1, 1, 1})), 0.15, 0);
   add_mesh(scene, quad({-0.8, 0.99, -0.8}, {1.6, 0, 0}, {0, 0, 1.6}),
            add_material(scene, diffuse(Vec3d(0)), Vec3d(2)));
   const auto grey = add_material(scene, diffuse(Vec3d(0.15)));
@@ -56,14 +46,14 @@ int times_shared(const SceneDescription& description) {
 }
 
 TEST(Statistical_ChooseReuse, SharesWhereIndirectLightHasTheNoise) {
-  EXPECT_EQ(times_shared(room_of_a_point()), 8);
+  EXPECT_EQ(times_shared(room_of_a_point(0.7)), 8);
   EXPECT_EQ(times_shared(room_of_shadows()), 0);
 }
 
 TEST(Agreement_ChooseReuse, SameBitsOverThreadsTilesAndCrops) {
   RenderSettings settings = choosing(96, 96);
   settings.options.crop = PixelRect{10, 0, 34, 44};
-  const Scene scene = compiled(room_of_a_point(), settings.options);
+  const Scene scene = compiled(room_of_a_point(0.7), settings.options);
   const RenderResult result = rendered(scene, settings);
   EXPECT_TRUE(result.statistics.plan.reuses_paths);
   expect_same_bits_however_rendered(scene, settings, result.film.to_image(true), {13, 5, 30, 40});
@@ -81,21 +71,21 @@ TEST(Unit_ChooseReuse, NotOfFewSamplesNorWherePathsCannotBeShared) {
   };
   RenderSettings settings = choosing(640, 16);
   settings.options.crop = PixelRect{0, 0, 1, 1};
-  EXPECT_EQ(samples_of(room_of_a_point(), settings), 512u * (640 * 640 * 16 / 200 / 512));
+  EXPECT_EQ(samples_of(room_of_a_point(0.7), settings), 512u * (640 * 640 * 16 / 200 / 512));
   settings.options.samples_per_pixel = 15;  // less than a block
-  EXPECT_EQ(samples_of(room_of_a_point(), settings), 0u);
+  EXPECT_EQ(samples_of(room_of_a_point(0.7), settings), 0u);
   settings.options.samples_per_pixel = 256;
-  EXPECT_EQ(samples_of(room_of_a_point(), settings), 512u * 64);
+  EXPECT_EQ(samples_of(room_of_a_point(0.7), settings), 512u * 64);
   settings.options.width = settings.options.height = 100;
   settings.options.samples_per_pixel = 81;  // less than eight groups
-  EXPECT_EQ(samples_of(room_of_a_point(), settings), 0u);
+  EXPECT_EQ(samples_of(room_of_a_point(0.7), settings), 0u);
   settings.options.samples_per_pixel = 82;
-  EXPECT_GT(samples_of(room_of_a_point(), settings), 0u);
-  SceneDescription veiled = room_of_a_point();
+  EXPECT_GT(samples_of(room_of_a_point(0.7), settings), 0u);
+  SceneDescription veiled = room_of_a_point(0.7);
   veiled.materials[0].opacity.factor = 0.5;
   EXPECT_EQ(samples_of(veiled, settings), 0u);
   settings.options.guiding = Guiding::On;
-  EXPECT_EQ(samples_of(room_of_a_point(), settings), 0u);
+  EXPECT_EQ(samples_of(room_of_a_point(0.7), settings), 0u);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "renderer/image/compare.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
+#include "tests/scenes/room_of_a_point.h"
 
 namespace candela {
 namespace {
@@ -21,13 +22,6 @@ RenderSettings choosing(int size, int samples, std::uint64_t seed = 1) {
   settings.options.plan.roulette_threshold = default_roulette_threshold;
   settings.options.chooses_roulette = true;
   return settings;
-}
-
-// Direct light without noise; all of it is that of long paths.
-SceneDescription bright_box() {
-  SceneDescription scene = furnace(inside_out(box({-1, -1, -1}, {1, 1, 1})), 0.8, 0);
-  add_light(scene, description::PointLight{{0.3, 0.4, 0.2}, Vec3d(1)});
-  return scene;
 }
 
 // Under a sky: whether a camera ray meets a leaf decides, and what bounces between them adds
@@ -68,7 +62,7 @@ double effort(const Scene& scene, const PathPlan& plan, const Image& reference) 
 
 TEST(Statistical_ChooseRoulette, SavesMoreNoiseThanItTakesTime) {
   const RenderSettings settings = choosing(64, 128);
-  const Scene scene = compiled(bright_box(), settings.options);
+  const Scene scene = compiled(room_of_a_point(0.8), settings.options);
   const PathPlan chosen = rendered(scene, settings).statistics.plan;
   EXPECT_EQ(chosen.roulette_threshold, 0.25f);
   RenderSettings fine = settings_of(64, 1024, 99);
@@ -89,7 +83,7 @@ TEST(Statistical_ChooseRoulette, EndsPathsSoonerWhereFirstHitsHaveTheNoise) {
 TEST(Agreement_ChooseRoulette, SameBitsOverThreadsTilesAndCrops) {
   RenderSettings settings = choosing(96, 64);
   settings.options.crop = PixelRect{10, 0, 34, 44};
-  const Scene scene = compiled(bright_box(), settings.options);
+  const Scene scene = compiled(room_of_a_point(0.8), settings.options);
   const RenderResult result = rendered(scene, settings);
   EXPECT_NE(result.statistics.plan.roulette_threshold, default_roulette_threshold);
   expect_same_bits_however_rendered(scene, settings, result.film.to_image(true), {13, 5, 30, 40});
@@ -108,7 +102,7 @@ TEST(Agreement_ChooseRoulette, SameBitsOverKernels) {
 }
 
 SceneDescription foggy_box() {
-  SceneDescription foggy = bright_box();
+  SceneDescription foggy = room_of_a_point(0.8);
   foggy.cameras[0].medium = add_medium(foggy, Vec3d(0.1), Vec3d(0.5));
   return foggy;
 }
@@ -143,7 +137,7 @@ TEST(Agreement_ChooseRoulette, SameBitsOverKernelsInFog) {
 TEST(Unit_ChooseRoulette, NotOfFewSamplesNorOfSplitPaths) {
   const PathPlan usual = choosing(64, 128).options.plan;
   const auto expect_usual = [&](const RenderSettings& settings) {
-    const RenderStatistics statistics = rendered(bright_box(), settings).statistics;
+    const RenderStatistics statistics = rendered(room_of_a_point(0.8), settings).statistics;
     EXPECT_EQ(statistics.roulette_samples, 0u);
     EXPECT_EQ(statistics.plan.roulette_threshold, usual.roulette_threshold);
   };
@@ -157,7 +151,7 @@ TEST(Unit_ChooseRoulette, NotOfFewSamplesNorOfSplitPaths) {
   RenderSettings told = choosing(64, 128);
   told.options.chooses_roulette = false;
   expect_usual(told);
-  EXPECT_EQ(rendered(bright_box(), choosing(64, 128)).statistics.roulette_samples,
+  EXPECT_EQ(rendered(room_of_a_point(0.8), choosing(64, 128)).statistics.roulette_samples,
             64u * 64 * 128 / 400 / 32 * 32);
 }
 
