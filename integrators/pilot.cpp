@@ -3,16 +3,20 @@
 #include <algorithm>
 
 #include "integrators/path/context.h"
+#include "integrators/path/reuse_groups.h"
 #include "integrators/path/shared_block.h"
 #include "integrators/rounds.h"
 
 namespace candela {
 namespace {
 
-// With all of the squares that share blocks: kernels ask for the samples of their pixels, too.
+// With all of the squares that share blocks or paths: kernels ask for the samples of their pixels,
+// too.
 PixelRect with_whole_squares(const PixelRect& crop, const RenderOptions& options) {
-  const auto before = [](int i) { return i - i % shared_side; };
-  const auto after = [&](int i) { return before(i + shared_side - 1); };
+  const bool may_reuse = options.plan.reuses_paths || options.chooses_reuse;
+  const int side = may_reuse ? reuse_square : shared_side;
+  const auto before = [side](int i) { return i - i % side; };
+  const auto after = [&](int i) { return before(i + side - 1); };
   return {before(crop.x0), before(crop.y0), std::min(after(crop.x1), options.width),
           std::min(after(crop.y1), options.height)};
 }

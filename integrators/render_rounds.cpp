@@ -97,7 +97,7 @@ class Loop {
     const auto stop = render_passes(pilot_.samples, {}, [&](const SampleRange& range) {
       render_pass(tiles_of(pilot_.rect, options_.tile_size), pass_of(range), pilot);
     });
-    if (!stop) density_.emplace(pilot);
+    if (!stop) density_.emplace(pilot, plan_.reuses_paths ? reuse_square : 1);
     return stop;
   }
 
@@ -107,7 +107,7 @@ class Loop {
     if (!errors || (errors->is_black() && has_light_ && !is_background())) return {};
     if (is_sure) counts_.add(look_.correct(film_, pass_of({}), *errors));
     ErrorEstimate estimate =
-        estimate_error(film_, *errors, plan_.reuses_paths ? reuse_group_size : 1);
+        estimate_error(film_, *errors, plan_.reuses_paths ? int{reuse_group_size} : 1);
     estimate.looked_at = look_.pixels();
     estimate.look_samples = look_.samples();
     return estimate;

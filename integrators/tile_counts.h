@@ -50,9 +50,9 @@ inline void add_or_count(const FilmSample& sample, int x, int y, std::uint32_t i
     if (largest > clamp) {
       FilmSample clamped = sample;
       clamped.radiance *= clamp / largest;
-      film.add(x, y, clamped);
+      film.add(x, y, index, clamped);
     } else {
-      film.add(x, y, sample);
+      film.add(x, y, index, sample);
     }
     return;
   }

@@ -14,11 +14,11 @@ namespace candela {
 class GuidingField;
 class PathObserver;
 
-// Of pixels that share what their paths find (path/path_reuse.h) a group alone, and what its
-// samples would be if they did not.
+// Of samples that share what their paths find (path/path_reuse.h) a group alone, and what they
+// would be if they did not.
 struct GroupTrial {
-  int group = 0;          // of those of each square in the tile (path/reuse_groups.h)
-  Film* alone = nullptr;  // gets the samples without what is shared
+  std::uint64_t number = 0;  // modulo the groups of a square (path/reuse_groups.h), its place
+  Film* alone = nullptr;     // gets the samples without what is shared
 };
 
 struct TilePass {

@@ -141,13 +141,13 @@ class TileRenderer {
 
   [[nodiscard]] TileCounts run() {
     const RenderOptions& options = context_.options;
+    const auto for_each_square_of = [&](int side, const auto& visit) {
+      for_each_square(side, pass_.tile, options.width, options.height, visit);
+    };
     if (F.reuses_paths() && reuses_paths(pass_)) {
-      for_each_group(
-          pass_, options.width, options.height, [&](int x, int y) { add_to_group(x, y); },
-          [&] { end_group(); });
+      for_each_square_of(reuse_square, [&](const PixelRect& square) { add_groups(square); });
     } else if (shares_blocks(options, pass_, splitting_)) {
-      for_each_square(pass_.tile, options.width, options.height,
-                      [&](const PixelRect& square) { add_square(square); });
+      for_each_square_of(shared_side, [&](const PixelRect& square) { add_square(square); });
     } else {
       for (int y = pass_.tile.y0; y < pass_.tile.y1; ++y)
         for (int x = pass_.tile.x0; x < pass_.tile.x1; ++x)
@@ -166,6 +166,7 @@ class TileRenderer {
   // Turns to a pixel; false where it is known to see nothing, whose samples are added at once.
   [[nodiscard]] bool is_rendered(int x, int y) {
     aim_lamp_rays(x, y, context_);
+    if (pass_.trial != nullptr) return true;
     if (context_.background == nullptr || !context_.background->contains(x, y)) return true;
     if (pass_.tile.contains(x, y))
       add_background(*context_.background, pass_.of_pixel(x, y), x, y, context_.options.clamp,
@@ -182,30 +183,62 @@ class TileRenderer {
                 splitting_);
   }
 
-  // Pixels that share what their paths find.
-  void add_to_group(int x, int y) {
-    if (!is_rendered(x, y)) return;
+  // The samples of a square, in groups that share what their paths find. Blocks are of one pixel
+  // where all pixels get the same samples, and where there are lamp rays.
+  void add_groups(const PixelRect& square) {
+    std::array<std::vector<PixelPlace>, 2> with_own_blocks;  // by colour
+    SampleDealer dealer(film_.replicates());
+    for (const PixelPlace& pixel : pixels_to_deal(square)) {
+      if (!is_rendered(pixel.x, pixel.y)) continue;
+      if (pass_.density == nullptr || context_.lamp_rays > 0)
+        with_own_blocks[pixel.colour()].push_back(pixel);
+      else
+        dealer.add(pixel, pass_.of_pixel(pixel.x, pixel.y));
+    }
+    auto groups = dealt(with_own_blocks[0]);
+    std::ranges::move(dealt(with_own_blocks[1]), std::back_inserter(groups));
+    for (std::size_t i = 0; i < groups.size(); ++i)
+      if (pass_.trial == nullptr || pass_.trial->number % groups.size() == i) add_group(groups[i]);
+    context_.lamp_rays = 0;
+    dealer.for_each_group([&](std::span<const SampleColumn> columns) { add_group(columns); });
+  }
+
+  void add_group(const std::vector<PixelPlace>& pixels) {
+    SampleRange all{std::numeric_limits<std::uint32_t>::max(), 0};
+    for (const PixelPlace& pixel : pixels) {
+      const SampleRange range = pass_.of_pixel(pixel.x, pixel.y);
+      if (range.first == range.end) continue;
+      all = {std::min(all.first, range.first), std::max(all.end, range.end)};
+    }
+    for (std::uint32_t base = first_block(all); base < all.end; base += block_size) {
+      if (!convoy_.has_room_for(pixels.size())) travel();
+      for (const PixelPlace& pixel : pixels) add_block_of_pixel(pixel, base);
+      convoy_.end_group();
+    }
+  }
+  void add_block_of_pixel(const PixelPlace& pixel, std::uint32_t base) {
+    const auto& [x, y] = pixel;
     const SampleRange range = pass_.of_pixel(x, y);
-    if (range.first < range.end) group_.push_back({x, y, range});
+    if (base < first_block(range) || base >= range.end) return;
+    aim_lamp_rays(x, y, context_);
+    start<F>(convoy_.add(context_,
+                         place_in_pixel(context_.options, x, y, base, lanes_in(base, range)),
+                         sampler_of(x, y), splitting_));
   }
-  void end_group() {
-    const auto first = [](const Member& member) { return first_block(member.range); };
-    const auto end = [](const Member& member) { return member.range.end; };
-    if (group_.empty()) return;
-    const std::uint32_t last = std::ranges::max(group_, {}, end).range.end;
-    for (std::uint32_t base = first(std::ranges::min(group_, {}, first)); base < last;
-         base += block_size)
-      add_blocks_of_group(base);
-    group_.clear();
-  }
-  void add_blocks_of_group(std::uint32_t base) {
-    if (!convoy_.has_room_for(group_.size())) travel();
-    for (const auto& [x, y, range] : group_) {
-      if (base < first_block(range) || base >= range.end) continue;
-      aim_lamp_rays(x, y, context_);
-      start<F>(convoy_.add(context_,
-                           place_in_pixel(context_.options, x, y, base, lanes_in(base, range)),
-                           sampler_of(x, y), splitting_));
+
+  void add_group(std::span<const SampleColumn> columns) {
+    const std::size_t blocks = std::ranges::max(columns, {}, [](const SampleColumn& column) {
+                                 return column.size();
+                               }).size();
+    if (!convoy_.has_room_for(blocks)) travel();
+    for (std::size_t i = 0; i < blocks; ++i) {
+      SharedBlock block(context_.options);
+      for (std::uint32_t lane = 0; lane < columns.size(); ++lane) {
+        if (i >= columns[lane].size()) continue;
+        const auto& [pixel, sample] = columns[lane][i];
+        block.set(lane, pixel.x, pixel.y, sampler_of(pixel.x, pixel.y), sample);
+      }
+      start<F>(convoy_.add(context_, block.place(), block.samplers()));
     }
     convoy_.end_group();
   }
@@ -255,11 +288,6 @@ class TileRenderer {
   Film& film_;
   TileCounts counts_;
   SharedBlock shared_;
-  struct Member {
-    int x, y;
-    SampleRange range;
-  };
-  std::vector<Member> group_;  // pixels that share
   Convoy<F, A> convoy_;
 };
 

@@ -1,51 +1,78 @@
-// Which pixels share what their paths find: those of an aligned square that lie apart by the same
-// step each way. Neighbours, by which errors are told and samples dealt out (renderer/film), share
-// nothing, nor do pixels of different colours on a chessboard (adaptive sampling's pilot).
+// Which samples share what their paths find (path_reuse.h): those in the same lane of the blocks of
+// a group.
+//
+// They are of pixels all over an aligned square, one of each of its cells, which one a hash
+// decides: noise that repeated itself at a fixed distance would be seen as a weave. Where pixels
+// get samples by their noise (renderer/film/sample_density.h), as many share as elsewhere, whatever
+// their indices. All that share are of one replicate, so that replicates stay independent of each
+// other, and of pixels of one colour on a chessboard, by which adaptive sampling's pilot decides
+// for those of the other.
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
 
 #include "integrators/tile_pass.h"
 
 namespace candela {
 
-inline constexpr int reuse_side = 4;  // pixels of a group, each way
-inline constexpr int reuse_step = 4;  // from one to the next
-inline constexpr int reuse_group_size = reuse_side * reuse_side;
-static_assert(reuse_step % 2 == 0);  // the same colour
+inline constexpr int reuse_square = 16;              // pixels, each way
+inline constexpr std::size_t reuse_group_size = 16;  // blocks, of as many lanes
 
 // Whether the pixels of a pass share.
 [[nodiscard]] inline bool reuses_paths(const TilePass& pass) {
   return pass.plan.reuses_paths && pass.observer == nullptr;
 }
 
-// Where the aligned square begins that has a pixel, each way.
-inline constexpr int reuse_square = reuse_side * reuse_step;
-[[nodiscard]] inline int reuse_square_begin(int pixel) {
-  return pixel - pixel % reuse_square;
+struct PixelPlace {
+  int x = 0, y = 0;
+  [[nodiscard]] std::size_t colour() const { return static_cast<std::size_t>(x + y) & 1; }
+};
+struct PixelSample {
+  PixelPlace pixel;
+  std::uint32_t index = 0;  // of the pixel's samples
+};
+
+// In turn to the fewest hands of reuse_group_size at most.
+template <class T>
+[[nodiscard]] inline std::vector<std::vector<T>> dealt(const std::vector<T>& cards) {
+  const std::size_t count = (cards.size() + reuse_group_size - 1) / reuse_group_size;
+  std::vector<std::vector<T>> hands(count);
+  for (std::size_t i = 0; i < cards.size(); ++i) hands[i % count].push_back(cards[i]);
+  return hands;
 }
 
-// Of a pixel, among those of its square.
-[[nodiscard]] inline int reuse_group_of(int x, int y) {
-  return y % reuse_step * reuse_step + x % reuse_step;
-}
+// The pixels of a square, cell by cell, those of each cell in an order that a hash decides: so
+// dealt all hands have pixels from all over the square.
+[[nodiscard]] std::vector<PixelPlace> pixels_to_deal(const PixelRect& square);
 
-// Calls visit(x, y) for the pixels of the squares that have one in the tile, of the trial's group
-// where there is one, and end() after those of each group.
-template <class Visit, class End>
-inline void for_each_group(const TilePass& pass, int width, int height, const Visit& visit,
-                           const End& end) {
-  constexpr int square = reuse_square;
-  const PixelRect& tile = pass.tile;
-  for (int y0 = reuse_square_begin(tile.y0); y0 < tile.y1; y0 += square)
-    for (int x0 = reuse_square_begin(tile.x0); x0 < tile.x1; x0 += square)
-      for (int i = 0; i < reuse_step * reuse_step; ++i) {
-        if (pass.trial != nullptr && pass.trial->group != i) continue;
-        for (int y = y0 + i / reuse_step; y < std::min(y0 + square, height); y += reuse_step)
-          for (int x = x0 + i % reuse_step; x < std::min(x0 + square, width); x += reuse_step)
-            visit(x, y);
-        end();
-      }
-}
+// Samples that share.
+using SampleColumn = std::vector<PixelSample>;
+
+// Of a square's pixels, which may have different numbers of samples.
+class SampleDealer {
+ public:
+  explicit SampleDealer(std::uint32_t replicates) : replicates_(replicates) {}
+
+  // In the order of pixels_to_deal().
+  void add(const PixelPlace& pixel, const SampleRange& range);
+  // Calls visit(columns) for each group, with a column for each lane.
+  template <class Visit>
+  void for_each_group(const Visit& visit) const {
+    const std::vector<SampleColumn> columns = deal();
+    std::span<const SampleColumn> left = columns;
+    for (; left.size() > reuse_group_size; left = left.subspan(reuse_group_size))
+      visit(left.first(reuse_group_size));
+    if (!left.empty()) visit(left);
+  }
+
+ private:
+  [[nodiscard]] std::vector<SampleColumn> deal() const;
+
+  std::size_t replicates_;
+  std::array<std::vector<PixelSample>, 2> samples_;  // by colour
+};
 
 }  // namespace candela

@@ -26,14 +26,15 @@ inline constexpr int shared_side = 4;
          leaves_lanes_empty(pass);
 }
 
-// Calls visit(square) for all aligned squares that have a pixel in the tile, cut at the picture's
-// edges.
+// Calls visit(square) for all aligned squares of a side that have a pixel in the tile, cut at the
+// picture's edges.
 template <class Visit>
-inline void for_each_square(const PixelRect& tile, int width, int height, const Visit& visit) {
-  const auto aligned = [](int i) { return i - i % shared_side; };
-  for (int y = aligned(tile.y0); y < tile.y1; y += shared_side)
-    for (int x = aligned(tile.x0); x < tile.x1; x += shared_side)
-      visit(PixelRect{x, y, std::min(x + shared_side, width), std::min(y + shared_side, height)});
+inline void for_each_square(int side, const PixelRect& tile, int width, int height,
+                            const Visit& visit) {
+  const auto aligned = [side](int i) { return i - i % side; };
+  for (int y = aligned(tile.y0); y < tile.y1; y += side)
+    for (int x = aligned(tile.x0); x < tile.x1; x += side)
+      visit(PixelRect{x, y, std::min(x + side, width), std::min(y + side, height)});
 }
 
 // Calls visit(x, y) for the pixels of a square, neighbours after each other: in Morton order.
@@ -57,15 +58,21 @@ class SharedBlock {
   [[nodiscard]] SamplerBlock samplers() const { return SamplerBlock(sequences_); }
 
   void add(int x, int y, const PixelSampler& pixel, std::uint32_t sample) {
-    place_.pixels.x[size_] = x;
-    place_.pixels.y[size_] = y;
-    place_.samples[size_] = sample;
-    sequences_.set(size_, pixel, sample);
-    sequences_.order = pixel.order();
-    ++size_;
-    place_.lanes = (1u << size_) - 1;
+    set(size_++, x, y, pixel, sample);
   }
-  void clear() { size_ = 0; }
+  // Into a lane, which need not be the next.
+  void set(std::uint32_t lane, int x, int y, const PixelSampler& pixel, std::uint32_t sample) {
+    place_.pixels.x[lane] = x;
+    place_.pixels.y[lane] = y;
+    place_.samples[lane] = sample;
+    place_.lanes |= 1u << lane;
+    sequences_.set(lane, pixel, sample);
+    sequences_.order = pixel.order();
+  }
+  void clear() {
+    size_ = 0;
+    place_.lanes = 0;
+  }
 
  private:
   std::uint32_t size_ = 0;

@@ -35,6 +35,7 @@ struct Pair {
 struct Group {
   std::vector<PixelTrial> pixels;
   Pair cost;  // of rays
+  std::uint64_t samples = 0;
 };
 constexpr std::uint32_t samples_a_group =  // but at the picture's edges
     2 * whole_block * reuse_group_size;
@@ -48,21 +49,20 @@ std::size_t groups_to_ask(const RenderOptions& options) {
 }
 
 PixelRect square_with(int x, int y, const RenderOptions& options) {
-  const int x0 = reuse_square_begin(x), y0 = reuse_square_begin(y);
+  const int x0 = x - x % reuse_square, y0 = y - y % reuse_square;
   return {x0, y0, std::min(x0 + reuse_square, options.width),
           std::min(y0 + reuse_square, options.height)};
 }
 
 // One of the two blocks of each pixel of a group. `pass`: all but that.
-void run_block(TilePass pass, int group, std::size_t block, const RenderOptions& options,
+void run_block(TilePass pass, std::uint64_t group, std::size_t block, const RenderOptions& options,
                const TileFunction& render_tile, Group& result) {
   Film shared(options.width, options.height, pass.tile, 0, 1, film_balance(options));
   Film alone = shared;
   const GroupTrial trial{group, &alone};
   pass.trial = &trial;
   const TileCounts counts = render_tile(pass, shared);
-  // Samples that are skipped count as if they were not, as in other trials.
-  const std::uint64_t cost = cost_of(counts.rays) + cost_of({.camera = counts.skipped.samples});
+  const std::uint64_t cost = cost_of(counts.rays);
   const std::uint64_t of_segments = cost_of({.segment = counts.rays.segment});
   result.cost += {static_cast<double>(cost), static_cast<double>(cost - of_segments)};
   std::size_t pixel = 0;
@@ -71,8 +71,8 @@ void run_block(TilePass pass, int group, std::size_t block, const RenderOptions&
     if (pixel == result.pixels.size()) result.pixels.emplace_back();
     PixelTrial& means = result.pixels[pixel++];
     means.shared[block] = shared.mean(i);
-    const bool is_background = alone.samples(i) == 0;
-    means.alone[block] = is_background ? shared.mean(i) : alone.mean(i);
+    means.alone[block] = alone.mean(i);
+    result.samples += shared.samples(i);
   }
 }
 
@@ -90,7 +90,7 @@ std::vector<Group> run_groups(const RenderOptions& options, const PathPlan& plan
     pass.plan = plan;
     for (std::uint32_t block = 0; block < 2; ++block) {
       pass.seed = hash_counter(seed, 2 * index + block);
-      run_block(pass, reuse_group_of(pixel.x0, pixel.y0), block, options, render_tile, groups[i]);
+      run_block(pass, hash_counter(seed, ~i), block, options, render_tile, groups[i]);
     }
   });
   return groups;
@@ -143,7 +143,7 @@ ReuseChoice choose_reuse(const RenderOptions& options, PathPlan plan,
   plan.reuses_paths = true;
   const std::vector<Group> groups = run_groups(options, plan, render_tile, cancel);
   ReuseChoice choice{pays(groups)};
-  for (const Group& group : groups) choice.samples += 2 * whole_block * group.pixels.size();
+  for (const Group& group : groups) choice.samples += group.samples;
   return choice;
 }
 

@@ -31,17 +31,16 @@ std::size_t Film::index(int x, int y) const {
          static_cast<std::size_t>(x - crop_.x0);
 }
 
-std::uint32_t Film::next_sum(const Pixel& pixel) const {
-  const std::uint32_t turn =
-      samples_a_piece_ > 0 ? pixel.samples / samples_a_piece_ : pixel.samples;
+std::uint32_t Film::sum_of(std::uint32_t sample_index) const {
+  const std::uint32_t turn = samples_a_piece_ > 0 ? sample_index / samples_a_piece_ : sample_index;
   return turn % replicates_;
 }
 
-void Film::add(int x, int y, const FilmSample& sample) {
+void Film::add(int x, int y, std::uint32_t sample_index, const FilmSample& sample) {
   const std::size_t i = index(x, y);
   Pixel& pixel = pixels_[i];
   const Vec3d radiance(sample.radiance);
-  sums_[i * replicates_ + next_sum(pixel)] +=
+  sums_[i * replicates_ + sum_of(sample_index)] +=
       (balance_ ? *balance_ * radiance : radiance) * double{sample.weight};
   pixel.alpha += static_cast<double>(sample.alpha);
   ++pixel.samples;
@@ -52,7 +51,7 @@ void Film::add(int x, int y, const FilmSample& sample) {
   aov.position += sample.position;
   aov.depth += sample.depth;
   ++aov.hits;
-  if (pixel.samples == 1) aov.material = sample.material + 1;
+  if (sample_index == 0) aov.material = sample.material + 1;
 }
 
 void Film::add_invalid(int x, int y) {

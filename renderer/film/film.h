@@ -71,10 +71,14 @@ class Film {
   // Sequences of random numbers that the samples of a pixel are of.
   [[nodiscard]] std::uint32_t sequences() const { return samples_a_piece_ > 0 ? 1 : replicates_; }
 
-  // Adds the next sample of a pixel; calls for one pixel come in order of the sample index and from
-  // one thread at a time. Coordinates of the full picture. Non-finite or negative radiance must not
-  // come here: the caller counts it.
-  void add(int x, int y, const FilmSample& sample);
+  // Adds sample `sample_index` of a pixel; when a film is read those of a pixel are the first ones,
+  // whatever order they came in. Calls for one pixel come from one thread at a time. Coordinates of
+  // the full picture. Non-finite or negative radiance must not come here: the caller counts it.
+  void add(int x, int y, std::uint32_t sample_index, const FilmSample& sample);
+  // Its next one, where they come in order.
+  void add(int x, int y, const FilmSample& sample) {
+    add(x, y, pixels_[index(x, y)].samples, sample);
+  }
   // A sample that was invalid: it counts as black so that sums of others stand.
   void add_invalid(int x, int y);
   // What the pixel's samples took, in rays or the like: sample_density.h weighs it.
@@ -135,8 +139,8 @@ class Film {
     std::uint32_t material = 0;  // + 1; 0: none
   };
 
-  // Which of the pixel's sums its next sample belongs to.
-  [[nodiscard]] std::uint32_t next_sum(const Pixel& pixel) const;
+  // Which of a pixel's sums a sample belongs to.
+  [[nodiscard]] std::uint32_t sum_of(std::uint32_t sample_index) const;
 
   int full_width_ = 0;
   int full_height_ = 0;

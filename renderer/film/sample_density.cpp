@@ -160,8 +160,9 @@ double evenly_spread(int x, int y) {
 
 }  // namespace
 
-SampleDensity::SampleDensity(const Film& pilot)
+SampleDensity::SampleDensity(const Film& pilot, int side)
     : rect_(pilot.crop()),
+      side_(side),
       sequences_(pilot.sequences()),
       pilot_samples_(pilot.samples(0)),
       values_(pilot.pixel_count()) {
@@ -171,9 +172,42 @@ SampleDensity::SampleDensity(const Film& pilot)
     for_each_pixel(pilot, colour,
                    [&](std::size_t i) { values_[i] = static_cast<float>(values[next++]); });
   }
+  if (side_ > 1) even_out_squares();
   for (int y = rect_.y0; y < rect_.y1; ++y)
     for (int x = rect_.x0; x < rect_.x1; ++x) wishes_[colour_of(x, y)].push_back(wish_at(x, y));
   for (Wishes& wishes : wishes_) std::sort(wishes.begin(), wishes.end());
+}
+
+void SampleDensity::even_out_squares() {
+  const auto aligned = [this](int i) { return i - i % side_; };
+  for (int y = aligned(rect_.y0); y < rect_.y1; y += side_)
+    for (int x = aligned(rect_.x0); x < rect_.x1; x += side_) {
+      const PixelRect square{std::max(x, rect_.x0), std::max(y, rect_.y0),
+                             std::min(x + side_, rect_.x1), std::min(y + side_, rect_.y1)};
+      for (std::size_t colour = 0; colour < wishes_.size(); ++colour) even_out(square, colour);
+    }
+}
+
+// The error of the same number for all over that of the best numbers is that of the mean square
+// over the square of the mean.
+void SampleDensity::even_out(const PixelRect& square, std::size_t colour) {
+  constexpr double most = 1.1;
+  const auto for_each_value = [&](const auto& visit) {
+    for (int y = square.y0; y < square.y1; ++y)
+      for (int x = first_of_row(y, square, colour); x < square.x1; x += 2)
+        visit(values_[index(x, y)]);
+  };
+  double count = 0;
+  double sum = 0;
+  double sum_of_squares = 0;
+  for_each_value([&](double value) {
+    ++count;
+    sum += value;
+    sum_of_squares += value * value;
+  });
+  if (sum_of_squares * count > most * sum * sum) return;
+  for_each_value(
+      [&](float& value) { value = static_cast<float>(std::sqrt(sum_of_squares / count)); });
 }
 
 // The value, and up to 5 % more or less: where many are alike not all of them turn to the next
@@ -181,7 +215,8 @@ SampleDensity::SampleDensity(const Film& pilot)
 double SampleDensity::wish_at(int x, int y) const {
   constexpr double octaves = 0.125;
   return static_cast<double>(at(x, y)) *
-         std::exp2(octaves * evenly_spread(x - rect_.x0, y - rect_.y0));
+         std::exp2(octaves *
+                   evenly_spread(x / side_ - rect_.x0 / side_, y / side_ - rect_.y0 / side_));
 }
 
 std::uint32_t SampleDensity::samples(int x, int y, const Scales& scales) const {

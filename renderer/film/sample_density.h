@@ -22,8 +22,10 @@ class SampleDensity {
   SampleDensity() = default;  // of no picture: not to be asked
   // From a pilot of at least two pixels a side, with at least two replicates (or pieces) and the
   // same number of samples in every pixel. `mean` and all that is relative to one is of the pilot's
-  // pixels, and no others may be asked for.
-  explicit SampleDensity(const Film& pilot);
+  // pixels, and no others may be asked for. Pixels of a colour in an aligned square of a `side`
+  // get the same where they want nearly the same: shared paths (integrators/path/reuse_groups.h)
+  // then are of whole sets of well-spread samples.
+  explicit SampleDensity(const Film& pilot, int side = 1);
 
   // What making one takes for each pixel, at least, beside the pilot.
   static constexpr std::size_t bytes_a_pixel =
@@ -43,6 +45,8 @@ class SampleDensity {
  private:
   // The wishes (wish_at) of a colour's pixels, rising.
   using Wishes = std::vector<double>;
+  void even_out_squares();
+  void even_out(const PixelRect& square, std::size_t colour);
   [[nodiscard]] double wish_at(int x, int y) const;
   // By the pixels of one colour: scales(), and what a scale gives all of them together.
   [[nodiscard]] double scale_of(const Wishes& wishes, std::uint32_t mean) const;
@@ -53,6 +57,7 @@ class SampleDensity {
   }
 
   PixelRect rect_;
+  int side_ = 1;
   std::uint32_t sequences_ = 1;
   std::uint32_t pilot_samples_ = 0;
   std::vector<float> values_;

@@ -56,6 +56,22 @@ TEST(Unit_Film, ACropKeepsAllThatIsKnown) {
   EXPECT_EQ(part.samples(part.index(1, 1)), 0u);
 }
 
+TEST(Unit_Film, SamplesComeInAnyOrder) {
+  Film film(1, 1, {0, 0, 1, 1}, aov_bit(Aov::MaterialId), 2);
+  FilmSample hit = sample_of(Rgb(1));
+  hit.has_hit = true;
+  for (const std::uint32_t index : {3u, 1u, 2u, 0u}) {
+    hit.radiance = Rgb(static_cast<float>(1u << index));
+    hit.material = index;
+    film.add(0, 0, index, hit);
+  }
+  EXPECT_EQ(film.samples(0), 4u);
+  EXPECT_EQ(film.replicate_sum(0, 0).x, 1 + 4);
+  EXPECT_EQ(film.replicate_sum(0, 1).x, 2 + 8);
+  const Image image = film.to_image(false);
+  EXPECT_EQ(image.pixel(0, 0)[image.channel_index("material_id.V")], 1);  // the first's
+}
+
 TEST(Unit_Film, PiecesOfASequenceAreTakenTogether) {
   Film film(2, 1, {0, 0, 2, 1}, 0, 2);
   EXPECT_EQ(film.sequences(), 2u);

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <set>
+
 #include "renderer/sampling/even_counts.h"
 #include "tests/film/synthetic_film.h"
 
@@ -42,6 +45,39 @@ TEST(Unit_SampleDensity, FollowsTheCostOfHalves) {
       pilot_of([](int) { return 0.4; }, [](int x) { return x < size / 2 ? 4u : 1u; }));
   EXPECT_NEAR(column_mean(density, 10), 0.1 + 0.9 * 2.0 / 3, 0.06);
   EXPECT_NEAR(column_mean(density, 54), 0.1 + 0.9 * 4.0 / 3, 0.08);
+}
+
+// Of the chessboard's colours, in the 16x16 pixels from there on.
+std::array<std::set<float>, 2> values_in_square(const SampleDensity& density, int x0, int y0) {
+  std::array<std::set<float>, 2> values;
+  for (int y = y0; y < y0 + 16; ++y)
+    for (int x = x0; x < x0 + 16; ++x)
+      values[static_cast<std::size_t>(x + y) % 2].insert(density.at(x, y));
+  return values;
+}
+
+TEST(Unit_SampleDensity, PixelsOfASquareGetTheSameWhereTheyWantNearlyTheSame) {
+  const Film pilot = pilot_of([](int x) { return x < 24 ? 0.2 : 0.6; },
+                              [](int) { return 1u; });  // within a square
+  const SampleDensity own(pilot);
+  const SampleDensity evened(pilot, 16);
+  EXPECT_NEAR(column_mean(evened, 10), column_mean(own, 10), 0.03);
+  EXPECT_NEAR(column_mean(evened, 54), column_mean(own, 54), 0.03);
+  const SampleDensity::Scales scales = evened.scales(100);
+  for (int y = 0; y < size; y += 16)
+    for (int x = 0; x < size; x += 16)
+      for (std::size_t colour = 0; colour < 2; ++colour) {
+        const std::size_t values = values_in_square(evened, x, y)[colour].size();
+        EXPECT_GT(values_in_square(own, x, y)[colour].size(), 64u);
+        if (x == 16) {
+          EXPECT_GT(values, 64u);
+          continue;
+        }
+        EXPECT_EQ(values, 1u);
+        for (int i = static_cast<int>(colour); i < 16; i += 2)
+          EXPECT_EQ(evened.samples(x + i, y, scales),
+                    evened.samples(x + static_cast<int>(colour), y, scales));
+      }
 }
 
 std::uint32_t samples_of(const SampleDensity& density, int x, int y, std::uint32_t mean) {

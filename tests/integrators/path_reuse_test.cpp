@@ -80,13 +80,15 @@ SceneDescription room_of_tilted_normals(const TemporaryFolder& folder) {
   return scene;
 }
 
-void expect_same_mean(const SceneDescription& description, int samples) {
+void expect_same_mean(const SceneDescription& description, int samples, bool adaptive = false) {
+  RenderSettings shared = settings_with(true, 32, samples, 101);
+  shared.options.adaptive = adaptive;
   statistics::AgreementOptions options;
   options.pixel_levels = {};  // pixels of a group are not independent
   options.block = 4;          // none has two pixels of a group
   const auto agreement = statistics::compare_replicates(
       replicated_pictures(description, settings_with(false, 32, samples, 1), "each by itself"),
-      replicated_pictures(description, settings_with(true, 32, samples, 101), "shared"), options);
+      replicated_pictures(description, shared, "shared"), options);
   EXPECT_TRUE(agreement.passed) << agreement.message;
   EXPECT_NEAR(agreement.whole_ratio, 1, 0.01);
 }
@@ -94,6 +96,10 @@ void expect_same_mean(const SceneDescription& description, int samples) {
 TEST(Statistical_PathReuse, KeepsEveryPixelsMean) {
   expect_same_mean(small_room(), 64);
   expect_same_mean(room_of_what_shares_and_not(), 64);
+}
+
+TEST(Statistical_PathReuse, KeepsEveryPixelsMeanWithAdaptiveSampling) {
+  expect_same_mean(room_of_what_shares_and_not(), 128, true);
 }
 
 TEST(Statistical_PathReuse, KeepsTheMeanOfTiltedNormals) {
@@ -106,10 +112,13 @@ struct Errors {
   double true_relmse = 0;
 };
 
-Errors errors_over_seeds(const Scene& scene, bool reuses_paths, const Image& reference) {
+Errors errors_over_seeds(const Scene& scene, bool reuses_paths, const Image& reference,
+                         bool adaptive = false) {
   Errors errors;
   for (std::uint64_t seed = 1; seed <= 32; ++seed) {
-    const auto result = rendered(scene, settings_with(reuses_paths, reference.width, 64, seed));
+    RenderSettings settings = settings_with(reuses_paths, reference.width, 64, seed);
+    settings.options.adaptive = adaptive;
+    const auto result = rendered(scene, settings);
     errors.stated += result.error->relmse;
     errors.true_relmse += compare_images(result.film.to_image(false), reference)->rel_mse;
   }
@@ -124,6 +133,20 @@ TEST(Statistical_PathReuse, LowersTheErrorAndTheOneThatIsStated) {
   const Errors shared = errors_over_seeds(scene, true, reference);
   EXPECT_LT(shared.true_relmse, 0.4 * alone.true_relmse);
   EXPECT_NEAR(shared.stated / shared.true_relmse, 1, 0.15);
+}
+
+// Pixels of unlike numbers of samples find as many to share with.
+TEST(Statistical_PathReuse, AdaptiveSamplingLosesNothingByIt) {
+  const Scene scene = compiled(room_of_a_point(0.7), settings_of(32, 64).options);
+  const Image reference = rendered(scene, settings_with(false, 32, 8192, 107)).film.to_image(false);
+  const auto gain = [&](bool reuses_paths) {
+    const Errors alike = errors_over_seeds(scene, reuses_paths, reference);
+    const Errors adaptive = errors_over_seeds(scene, reuses_paths, reference, true);
+    EXPECT_NEAR(adaptive.stated / adaptive.true_relmse, 1, 0.15);
+    return alike.true_relmse / adaptive.true_relmse;
+  };
+  const double shared = gain(true), alone = gain(false);
+  EXPECT_GT(shared, 0.95 * alone) << alone;
 }
 
 TEST(Agreement_PathReuse, SameBitsOverThreadsTilesCropsAndKernels) {
@@ -170,22 +193,25 @@ TEST(Agreement_PathReuse, ATrialsGroupsAreThoseOfThePictureWithAndWithout) {
   };
   const Film shared = rendered_square(true, nullptr);
   const Film alone = rendered_square(false, nullptr);
-  for (int group = 0; group < 16; ++group) {
+  std::vector<int> groups_of(16 * 16, 0);
+  for (std::uint64_t group = 0; group < 16; ++group) {
     Film alone_by_trial(32, 32, square, 0);
     const GroupTrial trial{group, &alone_by_trial};
     const Film shared_by_trial = rendered_square(true, &trial);
-    for (int y = 0; y < 16; ++y)
-      for (int x = 16; x < 32; ++x) {
-        const std::size_t i = shared.index(x, y);
-        const bool is_in_group = reuse_group_of(x, y) == group;
-        EXPECT_EQ(shared_by_trial.samples(i), is_in_group ? 16u : 0u);
-        EXPECT_EQ(alone_by_trial.samples(i), is_in_group ? 16u : 0u);
-        if (!is_in_group) continue;
-        EXPECT_EQ(shared_by_trial.mean(i), shared.mean(i));
-        for (int c = 0; c < 3; ++c)
-          EXPECT_NEAR(alone_by_trial.mean(i)[c], alone.mean(i)[c], 1e-5 * alone.mean(i)[c]);
-      }
+    std::size_t pixels = 0;
+    for (std::size_t i = 0; i < shared.pixel_count(); ++i) {
+      EXPECT_EQ(alone_by_trial.samples(i), shared_by_trial.samples(i));
+      if (shared_by_trial.samples(i) == 0) continue;
+      ++pixels;
+      ++groups_of[i];
+      EXPECT_EQ(shared_by_trial.samples(i), 16u);
+      EXPECT_EQ(shared_by_trial.mean(i), shared.mean(i));
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(alone_by_trial.mean(i)[c], alone.mean(i)[c], 1e-5 * alone.mean(i)[c]);
+    }
+    EXPECT_EQ(pixels, reuse_group_size);
   }
+  EXPECT_EQ(groups_of, std::vector<int>(16 * 16, 1));
 }
 
 TEST(Agreement_PathReuse, AdaptiveSamplingToo) {
@@ -195,6 +221,20 @@ TEST(Agreement_PathReuse, AdaptiveSamplingToo) {
     settings.options.adaptive = true;
     const Scene scene = compiled(small_room(), settings.options);
     expect_same_bits_however_rendered(scene, settings, picture(scene, settings), {13, 5, 38, 40});
+  }
+}
+
+// A crop that may end early has a pilot of its own, with whole squares.
+TEST(Agreement_PathReuse, CropsThatEndEarly) {
+  RenderSettings settings = settings_with(true, 70, 128);
+  settings.options.adaptive = true;
+  settings.options.target_relmse = 1e-3;
+  settings.options.crop = PixelRect{20, 5, 38, 40};
+  const Scene scene = compiled(small_room(), settings.options);
+  const Image image = picture(scene, settings);
+  for (const int tile_size : {8, 32, 64}) {
+    settings.options.tile_size = tile_size;
+    EXPECT_EQ(picture(scene, settings).values, image.values) << tile_size;
   }
 }
 
@@ -236,30 +276,6 @@ TEST(Unit_PathReuse, RouletteLeavesFirstHitsAlone) {
   EXPECT_EQ((PathPlan{1, 1, 0, true}.roulette().first_bounce), 1u);
   EXPECT_EQ((PathPlan{1, 1, 2, true}.roulette().first_bounce), 2u);
   EXPECT_EQ((PathPlan{1, 1, 0, false}.roulette().first_bounce), 0u);
-}
-
-TEST(Unit_ReuseGroups, EachPixelIsInOneGroupAndApartFromItsNeighbours) {
-  const PixelRect tile{5, 3, 21, 18};
-  TilePass pass;
-  pass.tile = tile;
-  std::vector<std::pair<int, int>> group;
-  std::vector<int> groups_of(40 * 30, 0);
-  for_each_group(
-      pass, 40, 30, [&](int x, int y) { group.emplace_back(x, y); },
-      [&] {
-        for (const auto& [x, y] : group) {
-          ++groups_of[static_cast<std::size_t>(y * 40 + x)];
-          for (const auto& [x2, y2] : group) {
-            EXPECT_EQ((x + y + x2 + y2) % 2, 0);
-            EXPECT_TRUE((x == x2 && y == y2) || std::max(std::abs(x - x2), std::abs(y - y2)) > 2);
-          }
-        }
-        EXPECT_LE(group.size(), 16u);
-        group.clear();
-      });
-  for (int y = tile.y0; y < tile.y1; ++y)
-    for (int x = tile.x0; x < tile.x1; ++x)
-      EXPECT_EQ(groups_of[static_cast<std::size_t>(y * 40 + x)], 1) << x << " " << y;
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST(Unit_SharedBlock, SquaresOfAnyTileAreThoseOfThePicture) {
   constexpr int width = 30, height = 9;
   const auto squares_of = [](const PixelRect& tile) {
     std::set<Pixels> squares;
-    for_each_square(tile, width, height,
+    for_each_square(shared_side, tile, width, height,
                     [&](const PixelRect& square) { squares.insert(pixels_of(square)); });
     return squares;
   };

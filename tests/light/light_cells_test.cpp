@@ -144,8 +144,9 @@ TEST(Unit_LightCells, PickAllThatMayMatter) {
         const Light& light = lights[i];
         const bool is_in_front = light.is_delta() || light.emits_both_sides ||
                                  dot(light.normal, point - light.position) > 0;
-        if (is_in_front && sampler.probability(i) > 0)
+        if (is_in_front && sampler.probability(i) > 0) {
           ASSERT_GT(sampler.probability(i, cell), 0.0f) << i << " of " << count;
+        }
       }
     }
   }
