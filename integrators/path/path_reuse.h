@@ -1,6 +1,6 @@
 // Pixels share what their paths find [Bekaert02]: a point y that a path met after its first hit x
-// is met from the first hits of other pixels as well, if they see it, and what the path brings from
-// y on then counts for all of them. For a segment more each path stands for a group of pixels.
+// is met from the first hits of other samples as well, if they see it, and what the path brings
+// from y on then counts for all of them. For a segment more each path stands for a group.
 //
 // What comes to a first hit x from shared points is the sum over all paths of the group
 //
@@ -14,7 +14,7 @@
 // they are seen with a shading normal that is not bent. Whatever else a path meets after its first
 // hit is its own pixel's.
 //
-// Samples of the same index share, so that replicates stay independent of each other.
+// Which samples share: reuse_groups.h.
 #pragma once
 
 #include "integrators/path/block_trip.h"
