@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "renderer/film/tiles.h"
 #include "renderer/sampling/hash.h"
 
 namespace candela {
@@ -12,13 +13,12 @@ std::vector<PixelPlace> pixels_to_deal(const PixelRect& square) {
     return hash_pixel(0, static_cast<std::uint32_t>(pixel.x), static_cast<std::uint32_t>(pixel.y));
   };
   std::vector<PixelPlace> pixels;
-  for (int y0 = square.y0; y0 < square.y1; y0 += side)
-    for (int x0 = square.x0; x0 < square.x1; x0 += side) {
-      const std::size_t first = pixels.size();
-      for (int y = y0; y < std::min(y0 + side, square.y1); ++y)
-        for (int x = x0; x < std::min(x0 + side, square.x1); ++x) pixels.push_back({x, y});
-      std::ranges::sort(std::span(pixels).subspan(first), {}, place);
-    }
+  for (const PixelRect& cell : tiles_of(square, side)) {
+    const std::size_t first = pixels.size();
+    for (int y = cell.y0; y < cell.y1; ++y)
+      for (int x = cell.x0; x < cell.x1; ++x) pixels.push_back({x, y});
+    std::ranges::sort(std::span(pixels).subspan(first), {}, place);
+  }
   return pixels;
 }
 

@@ -7,6 +7,7 @@
 
 #include "renderer/base/parallel.h"
 #include "renderer/film/heavy_tails.h"
+#include "renderer/film/tiles.h"
 #include "renderer/film/variance.h"
 #include "renderer/image/relmse.h"
 #include "renderer/sampling/even_counts.h"
@@ -179,13 +180,8 @@ SampleDensity::SampleDensity(const Film& pilot, int side)
 }
 
 void SampleDensity::even_out_squares() {
-  const auto aligned = [this](int i) { return i - i % side_; };
-  for (int y = aligned(rect_.y0); y < rect_.y1; y += side_)
-    for (int x = aligned(rect_.x0); x < rect_.x1; x += side_) {
-      const PixelRect square{std::max(x, rect_.x0), std::max(y, rect_.y0),
-                             std::min(x + side_, rect_.x1), std::min(y + side_, rect_.y1)};
-      for (std::size_t colour = 0; colour < wishes_.size(); ++colour) even_out(square, colour);
-    }
+  for (const PixelRect& square : tiles_of(rect_, side_))
+    for (std::size_t colour = 0; colour < wishes_.size(); ++colour) even_out(square, colour);
 }
 
 // The error of the same number for all over that of the best numbers is that of the mean square
