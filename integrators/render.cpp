@@ -91,7 +91,6 @@ bool may_reuse_paths(const Scene& scene, const RenderOptions& options) {
     return false;
   bool any_gives = false;
   for (std::uint32_t i = 0; i < scene.geometries.size(); ++i) {
-    if (scene.geometries[i].has_cutouts) return false;
     any_gives |= gives_shared(scene, i);
   }
   return any_gives;

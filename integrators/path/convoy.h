@@ -81,23 +81,38 @@ class Convoy {
     for_each_moving([&](BlockTrip<A>& trip) { rays_.add_rays(trip); });
     rays_.end_rays();
     for_each_moving([](BlockTrip<A>& trip) { meet<F>(trip); });
-    if constexpr (F.reuses_paths()) {
-      if (reuse_.has_groups() && bounces_ == 1) share_points();
-    }
+    if constexpr (F.reuses_paths()) share_after_meeting();
     step();
+    if constexpr (F.reuses_paths()) share_after_steps();
     for_each_moving([&](BlockTrip<A>& trip) { rays_.add_shadow_rays(trip); });
     rays_.end_shadow_rays();
     for_each_moving([&](BlockTrip<A>& trip) { go_on<F>(trip, lanes_); });
-    if constexpr (F.reuses_paths()) {
-      if (reuse_.has_groups() && bounces_ == 0)
-        for (std::size_t i = 0; i < size_; ++i) reuse_.leave_first_hits(i, *trips_[i]);
-    }
+    if constexpr (F.reuses_paths()) share_after_leaving();
     return true;
   }
 
-  void share_points() {
-    for (std::size_t i = 0; i < size_; ++i) reuse_.meet_next(i, *trips_[i]);
-    reuse_.share(trips_);
+  void share_after_meeting() {
+    if (!reuse_.has_groups() || bounces_ > 1) return;
+    for (std::size_t i = 0; i < size_; ++i) {
+      if (bounces_ == 0)
+        reuse_.template meet_first_hits<F>(i, *trips_[i]);
+      else
+        reuse_.meet_points(i, *trips_[i]);
+    }
+    if (bounces_ == 1) reuse_.share(trips_);
+  }
+  void share_after_steps() {
+    if (!reuse_.has_groups() || bounces_ != 1) return;
+    for (std::size_t i = 0; i < size_; ++i) reuse_.light_points(i, *trips_[i]);
+  }
+  void share_after_leaving() {
+    if (!reuse_.has_groups() || bounces_ > 1) return;
+    for (std::size_t i = 0; i < size_; ++i) {
+      if (bounces_ == 0)
+        reuse_.leave_first_hits(i, *trips_[i]);
+      else
+        reuse_.leave_points(i, *trips_[i]);
+    }
   }
 
   void step() {

@@ -19,8 +19,8 @@
 
 #include "integrators/path/block_trip.h"
 #include "integrators/path/gathered_rays.h"
-#include "integrators/path/reuse_lanes.h"
-#include "integrators/path/shared_surfaces.h"
+#include "integrators/path/reuse_first_hits.h"
+#include "integrators/path/reuse_points.h"
 #include "integrators/path/trace_block.h"
 
 namespace candela {
@@ -40,40 +40,58 @@ class PathReuse {
   // By how much what is shared makes a block's samples larger than what their own paths found.
   [[nodiscard]] const Vec3Lanes& gain(std::size_t place) const { return lanes_[place].gain; }
 
+  // The camera rays have met the first hits.
+  template <FeatureSet F>
+  void meet_first_hits(std::size_t place, const BlockTrip<A>& trip) {
+    FirstHitLanes& x = lanes_[place].x;
+    const Scene& scene = trip.context.scene;
+    x.camera = trip.block.rays.direction;
+    x.throughput = trip.block.paths.throughput;
+    if (!needs_lobes(scene)) return;
+    for_each_lane(trip.alive, [&](std::uint32_t i) {
+      const std::uint32_t geometry = trip.block.hits.geometry[i];
+      if (receives_shared(scene, geometry) && !is_lambertian(scene, geometry))
+        x.lobe[i] = numbers_of<F>(trip, i).lobe;
+    });
+  }
+
   // The paths that are alive have left their first hits; others that met a surface have ended
   // there.
   void leave_first_hits(std::size_t place, const BlockTrip<A>& trip) {
     ReuseLanes& lanes = lanes_[place];
-    const Scene& scene = trip.context.scene;
-    const PathBlock& block = trip.block;
-    lanes.receives = 0;
-    lanes.gives = 0;
-    lanes.is_x_flat = true;
-    lanes.x = block.rays.origin;
-    lanes.x_shading = block.paths.receiving_normal;
-    lanes.x_geometric = lanes.x_shading;
-    lanes.throughput = block.paths.throughput;
+    lanes.receives = lanes.apart = lanes.gives = 0;
     if (trip.bounce == 0) return;  // no camera ray was traced
-    for_each_lane(trip.place.lanes & block.hits.met, [&](std::uint32_t i) {
-      const std::uint32_t geometry = block.hits.geometry[i];
-      if (!receives_shared(scene, geometry)) return;
-      const bool is_alive = (trip.alive >> i & 1) != 0;
-      const bool is_flat = has_flat_shading(scene, geometry);
-      if (is_flat && !is_alive) return;  // black
-      lanes.receives |= 1u << i;
-      if (is_flat) return;
-      lanes.is_x_flat = false;
-      is_alive ? receive_alive(scene, i, block, lanes) : receive_ended(scene, i, block, lanes);
-    });
+    lanes.receives =
+        candela::leave_first_hits(trip.context.scene, trip.block,
+                                  trip.place.lanes & trip.block.hits.met, trip.alive, lanes.x);
   }
 
-  // The rays from there have ended. What paths that give bring from now on is kept apart.
-  void meet_next(std::size_t place, BlockTrip<A>& trip) {
+  // The rays from there have ended. What paths bring from now on is kept apart where it may serve
+  // others: not where a path's direction is drawn from a highlight, of which others know nothing.
+  void meet_points(std::size_t place, BlockTrip<A>& trip) {
     ReuseLanes& lanes = lanes_[place];
-    lanes.is_y_flat = true;
+    const Scene& scene = trip.context.scene;
+    clear_points(lanes.y);
     for_each_lane(lanes.receives & trip.alive, [&](std::uint32_t i) {
-      if (!gives_shared(trip.context.scene, trip.block.hits.geometry[i])) return;
-      if (meet_point(trip.context.scene, i, trip.block, lanes)) begin_to_give(i, trip.block, lanes);
+      const Hit hit = trip.block.hits[i];
+      if (!gives_shared(scene, hit.geometry)) return;
+      if (!meet_place(scene, hit, -trip.block.rays.direction[i], i, lanes.y)) return;
+      lanes.apart |= 1u << i;
+      meet_point(scene, i, trip.block, lanes.y);
+    });
+    lanes.gives = lanes.apart & lanes.x.drawn;
+  }
+
+  // The lights that are sampled at every hit have been.
+  void light_points(std::size_t place, const BlockTrip<A>& trip) {
+    lanes_[place].y.always = trip.block.paths.radiance;
+  }
+
+  // The paths have left the points, which no shadow ray is on its way to any more.
+  void leave_points(std::size_t place, BlockTrip<A>& trip) {
+    SharedPointLanes& y = lanes_[place].y;
+    for_each_lane(y.glossy, [&](std::uint32_t i) {
+      leave_point(trip.context.scene, i, trip.after, trip.block, y);
     });
   }
 
@@ -87,75 +105,24 @@ class PathReuse {
       for_each_giver(group, [&](std::size_t from) {
         const std::size_t begin = group_begin(group);
         const std::size_t size = group_ends_[group] - begin;
-        weigh(std::span(weights_[from]).subspan(begin, size),
-              std::span(seen_[from]).subspan(begin, size));
+        weigh(std::span(segments_[from]).subspan(begin, size),
+              std::span(seen_[from]).subspan(begin, size), std::span(lanes_).subspan(begin, size));
       });
   }
 
   // The paths have ended.
   template <class Trips>
   void gather(Trips& trips) {
-    for (std::size_t group = 0; group < groups_; ++group) gather(group, trips);
+    for (std::size_t group = 0; group < groups_; ++group) {
+      collect(group, trips);
+      for (std::size_t at = group_begin(group); at < group_ends_[group]; ++at)
+        distribute(group, at, trips[at]->block.paths);
+    }
   }
 
  private:
   [[nodiscard]] std::size_t group_begin(std::size_t group) const {
     return group == 0 ? 0 : group_ends_[group - 1];
-  }
-
-  // A first hit whose shading normal is its own.
-  static void receive_alive(const Scene& scene, std::uint32_t i, const PathBlock& block,
-                            ReuseLanes& lanes) {
-    const Vec3f wi = block.rays.direction[i];
-    lanes.x_geometric.set(i, point_met(scene, block.hits[i], wi).geometric_normal);
-  }
-  // And whose path ended, since its direction was above the shading normal's horizon alone: what
-  // others found is met from there as from any.
-  static void receive_ended(const Scene& scene, std::uint32_t i, const PathBlock& block,
-                            ReuseLanes& lanes) {
-    const Vec3f wo = -block.rays.direction[i];
-    const Hit hit = block.hits[i];
-    const Geometry& geometry = scene.geometries[hit.geometry];
-    const Material& material = scene.materials[geometry.material.index];
-    const SurfacePoint point = surface_point_at<general_features>(scene, hit, material, wo);
-    lanes.x.set(i, point.position + point.geometric_normal * point.offset);
-    lanes.x_shading.set(i, point.shading.z);
-    lanes.x_geometric.set(i, point.geometric_normal);
-    const Bsdf bsdf = bsdf_at(material, scene.textures, texture_point_of(point), point.is_front);
-    lanes.throughput.set(i, block.paths.throughput[i] * bsdf.diffuse);
-  }
-
-  // On the side that `wo` is on.
-  [[nodiscard]] static SurfacePoint point_met(const Scene& scene, const Hit& hit, const Vec3f& wo) {
-    const Instance* instance = hit.is_instanced() ? &scene.instances[hit.instance] : nullptr;
-    return make_triangle_point(scene.geometries[hit.geometry], instance, hit, wo, false);
-  }
-
-  // The point that a path met; false where it is seen with a normal that is bent.
-  [[nodiscard]] static bool meet_point(const Scene& scene, std::uint32_t i, const PathBlock& block,
-                                       ReuseLanes& lanes) {
-    const Vec3f wo = -block.rays.direction[i];
-    const SurfacePoint point = point_met(scene, block.hits[i], wo);
-    const Vec3f& geometric = point.geometric_normal;
-    Vec3f shading = geometric;
-    if (!point.is_flat) {
-      const float side = dot(point.front_normal, geometric);
-      shading = side < 0 ? -point.front_normal : point.front_normal;
-      const float between = std::abs(side);
-      if (!is_unbent(dot(shading, wo), between, dot(geometric, wo))) return false;
-      lanes.is_y_flat = false;
-    }
-    lanes.y.set(i, point.position + geometric * point.offset);
-    lanes.y_shading.set(i, shading);
-    lanes.y_geometric.set(i, geometric);
-    lanes.y_between[i] = dot(shading, geometric);
-    return true;
-  }
-  static void begin_to_give(std::uint32_t i, PathBlock& block, ReuseLanes& lanes) {
-    lanes.gives |= 1u << i;
-    lanes.radiance.set(i, block.paths.radiance[i]);
-    block.paths.radiance.set(i, Rgb(0));
-    block.paths.throughput.set(i, Rgb(1));
   }
 
   template <class Visit>
@@ -167,23 +134,23 @@ class PathReuse {
   // Which first hits of a group see the points that paths of a block of it met.
   template <class Trips>
   void connect_group(std::size_t from, std::size_t group, Trips& trips) {
-    RayBlock segments;
+    RayBlock rays;
     for (std::size_t at = group_begin(group); at < group_ends_[group]; ++at) {
       const LaneMask lanes = lanes_[from].gives & lanes_[at].receives;
       LaneMask& seen = seen_[from][at];
       seen = 0;
       if (lanes == 0) continue;
-      seen = connect(lanes_[at], lanes_[from], lanes, segments, weights_[from][at]);
+      seen = connect(lanes_[at], lanes_[from], lanes, rays, segments_[from][at]);
       if (at == from || seen == 0) continue;  // a path sees what it met
       trips[at]->count_segments(seen);
       const A& accelerator = trips[at]->context.accelerator;
       if (!is_gathered(accelerator, seen)) {
-        seen &= ~accelerator.occluded(segments, seen);
+        seen &= ~accelerator.occluded(rays, seen);
         continue;
       }
       for_each_lane(seen, [&](std::uint32_t lane) {
-        segments_.add(segments[lane], {from, at, lane});
-        if (segments_.is_full()) end_segments(trips);
+        rays_.add(rays[lane], {from, at, lane});
+        if (rays_.is_full()) end_segments(trips);
       });
     }
   }
@@ -191,38 +158,60 @@ class PathReuse {
   // Tells which of the segments that were gathered are clear.
   template <class Trips>
   void end_segments(const Trips& trips) {
-    if (segments_.is_empty()) return;
+    if (rays_.is_empty()) return;
     const A& accelerator = trips[0]->context.accelerator;
-    for_each_lane(accelerator.occluded(segments_.rays(), segments_.lanes()), [&](std::uint32_t k) {
-      const auto& [from, at, lane] = segments_.place(k);
+    for_each_lane(accelerator.occluded(rays_.rays(), rays_.lanes()), [&](std::uint32_t k) {
+      const auto& [from, at, lane] = rays_.place(k);
       seen_[from][at] &= ~(1u << lane);
     });
-    segments_.clear();
+    rays_.clear();
   }
 
+  // What points send out, and what of it reaches their own first hits alone.
   template <class Trips>
-  void gather(std::size_t group, Trips& trips) {
-    const std::size_t begin = group_begin(group);
-    const std::size_t end = group_ends_[group];
-    std::array<Vec3Lanes, capacity> given{};
-    for_each_giver(group, [&](std::size_t from) {
-      for_each_lane(lanes_[from].gives, [&](std::uint32_t i) {
-        PathLanes& paths = trips[from]->block.paths;
-        given[from - begin].set(i, paths.radiance[i]);
-        paths.radiance.set(i, lanes_[from].radiance[i]);
-      });
-    });
-    for (std::size_t at = begin; at < end; ++at) {
-      Vec3Lanes sum;
-      for_each_giver(group, [&](std::size_t from) {
-        add_weighted(weights_[from][at], given[from - begin], sum);
-      });
-      for_each_lane(lanes_[at].receives, [&](std::uint32_t i) {
-        const Rgb shared = lanes_[at].throughput[i] * sum[i];
-        trips[at]->block.paths.add_radiance(i, shared);
-        lanes_[at].gain.set(i, shared - lanes_[at].throughput[i] * given[at - begin][i]);
+  void collect(std::size_t group, Trips& trips) {
+    for (std::size_t at = group_begin(group); at < group_ends_[group]; ++at) {
+      ReuseLanes& lanes = lanes_[at];
+      PathLanes& paths = trips[at]->block.paths;
+      even_[at] = shaped_[at] = {};
+      for_each_lane(lanes.apart, [&](std::uint32_t i) {
+        const Rgb radiance = paths.radiance[i];
+        const Rgb shared = shared_light(lanes.y, i, radiance);
+        const Rgb to_x = lanes.y.towards_x[i] * shared;
+        even_[at].set(i, shared * lanes.y.even[i]);
+        shaped_[at].set(i, shared * lanes.y.shaped[i]);
+        paths.radiance.set(
+            i, lanes.y.before[i] + lanes.x.glossy[i] * to_x +
+                   (lanes.x.diffuse[i] + lanes.x.glossy[i]) * glossy_light(lanes.y, i, radiance));
+        lanes.gain.set(i, -lanes.x.diffuse[i] * to_x);
       });
     }
+  }
+
+  // What reaches the first hits of a block from all points of the group.
+  void distribute(std::size_t group, std::size_t at, PathLanes& paths) {
+    ReuseLanes& lanes = lanes_[at];
+    Vec3Lanes even, shaped;
+    for_each_giver(group, [&](std::size_t from) { add_light(from, at, even, shaped); });
+    for_each_lane(lanes.receives, [&](std::uint32_t i) {
+      const Rgb shared = lanes.x.even[i] * even[i] + lanes.x.shaped[i] * shaped[i];
+      paths.add_radiance(i, shared);
+      lanes.gain.set(i, lanes.gain[i] + shared);
+    });
+  }
+  void add_light(std::size_t from, std::size_t at, Vec3Lanes& even, Vec3Lanes& shaped) {
+    SegmentLanes& segments = segments_[from][at];
+    const LobeShapeLanes& at_x = lanes_[at].x.shapes;
+    const LobeShapeLanes& at_y = lanes_[from].y.shapes;
+    Vec3Lanes light = even_[from];
+    if (!at_y.are_even()) {
+      shape(at_y, seen_[from][at], segments.cos_y);
+      add_weighted(segments.cos_y, shaped_[from], light);
+    }
+    add_weighted(segments.density, light, even);
+    if (at_x.are_even()) return;
+    shape(at_x, seen_[from][at], segments.cos_x);
+    add_shaped(segments.density, segments.cos_x, light, shaped);
   }
 
   struct Segment {
@@ -232,9 +221,12 @@ class PathReuse {
   };
 
   std::array<ReuseLanes, capacity> lanes_;
-  std::array<std::array<Lanes<float>, capacity>, capacity> weights_;  // of a point, at a first hit
-  std::array<std::array<LaneMask, capacity>, capacity> seen_;  // whether it is met from there
-  GatheredRays<Segment> segments_;
+  // Of a block's points and another block's first hits: densities, at last the weights, and in
+  // which lanes the ones are seen from the others.
+  std::array<std::array<SegmentLanes, capacity>, capacity> segments_;
+  std::array<std::array<LaneMask, capacity>, capacity> seen_;
+  GatheredRays<Segment> rays_;
+  std::array<Vec3Lanes, capacity> even_, shaped_;  // what a block's points send out
   std::array<std::size_t, capacity> group_ends_{};
   std::size_t groups_ = 0;
 };

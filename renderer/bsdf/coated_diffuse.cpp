@@ -1,16 +1,9 @@
 #include "renderer/bsdf/coated_diffuse.h"
 
-#include "renderer/bsdf/coated_lobes.h"
 #include "renderer/bsdf/mirror.h"
 
 namespace candela {
 namespace {
-
-CoatedLobes lobes_of(const Bsdf& bsdf, float cos_o) {
-  return {bsdf.coat->eta(), widths_of(bsdf), bsdf.diffuse,
-          bsdf.coat->transmittance(cos_o, mean_coat_width(bsdf)),
-          bsdf.coat->mean_transmittance(mean_coat_width(bsdf))};
-}
 
 // Beside the smooth coat, which is a delta lobe.
 BsdfEvaluation evaluate_below_smooth_coat(const Bsdf& bsdf, const CoatedLobes& lobes, float p_coat,
@@ -29,6 +22,12 @@ BsdfEvaluation evaluate_below_rough_coat(const Bsdf& bsdf, const CoatedLobes& lo
 
 }  // namespace
 
+CoatedLobes coated_lobes_of(const Bsdf& bsdf, float cos_o) {
+  return {bsdf.coat->eta(), widths_of(bsdf), bsdf.diffuse,
+          bsdf.coat->transmittance(cos_o, mean_coat_width(bsdf)),
+          bsdf.coat->mean_transmittance(mean_coat_width(bsdf))};
+}
+
 Rgb coated_reflectance(const CoatTable& coat, float alpha, const Rgb& kd, int bounces) {
   const Rgb again = kd * coat.internal_reflectance(alpha);
   Rgb cut{0};
@@ -42,19 +41,19 @@ Rgb coated_reflectance(const CoatTable& coat, float alpha, const Rgb& kd, int bo
 }
 
 Rgb coated_diffuse_albedo(const Bsdf& bsdf, float cos_o) {
-  const CoatedLobes lobes = lobes_of(bsdf, cos_o);
+  const CoatedLobes lobes = coated_lobes_of(bsdf, cos_o);
   return albedo_below_coat(lobes.diffuse, lobes.transmittance, lobes.mean_transmittance);
 }
 
 BsdfEvaluation evaluate_coated_diffuse(const Bsdf& bsdf, const Vec3f& wo, const Vec3f& wi) {
-  const CoatedLobes lobes = lobes_of(bsdf, wo.z);
+  const CoatedLobes lobes = coated_lobes_of(bsdf, wo.z);
   if (has_smooth_coat(bsdf))
     return evaluate_below_smooth_coat(bsdf, lobes, coat_probability(lobes, wo.z), wi);
   return evaluate_below_rough_coat(bsdf, lobes, wo, wi);
 }
 
 BsdfSample sample_coated_diffuse(const Bsdf& bsdf, const Vec3f& wo, float lobe, Vec2f direction) {
-  const CoatedLobes lobes = lobes_of(bsdf, wo.z);
+  const CoatedLobes lobes = coated_lobes_of(bsdf, wo.z);
   if (!has_smooth_coat(bsdf)) {
     const Vec3f wi = sample_coated_lobes(lobes, wo, lobe, direction);
     return to_sample(wi, evaluate_below_rough_coat(bsdf, lobes, wo, wi));

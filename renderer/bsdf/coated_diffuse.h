@@ -12,6 +12,7 @@
 #pragma once
 
 #include "renderer/bsdf/coat.h"
+#include "renderer/bsdf/coated_lobes.h"
 
 namespace candela {
 
@@ -21,6 +22,8 @@ namespace candela {
 
 // What the diffuse part sends back of light from cos_o.
 [[nodiscard]] Rgb coated_diffuse_albedo(const Bsdf& bsdf, float cos_o);
+
+[[nodiscard]] CoatedLobes coated_lobes_of(const Bsdf& bsdf, float cos_o);
 
 [[nodiscard]] BsdfEvaluation evaluate_coated_diffuse(const Bsdf& bsdf, const Vec3f& wo,
                                                      const Vec3f& wi);

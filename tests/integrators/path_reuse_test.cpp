@@ -8,7 +8,7 @@
 #include "tests/image/crafted_files.h"
 #include "tests/image/temporary_folder.h"
 #include "tests/integrators/leaning_mirror.h"
-#include "tests/integrators/replicated_pictures.h"
+#include "tests/integrators/reused_paths.h"
 #include "tests/integrators/sample_ranges.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/exact_sphere.h"
@@ -40,12 +40,6 @@ SceneDescription room_of_what_shares_and_not() {
   add_instance(scene, block, at_place({-0.6, 0.5, 0.2}));
   add_light(scene, description::ConstantEnvironment{Vec3d(0.2), true});
   return scene;
-}
-
-RenderSettings settings_with(bool reuses_paths, int size, int samples, std::uint64_t seed = 1) {
-  RenderSettings settings = settings_of(size, samples, seed);
-  settings.options.plan.reuses_paths = reuses_paths;
-  return settings;
 }
 
 // Floor, sides and blocks have normals far from the faces' own, the back wall by a map: many are
@@ -80,31 +74,18 @@ SceneDescription room_of_tilted_normals(const TemporaryFolder& folder) {
   return scene;
 }
 
-void expect_same_mean(const SceneDescription& description, int samples, bool adaptive = false) {
-  RenderSettings shared = settings_with(true, 32, samples, 101);
-  shared.options.adaptive = adaptive;
-  statistics::AgreementOptions options;
-  options.pixel_levels = {};  // pixels of a group are not independent
-  options.block = 4;          // none has two pixels of a group
-  const auto agreement = statistics::compare_replicates(
-      replicated_pictures(description, settings_with(false, 32, samples, 1), "each by itself"),
-      replicated_pictures(description, shared, "shared"), options);
-  EXPECT_TRUE(agreement.passed) << agreement.message;
-  EXPECT_NEAR(agreement.whole_ratio, 1, 0.01);
-}
-
 TEST(Statistical_PathReuse, KeepsEveryPixelsMean) {
-  expect_same_mean(small_room(), 64);
-  expect_same_mean(room_of_what_shares_and_not(), 64);
+  expect_same_mean_shared(small_room(), 64);
+  expect_same_mean_shared(room_of_what_shares_and_not(), 64);
 }
 
 TEST(Statistical_PathReuse, KeepsEveryPixelsMeanWithAdaptiveSampling) {
-  expect_same_mean(room_of_what_shares_and_not(), 128, true);
+  expect_same_mean_shared(room_of_what_shares_and_not(), 128, true);
 }
 
 TEST(Statistical_PathReuse, KeepsTheMeanOfTiltedNormals) {
   const TemporaryFolder folder;
-  expect_same_mean(room_of_tilted_normals(folder), 256);
+  expect_same_mean_shared(room_of_tilted_normals(folder), 256);
 }
 
 struct Errors {
@@ -116,7 +97,7 @@ Errors errors_over_seeds(const Scene& scene, bool reuses_paths, const Image& ref
                          bool adaptive = false) {
   Errors errors;
   for (std::uint64_t seed = 1; seed <= 32; ++seed) {
-    RenderSettings settings = settings_with(reuses_paths, reference.width, 64, seed);
+    RenderSettings settings = settings_with_reuse(reuses_paths, reference.width, 64, seed);
     settings.options.adaptive = adaptive;
     const auto result = rendered(scene, settings);
     errors.stated += result.error->relmse;
@@ -128,7 +109,8 @@ Errors errors_over_seeds(const Scene& scene, bool reuses_paths, const Image& ref
 // The room without the lamp's edges, of which more is stated than there is with and without.
 TEST(Statistical_PathReuse, LowersTheErrorAndTheOneThatIsStated) {
   const Scene scene = compiled(room_of_a_point(0.7), settings_of(32, 64).options);
-  const Image reference = rendered(scene, settings_with(false, 32, 8192, 107)).film.to_image(false);
+  const Image reference =
+      rendered(scene, settings_with_reuse(false, 32, 8192, 107)).film.to_image(false);
   const Errors alone = errors_over_seeds(scene, false, reference);
   const Errors shared = errors_over_seeds(scene, true, reference);
   EXPECT_LT(shared.true_relmse, 0.4 * alone.true_relmse);
@@ -138,7 +120,8 @@ TEST(Statistical_PathReuse, LowersTheErrorAndTheOneThatIsStated) {
 // Pixels of unlike numbers of samples find as many to share with.
 TEST(Statistical_PathReuse, AdaptiveSamplingLosesNothingByIt) {
   const Scene scene = compiled(room_of_a_point(0.7), settings_of(32, 64).options);
-  const Image reference = rendered(scene, settings_with(false, 32, 8192, 107)).film.to_image(false);
+  const Image reference =
+      rendered(scene, settings_with_reuse(false, 32, 8192, 107)).film.to_image(false);
   const auto gain = [&](bool reuses_paths) {
     const Errors alike = errors_over_seeds(scene, reuses_paths, reference);
     const Errors adaptive = errors_over_seeds(scene, reuses_paths, reference, true);
@@ -150,7 +133,7 @@ TEST(Statistical_PathReuse, AdaptiveSamplingLosesNothingByIt) {
 }
 
 TEST(Agreement_PathReuse, SameBitsOverThreadsTilesCropsAndKernels) {
-  RenderSettings settings = settings_with(true, 40, 24);
+  RenderSettings settings = settings_with_reuse(true, 40, 24);
   settings.options.replicates = 3;
   settings.options.aovs = all_aovs;
   settings.options.lamp_rays = 4;
@@ -174,7 +157,7 @@ TEST(Agreement_PathReuse, SameBitsOverThreadsTilesCropsAndKernels) {
 
 // Longer paths are ended by another roulette, which goes by what is lost from shared points on.
 TEST(Agreement_PathReuse, ATrialsGroupsAreThoseOfThePictureWithAndWithout) {
-  RenderSettings settings = settings_with(true, 32, 16);
+  RenderSettings settings = settings_with_reuse(true, 32, 16);
   settings.options.max_depth = 2;
   const Scene scene = compiled(room_of_what_shares_and_not(), settings.options);
   const EmbreeAccel accelerator(scene);
@@ -216,7 +199,7 @@ TEST(Agreement_PathReuse, ATrialsGroupsAreThoseOfThePictureWithAndWithout) {
 
 TEST(Agreement_PathReuse, AdaptiveSamplingToo) {
   for (const int replicates : {1, 4}) {
-    RenderSettings settings = settings_with(true, 40, 128);
+    RenderSettings settings = settings_with_reuse(true, 40, 128);
     settings.options.replicates = replicates;
     settings.options.adaptive = true;
     const Scene scene = compiled(small_room(), settings.options);
@@ -226,7 +209,7 @@ TEST(Agreement_PathReuse, AdaptiveSamplingToo) {
 
 // A crop that may end early has a pilot of its own, with whole squares.
 TEST(Agreement_PathReuse, CropsThatEndEarly) {
-  RenderSettings settings = settings_with(true, 70, 128);
+  RenderSettings settings = settings_with_reuse(true, 70, 128);
   settings.options.adaptive = true;
   settings.options.target_relmse = 1e-3;
   settings.options.crop = PixelRect{20, 5, 38, 40};
@@ -250,9 +233,6 @@ TEST(Unit_PathReuse, IsLeftOutWhereItCannotBe) {
   SceneDescription foggy = room;
   foggy.cameras[0].medium = add_medium(foggy, Vec3d(0.01), Vec3d(0.0));
   EXPECT_FALSE(is_done(foggy, plain));
-  SceneDescription veiled = room;
-  veiled.materials[0].opacity.factor = 0.5;
-  EXPECT_FALSE(is_done(veiled, plain));
   SceneDescription without_diffuse = ball_on_ground({0, 0, 0});
   EXPECT_TRUE(is_done(without_diffuse, plain));
   without_diffuse.materials[0].model = description::MirrorMaterial{};

@@ -1,0 +1,168 @@
+// What pixels share (integrators/path/path_reuse.h) between surfaces that are more than Lambert's:
+// the light of their diffuse lobes, while what their highlights send stays each path's own.
+#include <gtest/gtest.h>
+
+#include "integrators/path/shared_surfaces.h"
+#include "tests/integrators/reused_paths.h"
+#include "tests/integrators/sample_ranges.h"
+#include "tests/scenes/description.h"
+
+namespace candela {
+namespace {
+
+using namespace test;
+using description::SceneDescription;
+
+description::LabMaterial lab(double diffuse, double specular, double exponent) {
+  description::LabMaterial material;
+  material.diffuse.factor = Vec3d(diffuse);
+  material.specular.factor = Vec3d(specular, specular, 0.5 * specular);
+  material.shininess = exponent;
+  return material;
+}
+description::CookTorranceMaterial cook_torrance(double diffuse, double specular,
+                                                description::GeometryModel geometry) {
+  description::CookTorranceMaterial material;
+  material.diffuse.factor = Vec3d(diffuse);
+  material.specular.factor = Vec3d(specular);
+  material.roughness.factor = 0.4;
+  material.f0 = Vec3d(0.8);
+  material.geometry = geometry;
+  return material;
+}
+description::CoatedDiffuseMaterial coated(double reflectance) {
+  description::CoatedDiffuseMaterial material;
+  material.reflectance.factor = Vec3d(reflectance);
+  material.coat.ior = 1.8;
+  material.coat.roughness.factor = 0.3;
+  return material;
+}
+
+// Five walls and two smooth balls, of all surfaces that share, open towards +z; no light.
+SceneDescription glossy_room() {
+  SceneDescription scene = empty_scene();
+  const auto ceiling = add_material(scene, diffuse(Vec3d(0.8)));
+  const auto floor = add_material(scene, lab(0.7, 0.4, 5));
+  const auto coat = add_material(scene, coated(0.9));
+  const auto gloss =
+      add_material(scene, cook_torrance(0.5, 0.5, description::GeometryModel::SchlickGgx));
+  const auto smith =
+      add_material(scene, cook_torrance(0.4, 0.6, description::GeometryModel::Smith));
+  add_mesh(scene, quad({-1, -1, -1}, {0, 0, 2}, {2, 0, 0}), floor);
+  add_mesh(scene, quad({-1, 1, -1}, {2, 0, 0}, {0, 0, 2}), ceiling);
+  add_mesh(scene, quad({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}), coat);
+  add_mesh(scene, quad({-1, -1, -1}, {0, 2, 0}, {0, 0, 2}), gloss);
+  add_mesh(scene, quad({1, -1, -1}, {0, 0, 2}, {0, 2, 0}), smith);
+  add_mesh(scene, sphere({-0.4, -0.6, 0.2}, 0.4, 2, true), coat);
+  add_mesh(scene, sphere({0.5, -0.3, 0}, 0.3, 2, true), floor);
+  set_camera(scene, {0, 0, 3.5}, {0, 0, 0}, 45);
+  return scene;
+}
+// It comes straight from the light at every hit, and hardly so to what the camera sees.
+SceneDescription glossy_room_of_a_point() {
+  SceneDescription scene = glossy_room();
+  add_light(scene, description::PointLight{{0.1, -0.9, 0.6}, Vec3d(1)});
+  return scene;
+}
+
+TEST(Statistical_ReuseSurfaces, GlossyOnesKeepTheMeanUnderAPointLight) {
+  expect_same_mean_shared(glossy_room_of_a_point(), 256);
+}
+
+TEST(Statistical_ReuseSurfaces, GlossyOnesKeepTheMeanUnderALampAndASky) {
+  SceneDescription scene = glossy_room();
+  const auto lamp = add_material(scene, diffuse(Vec3d(0)), {6, 6, 4});
+  add_mesh(scene, quad({-0.5, -0.98, 0.3}, {0, 0, 0.4}, {0.4, 0, 0}), lamp);
+  add_light(scene, description::ConstantEnvironment{Vec3d(0.3), true});
+  expect_same_mean_shared(scene, 256);
+}
+
+// Of two lights that are sampled at every hit what a glossy point sends out is its own path's.
+TEST(Statistical_ReuseSurfaces, SoTheyDoUnderTwoPointLights) {
+  SceneDescription scene = glossy_room_of_a_point();
+  add_light(scene, description::PointLight{{-0.5, 0.8, 0.7}, Vec3d(0.3)});
+  expect_same_mean_shared(scene, 256);
+}
+
+// Paths end where they meet it, whatever others find: it is none of those that find points.
+TEST(Statistical_ReuseSurfaces, BlackOnesFindNothing) {
+  SceneDescription scene = small_room();
+  const auto black = add_material(scene, diffuse(Vec3d(0)));
+  add_mesh(scene, sphere({-0.1, -0.4, 0.4}, 0.5, 2, true), black);
+  expect_same_mean_shared(scene, 256);
+}
+
+// Whether two points see each other through a veil is drawn at random, for each two of them.
+TEST(Statistical_ReuseSurfaces, VeilsKeepTheMean) {
+  SceneDescription scene = small_room();
+  const auto veil = add_material(scene, diffuse(Vec3d(0.5)));
+  scene.materials[veil.index].opacity.factor = 0.5;
+  add_mesh(scene, quad({-1, -0.3, -1}, {0, 0, 2}, {2, 0, 0}), veil);
+  add_mesh(scene, quad({0, -1, -1}, {0, 0, 2}, {0, 2, 0}), veil);
+  expect_same_mean_shared(scene, 256);
+}
+
+TEST(Agreement_ReuseSurfaces, SameBitsOverThreadsTilesCropsAndKernels) {
+  RenderSettings settings = settings_with_reuse(true, 40, 24);
+  settings.options.replicates = 3;
+  SceneDescription description = glossy_room_of_a_point();
+  add_light(description, description::ConstantEnvironment{Vec3d(0.3), true});
+  const Scene scene = compiled(description, settings.options);
+  const RenderResult whole = rendered(scene, settings);
+  EXPECT_TRUE(whole.statistics.plan.reuses_paths);
+  const Image image = whole.film.to_image(true);
+  expect_same_bits_however_rendered(scene, settings, image, {13, 5, 38, 40});
+  RenderSettings general = settings;
+  general.options.use_general_kernel = true;
+  EXPECT_EQ(rendered(scene, general).film.to_image(true).values, image.values);
+}
+
+// The lobe is what is left of the BSDF where its highlight is taken away, and is drawn as often as
+// the BSDF's density says.
+TEST(Unit_SharedLobe, IsTheBsdfWithoutItsHighlight) {
+  const CoatTable table(1.5f, 0.01f, 0.3f);
+  Bsdf glossy{.model = BsdfModel::CookTorrance,
+              .geometry = GeometryTerm::Smith,
+              .alpha = 0.3f,
+              .diffuse = {0.5f, 0.4f, 0.3f},
+              .specular = {0.3f, 0.2f, 0.5f}};
+  Bsdf lab = glossy;
+  lab.model = BsdfModel::Lab;
+  Bsdf coat = glossy;
+  coat.model = BsdfModel::CoatedDiffuse;
+  coat.alpha_across = coat.alpha;
+  coat.coat = &table;
+  const auto fresnel = [](const Bsdf& bsdf, float cosine) {
+    if (bsdf.model == BsdfModel::Lab) return lab_fresnel(bsdf.specular, cosine);
+    if (bsdf.model == BsdfModel::CoatedDiffuse)
+      return Rgb(fresnel_dielectric(cosine, 1.5f).reflectance);
+    return bsdf.specular * cook_torrance_fresnel(bsdf, cosine);
+  };
+  for (const Bsdf& bsdf : {glossy, lab, coat})
+    for (const Vec3f wo : {Vec3f(0, 0, 1), Vec3f(0.6f, 0, 0.8f), Vec3f(0.96f, 0, 0.28f)})
+      for (const Vec3f wi : {Vec3f(0, 0, 1), Vec3f(0, 0.8f, 0.6f), Vec3f(-0.8f, 0, 0.6f)}) {
+        const BsdfEvaluation all = evaluate_bsdf(bsdf, wo, wi);
+        const SharedLobe lobe = shared_lobe_of(bsdf, wo.z);
+        const auto highlight =
+            reflect_microfacets(GeometryTerm::Smith, ggx_width(bsdf.alpha), wo, wi);
+        const Rgb rest = fresnel(bsdf, highlight.cos_half) * highlight.value;
+        const Rgb value = lobe.value_below(wi.z) * lobe.crossing_o;
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(value[c] + rest[c], all.value[c], 1e-6f);
+        EXPECT_NEAR(lobe.probability() * wi.z * inverse_pi + lobe.others * highlight.pdf, all.pdf,
+                    1e-6f);
+      }
+}
+
+TEST(Unit_SharedLobe, IsAllOfLambertsSurfaceAndNothingOfAMirror) {
+  const SharedLobe lambert = shared_lobe_of({.diffuse = Rgb(0.5f)}, 0.7f);
+  EXPECT_EQ(lambert.probability(), 1);
+  EXPECT_EQ(lambert.value_below(0.5f),
+            evaluate_diffuse({.diffuse = Rgb(0.5f)}, {}, {0, 0, 0.5f}).value);
+  EXPECT_FALSE(lambert.is_never_drawn());
+  EXPECT_TRUE(shared_lobe_of({.diffuse = Rgb(0)}, 0.7f).is_never_drawn());
+  EXPECT_TRUE(
+      shared_lobe_of({.model = BsdfModel::Mirror, .diffuse = Rgb(1)}, 0.7f).is_never_drawn());
+}
+
+}  // namespace
+}  // namespace candela
