@@ -81,19 +81,15 @@ Kernel select_kernel(const Scene& scene, const A& accelerator, const Filter& fil
   throw std::invalid_argument("no such integrator");
 }
 
-// Paths of which pixels can share what they find (path/path_reuse.h). Where cut-outs let some of
-// the light through, whether two points see each other is drawn at random, and so would be the
-// densities.
+// Paths of which pixels can share what they find (path/path_reuse.h).
 bool may_reuse_paths(const Scene& scene, const RenderOptions& options) {
   if (options.integrator != IntegratorKind::Path || !has_default_strategy(options) ||
       options.plan.splitting > 1 || options.guiding != Guiding::Off || scene.features.media ||
       options.max_depth.value_or(2) < 2)
     return false;
-  bool any_gives = false;
-  for (std::uint32_t i = 0; i < scene.geometries.size(); ++i) {
-    any_gives |= gives_shared(scene, i);
-  }
-  return any_gives;
+  for (std::uint32_t i = 0; i < scene.geometries.size(); ++i)
+    if (gives_shared(scene, i)) return true;
+  return false;
 }
 
 // The options without what such scenes and strategies have none of.

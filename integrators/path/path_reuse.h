@@ -2,24 +2,28 @@
 // is met from the first hits of other samples as well, if they see it, and what the path brings
 // from y on then counts for all of them. For a segment more each path stands for a group.
 //
-// What comes to a first hit x from shared points is the sum over all paths of the group
+// Shared is between the diffuse lobes of surfaces (shared_lobe.h): all of Lambert's, and of glossy
+// ones what is below their highlights. What highlights send, at x or at y, is their own path's.
+// What comes to a first hit x from shared points is the sum over all paths of the group that drew
+// their directions from the diffuse lobe
 //
-//   throughput(x) * sum over y of w(x, y) L(y),    w(x, y) = p(x, y) / sum over x' of p(x', y),
+//   albedo(x) * sum over y of w(x, y) L(y),    w(x, y) = g(x, y) / sum over x' of q(x') g(x', y),
 //
-// where p is the density with which x' finds y, per area: (cos at x') (cos at y) / (pi distance^2)
-// if they see each other, else 0. It is the multi-sample estimator by the balance heuristic
-// [Veach97, section 9.2], of which the throughput, cosine and distance at x cancel: no weight is
-// above 1. Unbiased, since which points give to which first hits follows from where both lie alone:
-// first hits on diffuse surfaces receive, points on such that do not shine give to those from which
-// they are seen with a shading normal that is not bent. Whatever else a path meets after its first
-// hit is its own pixel's.
+// where g = (cos at x) (cos at y) / (pi distance^2) if x and y see each other, else 0, and q(x') is
+// the probability of the diffuse lobe at x': q g is the density with which x' finds y, per area. It
+// is the multi-sample estimator by the balance heuristic [Veach97, section 9.2], of which the
+// throughput, cosine and distance at x cancel: no weight is above 1 / q. Unbiased, since which
+// points give to which first hits follows from where both lie alone: points that do not shine give
+// to those from which they are seen with a shading normal that is not bent. Where cut-outs let some
+// of the light through, whether two points see each other is drawn at random for each two of them,
+// whoever found the point: the balance heuristic over points and draws together.
+// Whatever else a path meets after its first hit is its own pixel's.
 //
 // Which samples share: reuse_groups.h.
 #pragma once
 
 #include "integrators/path/block_trip.h"
 #include "integrators/path/gathered_rays.h"
-#include "integrators/path/reuse_first_hits.h"
 #include "integrators/path/reuse_points.h"
 #include "integrators/path/trace_block.h"
 

@@ -1,10 +1,7 @@
 // The points that paths meet after their first hits, as they serve others (path_reuse.h).
 #pragma once
 
-#include "integrators/path/path_block.h"
 #include "integrators/path/reuse_first_hits.h"
-#include "integrators/path/reuse_lanes.h"
-#include "integrators/path/shared_surfaces.h"
 
 namespace candela {
 
