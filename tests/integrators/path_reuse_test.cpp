@@ -4,7 +4,6 @@
 
 #include "integrators/path/kernels.h"
 #include "integrators/path/reuse_groups.h"
-#include "renderer/image/compare.h"
 #include "tests/image/crafted_files.h"
 #include "tests/image/temporary_folder.h"
 #include "tests/integrators/leaning_mirror.h"
@@ -87,24 +86,6 @@ TEST(Statistical_PathReuse, KeepsEveryPixelsMeanWithAdaptiveSampling) {
 TEST(Statistical_PathReuse, KeepsTheMeanOfTiltedNormals) {
   const TemporaryFolder folder;
   expect_same_mean_shared(room_of_tilted_normals(folder), 256);
-}
-
-struct Errors {
-  double stated = 0;
-  double true_relmse = 0;
-};
-
-Errors errors_over_seeds(const Scene& scene, bool reuses_paths, const Image& reference,
-                         bool adaptive = false) {
-  Errors errors;
-  for (std::uint64_t seed = 1; seed <= 32; ++seed) {
-    RenderSettings settings = settings_with_reuse(reuses_paths, reference.width, 64, seed);
-    settings.options.adaptive = adaptive;
-    const auto result = rendered(scene, settings);
-    errors.stated += result.error->relmse;
-    errors.true_relmse += compare_images(result.film.to_image(false), reference)->rel_mse;
-  }
-  return errors;
 }
 
 // The room without the lamp's edges, of which more is stated than there is with and without.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/image/compare.h"
 #include "tests/integrators/replicated_pictures.h"
 #include "tests/scenes/render_scene.h"
 
@@ -34,6 +35,25 @@ void expect_same_mean_shared(const description::SceneDescription& description, i
 }
 inline void expect_same_mean_shared(const description::SceneDescription& description, int samples) {
   expect_same_mean_shared(description, samples, [](RenderOptions&) {});
+}
+
+struct Errors {
+  double stated = 0;
+  double true_relmse = 0;
+};
+
+// Sums over 32 seeds, of 64 samples a pixel.
+inline Errors errors_over_seeds(const Scene& scene, bool reuses_paths, const Image& reference,
+                                bool adaptive = false) {
+  Errors errors;
+  for (std::uint64_t seed = 1; seed <= 32; ++seed) {
+    RenderSettings settings = settings_with_reuse(reuses_paths, reference.width, 64, seed);
+    settings.options.adaptive = adaptive;
+    const auto result = rendered(scene, settings);
+    errors.stated += result.error->relmse;
+    errors.true_relmse += compare_images(result.film.to_image(false), reference)->rel_mse;
+  }
+  return errors;
 }
 
 }  // namespace candela::test
