@@ -15,7 +15,7 @@ namespace candela {
 inline constexpr std::uint64_t cost_of_bounce = 20;
 [[nodiscard]] inline std::uint64_t cost_of(const RayCounts& rays) {
   return 6 * rays.camera + cost_of_bounce * rays.indirect + 14 * (rays.shadow + rays.lamp) +
-         8 * rays.segment;
+         11 * rays.segment;
 }
 
 // Summed over tiles at the end: no shared counters.

@@ -26,10 +26,12 @@ namespace candela {
   return true;
 }
 
-// From now on what the path in lane i brings is kept apart.
+// From now on what the path in lane i brings is kept apart. Roulette ends it as it would without:
+// what it brings to all together is as much as what it would bring to its own pixel.
 inline void meet_point(const Scene& scene, std::uint32_t i, PathBlock& block, SharedPointLanes& y) {
   y.before.set(i, block.paths.radiance[i]);
   block.paths.radiance.set(i, Rgb(0));
+  block.paths.roulette_scale[i] *= max_component(block.paths.throughput[i]);
   block.paths.throughput.set(i, Rgb(1));
   if (is_lambertian(scene, block.hits.geometry[i])) return;
   y.glossy |= 1u << i;

@@ -137,7 +137,7 @@ TEST(Agreement_PathReuse, SameBitsOverThreadsTilesCropsAndKernels) {
   }
 }
 
-// Longer paths are ended by another roulette, which goes by what is lost from shared points on.
+// Roulette, which ends longer paths, sees throughputs that are rounded in another way.
 TEST(Agreement_PathReuse, ATrialsGroupsAreThoseOfThePictureWithAndWithout) {
   RenderSettings settings = settings_with_reuse(true, 32, 16);
   settings.options.max_depth = 2;

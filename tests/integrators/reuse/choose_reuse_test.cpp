@@ -81,9 +81,9 @@ TEST(Unit_ChooseReuse, NotOfFewSamplesNorWherePathsCannotBeShared) {
   EXPECT_EQ(samples_of(room_of_a_point(0.7), settings), 0u);
   settings.options.samples_per_pixel = 82;
   EXPECT_GT(samples_of(room_of_a_point(0.7), settings), 0u);
-  SceneDescription veiled = room_of_a_point(0.7);
-  veiled.materials[0].opacity.factor = 0.5;
-  EXPECT_EQ(samples_of(veiled, settings), 0u);
+  SceneDescription mirrors = room_of_a_point(0.7);
+  mirrors.materials[0].model = description::MirrorMaterial{};
+  EXPECT_EQ(samples_of(mirrors, settings), 0u);
   settings.options.guiding = Guiding::On;
   EXPECT_EQ(samples_of(room_of_a_point(0.7), settings), 0u);
 }
