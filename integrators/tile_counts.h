@@ -11,7 +11,8 @@
 namespace candela {
 
 // What rays cost, the steps between them included, in twentieths of a bounce: fitted to the times
-// of eleven scenes with and without adaptive sampling (docs/decisions.md).
+// of eleven scenes with and without adaptive sampling, segments to those of thirteen with and
+// without them (docs/decisions.md).
 inline constexpr std::uint64_t cost_of_bounce = 20;
 [[nodiscard]] inline std::uint64_t cost_of(const RayCounts& rays) {
   return 6 * rays.camera + cost_of_bounce * rays.indirect + 14 * (rays.shadow + rays.lamp) +

@@ -91,28 +91,31 @@ class Convoy {
     return true;
   }
 
+  [[nodiscard]] bool shares_at(std::size_t bounces) const {
+    return reuse_.has_groups() && bounces_ == bounces;
+  }
+  // Calls visit(place, trip).
+  template <class Visit>
+  void for_each_place(const Visit& visit) {
+    for (std::size_t i = 0; i < size_; ++i) visit(i, *trips_[i]);
+  }
   void share_after_meeting() {
-    if (!reuse_.has_groups() || bounces_ > 1) return;
-    for (std::size_t i = 0; i < size_; ++i) {
-      if (bounces_ == 0)
-        reuse_.template meet_first_hits<F>(i, *trips_[i]);
-      else
-        reuse_.meet_points(i, *trips_[i]);
-    }
-    if (bounces_ == 1) reuse_.share(trips_);
+    if (shares_at(0))
+      for_each_place(
+          [&](std::size_t i, auto& trip) { reuse_.template meet_first_hits<F>(i, trip); });
+    if (!shares_at(1)) return;
+    for_each_place([&](std::size_t i, auto& trip) { reuse_.meet_points(i, trip); });
+    reuse_.share(trips_);
   }
   void share_after_steps() {
-    if (!reuse_.has_groups() || bounces_ != 1) return;
-    for (std::size_t i = 0; i < size_; ++i) reuse_.light_points(i, *trips_[i]);
+    if (shares_at(1))
+      for_each_place([&](std::size_t i, auto& trip) { reuse_.light_points(i, trip); });
   }
   void share_after_leaving() {
-    if (!reuse_.has_groups() || bounces_ > 1) return;
-    for (std::size_t i = 0; i < size_; ++i) {
-      if (bounces_ == 0)
-        reuse_.leave_first_hits(i, *trips_[i]);
-      else
-        reuse_.leave_points(i, *trips_[i]);
-    }
+    if (shares_at(0))
+      for_each_place([&](std::size_t i, auto& trip) { reuse_.leave_first_hits(i, trip); });
+    if (shares_at(1))
+      for_each_place([&](std::size_t i, auto& trip) { reuse_.leave_points(i, trip); });
   }
 
   void step() {

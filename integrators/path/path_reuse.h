@@ -24,6 +24,7 @@
 
 #include "integrators/path/block_trip.h"
 #include "integrators/path/gathered_rays.h"
+#include "integrators/path/reuse_first_hits.h"
 #include "integrators/path/reuse_points.h"
 #include "integrators/path/trace_block.h"
 
@@ -65,9 +66,8 @@ class PathReuse {
     ReuseLanes& lanes = lanes_[place];
     lanes.receives = lanes.apart = lanes.gives = 0;
     if (trip.bounce == 0) return;  // no camera ray was traced
-    lanes.receives =
-        candela::leave_first_hits(trip.context.scene, trip.block,
-                                  trip.place.lanes & trip.block.hits.met, trip.alive, lanes.x);
+    lanes.receives = find_receivers(trip.context.scene, trip.block,
+                                    trip.place.lanes & trip.block.hits.met, trip.alive, lanes.x);
   }
 
   // The rays from there have ended. What paths bring from now on is kept apart where it may serve
@@ -204,18 +204,15 @@ class PathReuse {
     });
   }
   void add_light(std::size_t from, std::size_t at, Vec3Lanes& even, Vec3Lanes& shaped) {
-    SegmentLanes& segments = segments_[from][at];
+    const SegmentLanes& segments = segments_[from][at];
     const LobeShapeLanes& at_x = lanes_[at].x.shapes;
     const LobeShapeLanes& at_y = lanes_[from].y.shapes;
     Vec3Lanes light = even_[from];
-    if (!at_y.are_even()) {
-      shape(at_y, seen_[from][at], segments.cos_y);
-      add_weighted(segments.cos_y, shaped_[from], light);
-    }
+    const LaneMask seen = seen_[from][at];
+    if (!at_y.are_even()) add_weighted(shapes_at(at_y, seen, segments.cos_y), shaped_[from], light);
     add_weighted(segments.density, light, even);
-    if (at_x.are_even()) return;
-    shape(at_x, seen_[from][at], segments.cos_x);
-    add_shaped(segments.density, segments.cos_x, light, shaped);
+    if (!at_x.are_even())
+      add_shaped(segments.density, shapes_at(at_x, seen, segments.cos_x), light, shaped);
   }
 
   struct Segment {

@@ -3,17 +3,9 @@
 
 #include "integrators/path/path_block.h"
 #include "integrators/path/reuse_lanes.h"
-#include "integrators/path/shared_lobe.h"
 #include "integrators/path/shared_surfaces.h"
 
 namespace candela {
-
-inline void set_shape(std::uint32_t i, const SurfaceCrossing& crossing, LobeShapeLanes& shapes) {
-  if (crossing.shape == LobeShape::Schlick) shapes.schlick |= 1u << i;
-  if (crossing.shape == LobeShape::Coat) shapes.coated |= 1u << i;
-  shapes.coat[i] = crossing.coat;
-  shapes.alpha[i] = crossing.alpha;
-}
 
 // Where the surface is Lambert's and the path goes on, all but the geometric normal follows from
 // the path.
@@ -43,7 +35,7 @@ inline void receive_by_path(const Scene& scene, std::uint32_t i, const PathBlock
   x.even.set(i, albedo * lobe.crossing.even);
   x.shaped.set(i, albedo * lobe.crossing.shaped);
   x.probability[i] = lobe.probability();
-  set_shape(i, lobe.crossing, x.shapes);
+  x.shapes.set(i, lobe.crossing);
   if (!is_alive) return true;
   if (x.lobe[i] < lobe.others) x.drawn &= ~(1u << i);
   const float cos_i = dot(point.shading.z, block.rays.direction[i]);
@@ -56,8 +48,8 @@ inline void receive_by_path(const Scene& scene, std::uint32_t i, const PathBlock
 
 // The paths that are alive have left their first hits. Returns the lanes that receive, of those
 // that met a surface.
-[[nodiscard]] inline LaneMask leave_first_hits(const Scene& scene, const PathBlock& block,
-                                               LaneMask met, LaneMask alive, FirstHitLanes& x) {
+[[nodiscard]] inline LaneMask find_receivers(const Scene& scene, const PathBlock& block,
+                                             LaneMask met, LaneMask alive, FirstHitLanes& x) {
   x.position = block.rays.origin;
   x.shading_normal = x.geometric_normal = block.paths.receiving_normal;
   x.are_flat = true;
@@ -71,15 +63,11 @@ inline void receive_by_path(const Scene& scene, std::uint32_t i, const PathBlock
     const std::uint32_t geometry = block.hits.geometry[i];
     if (!receives_shared(scene, geometry)) return;
     const bool is_alive = (alive >> i & 1) != 0;
-    if (is_lambertian(scene, geometry)) {
-      if (is_alive) {
-        receive_by_path(scene, i, block, x);
-        receives |= 1u << i;
-        return;
-      }
-      if (has_flat_shading(scene, geometry)) return;  // black
-    }
-    if (receive_by_surface(scene, i, block, is_alive, x)) receives |= 1u << i;
+    if (is_alive && is_lambertian(scene, geometry))
+      receive_by_path(scene, i, block, x);
+    else if (!receive_by_surface(scene, i, block, is_alive, x))
+      return;
+    receives |= 1u << i;
   });
   return receives;
 }

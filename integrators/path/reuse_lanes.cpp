@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "renderer/base/vector_widths.h"
-#include "renderer/bsdf/fresnel.h"
 #include "renderer/geometry/surface_point.h"
 
 namespace candela {
@@ -63,8 +62,10 @@ CANDELA_LANES LaneMask connect_any(const FirstHitLanes& at, const SharedPointLan
   return connect_lanes<false>(at, from, lanes, rays, segments);
 }
 
-CANDELA_LANES void shape_by_schlick(Lanes<float>& cosines) {
-  for (float& cosine : cosines) cosine = schlick_weight(cosine);
+CANDELA_LANES Lanes<float> schlick_weights(const Lanes<float>& cosines) {
+  Lanes<float> weights;
+  for (std::size_t i = 0; i < block_size; ++i) weights[i] = schlick_weight(cosines[i]);
+  return weights;
 }
 
 }  // namespace
@@ -75,13 +76,13 @@ LaneMask connect(const ReuseLanes& at, const ReuseLanes& from, LaneMask lanes, R
   return connect_any(at.x, from.y, lanes, rays, segments);
 }
 
-void shape(const LobeShapeLanes& shapes, LaneMask lanes, Lanes<float>& cosines) {
-  if (shapes.are_even()) return;
-  const Lanes<float> cosine = cosines;
-  if ((shapes.schlick & lanes) != 0) shape_by_schlick(cosines);
+Lanes<float> shapes_at(const LobeShapeLanes& shapes, LaneMask lanes, const Lanes<float>& cosines) {
+  Lanes<float> at{};
+  if ((shapes.schlick & lanes) != 0) at = schlick_weights(cosines);
   for_each_lane(shapes.coated & lanes, [&](std::uint32_t i) {
-    cosines[i] = shapes.coat[i]->transmittance(cosine[i], shapes.alpha[i]);
+    at[i] = shapes.coat[i]->transmittance(cosines[i], shapes.alpha[i]);
   });
+  return at;
 }
 
 CANDELA_LANES void weigh(std::span<SegmentLanes> segments, std::span<const LaneMask> seen,

@@ -6,14 +6,21 @@
 #include <array>
 #include <span>
 
+#include "integrators/path/shared_lobe.h"
 #include "renderer/accel/ray_block.h"
-#include "renderer/bsdf/coat_table.h"
 #include "renderer/math/lanes.h"
 
 namespace candela {
 
 // LobeShape, and what it looks at.
 struct LobeShapeLanes {
+  void set(std::uint32_t i, const SurfaceCrossing& crossing) {
+    if (crossing.shape == LobeShape::Schlick) schlick |= 1u << i;
+    if (crossing.shape == LobeShape::Coat) coated |= 1u << i;
+    coat[i] = crossing.coat;
+    alpha[i] = crossing.alpha;
+  }
+
   LaneMask schlick = 0, coated = 0;
   Lanes<const CoatTable*> coat{};
   Lanes<float> alpha{};
@@ -77,8 +84,9 @@ struct SegmentLanes {
 [[nodiscard]] LaneMask connect(const ReuseLanes& at, const ReuseLanes& from, LaneMask lanes,
                                RayBlock& rays, SegmentLanes& segments);
 
-// Of cosines, by what else lobes count light.
-void shape(const LobeShapeLanes& shapes, LaneMask lanes, Lanes<float>& cosines);
+// By what else than the cosine lobes count light.
+[[nodiscard]] Lanes<float> shapes_at(const LobeShapeLanes& shapes, LaneMask lanes,
+                                     const Lanes<float>& cosines);
 
 // Densities at first hits become the weights of the balance heuristic [Veach97, section 9.2], over
 // the lobes' probabilities: `seen` says of each in which lanes the segment is clear.

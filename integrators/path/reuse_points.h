@@ -1,16 +1,19 @@
 // The points that paths meet after their first hits, as they serve others (path_reuse.h).
 #pragma once
 
-#include "integrators/path/reuse_first_hits.h"
+#include "integrators/path/path_block.h"
+#include "integrators/path/reuse_lanes.h"
+#include "integrators/path/shared_surfaces.h"
 
 namespace candela {
 
 // Where a path met a surface; false where it is seen with a normal that is bent.
 [[nodiscard]] inline bool meet_place(const Scene& scene, const Hit& hit, const Vec3f& wo,
                                      std::uint32_t i, SharedPointLanes& y) {
-  SurfacePoint point = bare_point_at(scene, hit, wo);
-  if (const Material& material = material_of(scene, hit.geometry); has_bump(material))
-    point = surface_point_at<general_features>(scene, hit, material, wo);
+  const Material& material = material_of(scene, hit.geometry);
+  const SurfacePoint point = has_bump(material)
+                                 ? surface_point_at<general_features>(scene, hit, material, wo)
+                                 : bare_point_at(scene, hit, wo);
   const Vec3f& geometric = point.geometric_normal;
   Vec3f shading = geometric;
   if (!point.is_flat) {
@@ -74,7 +77,7 @@ inline void leave_point(const Scene& scene, std::uint32_t i, const LanesAfterSte
   y.even.set(i, crossing.even);
   y.shaped.set(i, crossing.shaped);
   y.towards_x.set(i, met.lobe.crossing_o);
-  set_shape(i, crossing, y.shapes);
+  y.shapes.set(i, crossing);
 
   Rgb direct(0);
   if (const Rgb always = y.always[i]; !is_black(always)) {

@@ -90,20 +90,13 @@ TEST(Statistical_PathReuse, KeepsTheMeanOfTiltedNormals) {
 
 // The room without the lamp's edges, of which more is stated than there is with and without.
 TEST(Statistical_PathReuse, LowersTheErrorAndTheOneThatIsStated) {
-  const Scene scene = compiled(room_of_a_point(0.7), settings_of(32, 64).options);
-  const Image reference =
-      rendered(scene, settings_with_reuse(false, 32, 8192, 107)).film.to_image(false);
-  const Errors alone = errors_over_seeds(scene, false, reference);
-  const Errors shared = errors_over_seeds(scene, true, reference);
-  EXPECT_LT(shared.true_relmse, 0.4 * alone.true_relmse);
-  EXPECT_NEAR(shared.stated / shared.true_relmse, 1, 0.15);
+  expect_less_error_shared(room_of_a_point(0.7), 0.4);
 }
 
 // Pixels of unlike numbers of samples find as many to share with.
 TEST(Statistical_PathReuse, AdaptiveSamplingLosesNothingByIt) {
   const Scene scene = compiled(room_of_a_point(0.7), settings_of(32, 64).options);
-  const Image reference =
-      rendered(scene, settings_with_reuse(false, 32, 8192, 107)).film.to_image(false);
+  const Image reference = reference_without_reuse(scene);
   const auto gain = [&](bool reuses_paths) {
     const Errors alike = errors_over_seeds(scene, reuses_paths, reference);
     const Errors adaptive = errors_over_seeds(scene, reuses_paths, reference, true);

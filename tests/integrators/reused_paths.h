@@ -56,4 +56,19 @@ inline Errors errors_over_seeds(const Scene& scene, bool reuses_paths, const Ima
   return errors;
 }
 
+inline Image reference_without_reuse(const Scene& scene) {
+  return rendered(scene, settings_with_reuse(false, 32, 8192, 107)).film.to_image(false);
+}
+
+// Where pixels share there is less than `most` times the relMSE, and what is stated is true.
+inline void expect_less_error_shared(const description::SceneDescription& description,
+                                     double most) {
+  const Scene scene = compiled(description, settings_of(32, 64).options);
+  const Image reference = reference_without_reuse(scene);
+  const Errors alone = errors_over_seeds(scene, false, reference);
+  const Errors shared = errors_over_seeds(scene, true, reference);
+  EXPECT_LT(shared.true_relmse, most * alone.true_relmse);
+  EXPECT_NEAR(shared.stated / shared.true_relmse, 1, 0.15);
+}
+
 }  // namespace candela::test
