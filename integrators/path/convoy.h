@@ -30,7 +30,10 @@ class Convoy {
   }
 
   // The blocks since the last group are one.
-  void end_group() { reuse_.end_group(size_); }
+  void end_group() {
+    if (!reuse_) reuse_.emplace();
+    reuse_->end_group(size_);
+  }
 
   // From the camera rays to the paths' radiances.
   void travel() {
@@ -40,7 +43,7 @@ class Convoy {
     for (bounces_ = 0; travel_to_next_bounce(); ++bounces_) {
     }
     if constexpr (F.reuses_paths()) {
-      if (reuse_.has_groups() && bounces_ > 1) reuse_.gather(trips_);
+      if (has_groups() && bounces_ > 1) reuse_->gather(trips_);
     }
     for_each_trip([](BlockTrip<A>& trip) {
       if (trip.branches.is_split()) trip.branches.end(trip.block);
@@ -53,15 +56,16 @@ class Convoy {
     for (std::size_t i = 0; i < size_; ++i) visit(*trips_[i]);
   }
 
-  // Calls visit(trip, gain): by how much sharing makes its samples larger (path_reuse.h).
+  // Of groups. Calls visit(trip, gain): by how much sharing makes its samples larger
+  // (path_reuse.h).
   template <class Visit>
   void for_each_gain(const Visit& visit) {
-    for (std::size_t i = 0; i < size_; ++i) visit(*trips_[i], reuse_.gain(i));
+    for (std::size_t i = 0; i < size_; ++i) visit(*trips_[i], reuse_->gain(i));
   }
 
   void clear() {
     size_ = 0;
-    reuse_.clear();
+    if (reuse_) reuse_->clear();
   }
 
  private:
@@ -91,8 +95,9 @@ class Convoy {
     return true;
   }
 
+  [[nodiscard]] bool has_groups() const { return reuse_ && reuse_->has_groups(); }
   [[nodiscard]] bool shares_at(std::size_t bounces) const {
-    return reuse_.has_groups() && bounces_ == bounces;
+    return has_groups() && bounces_ == bounces;
   }
   // Calls visit(place, trip).
   template <class Visit>
@@ -102,20 +107,20 @@ class Convoy {
   void share_after_meeting() {
     if (shares_at(0))
       for_each_place(
-          [&](std::size_t i, auto& trip) { reuse_.template meet_first_hits<F>(i, trip); });
+          [&](std::size_t i, auto& trip) { reuse_->template meet_first_hits<F>(i, trip); });
     if (!shares_at(1)) return;
-    for_each_place([&](std::size_t i, auto& trip) { reuse_.meet_points(i, trip); });
-    reuse_.share(trips_);
+    for_each_place([&](std::size_t i, auto& trip) { reuse_->meet_points(i, trip); });
+    reuse_->share(trips_);
   }
   void share_after_steps() {
     if (shares_at(1))
-      for_each_place([&](std::size_t i, auto& trip) { reuse_.light_points(i, trip); });
+      for_each_place([&](std::size_t i, auto& trip) { reuse_->light_points(i, trip); });
   }
   void share_after_leaving() {
     if (shares_at(0))
-      for_each_place([&](std::size_t i, auto& trip) { reuse_.leave_first_hits(i, trip); });
+      for_each_place([&](std::size_t i, auto& trip) { reuse_->leave_first_hits(i, trip); });
     if (shares_at(1))
-      for_each_place([&](std::size_t i, auto& trip) { reuse_.leave_points(i, trip); });
+      for_each_place([&](std::size_t i, auto& trip) { reuse_->leave_points(i, trip); });
   }
 
   void step() {
@@ -155,7 +160,8 @@ class Convoy {
   std::size_t bounces_ = 0;  // on the way
   PlainLanes lanes_;
   TripRays<F, A> rays_;
-  PathReuse<A, F.reuses_paths() ? capacity : 1> reuse_;
+  // As large as all else, and slow to set up where no paths are shared.
+  std::optional<PathReuse<A, F.reuses_paths() ? capacity : 1>> reuse_;
 };
 
 }  // namespace candela

@@ -204,11 +204,12 @@ class PathReuse {
     });
   }
   void add_light(std::size_t from, std::size_t at, Vec3Lanes& even, Vec3Lanes& shaped) {
+    const LaneMask seen = seen_[from][at];
+    if (seen == 0) return;
     const SegmentLanes& segments = segments_[from][at];
     const LobeShapeLanes& at_x = lanes_[at].x.shapes;
     const LobeShapeLanes& at_y = lanes_[from].y.shapes;
     Vec3Lanes light = even_[from];
-    const LaneMask seen = seen_[from][at];
     if (!at_y.are_even()) add_weighted(shapes_at(at_y, seen, segments.cos_y), shaped_[from], light);
     add_weighted(segments.density, light, even);
     if (!at_x.are_even())
