@@ -114,7 +114,7 @@ class Convoy {
   }
   void share_after_steps() {
     if (shares_at(1))
-      for_each_place([&](std::size_t i, auto& trip) { reuse_->light_points(i, trip); });
+      for_each_place([&](std::size_t i, auto& trip) { reuse_->keep_always_light(i, trip); });
   }
   void share_after_leaving() {
     if (shares_at(0))

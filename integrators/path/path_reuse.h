@@ -75,19 +75,19 @@ class PathReuse {
   void meet_points(std::size_t place, BlockTrip<A>& trip) {
     ReuseLanes& lanes = lanes_[place];
     const Scene& scene = trip.context.scene;
-    clear_points(lanes.y);
+    reset_points(lanes.y);
     for_each_lane(lanes.receives & trip.alive, [&](std::uint32_t i) {
       const Hit hit = trip.block.hits[i];
       if (!gives_shared(scene, hit.geometry)) return;
-      if (!meet_place(scene, hit, -trip.block.rays.direction[i], i, lanes.y)) return;
+      if (!place_point(scene, hit, -trip.block.rays.direction[i], i, lanes.y)) return;
       lanes.apart |= 1u << i;
-      meet_point(scene, i, trip.block, lanes.y);
+      set_apart(scene, i, trip.block, lanes.y);
     });
     lanes.gives = lanes.apart & lanes.x.drawn;
   }
 
   // The lights that are sampled at every hit have been.
-  void light_points(std::size_t place, const BlockTrip<A>& trip) {
+  void keep_always_light(std::size_t place, const BlockTrip<A>& trip) {
     lanes_[place].y.always = trip.block.paths.radiance;
   }
 
@@ -109,9 +109,13 @@ class PathReuse {
       for_each_giver(group, [&](std::size_t from) {
         const std::size_t begin = group_begin(group);
         const std::size_t size = group_ends_[group] - begin;
-        weigh(std::span(segments_[from]).subspan(begin, size),
-              std::span(seen_[from]).subspan(begin, size), std::span(lanes_).subspan(begin, size));
+        const auto segments = std::span(segments_[from]).subspan(begin, size);
+        const auto at = std::span(lanes_).subspan(begin, size);
+        weigh(segments, std::span(seen_[from]).subspan(begin, size), at);
+        find_importance(importance_of(segments, at), lanes_[from].gives, lanes_[from].y);
       });
+    for (std::size_t i = 0; i < group_begin(groups_); ++i)
+      scale_roulette(lanes_[i].y, lanes_[i].apart, trips[i]->block.paths);
   }
 
   // The paths have ended.
@@ -177,13 +181,15 @@ class PathReuse {
     for (std::size_t at = group_begin(group); at < group_ends_[group]; ++at) {
       ReuseLanes& lanes = lanes_[at];
       PathLanes& paths = trips[at]->block.paths;
-      even_[at] = shaped_[at] = {};
+      sent_even_[at] = sent_shaped_[at] = {};
       for_each_lane(lanes.apart, [&](std::uint32_t i) {
         const Rgb radiance = paths.radiance[i];
         const Rgb shared = shared_light(lanes.y, i, radiance);
         const Rgb to_x = lanes.y.towards_x[i] * shared;
-        even_[at].set(i, shared * lanes.y.even[i]);
-        shaped_[at].set(i, shared * lanes.y.shaped[i]);
+        if ((lanes.gives >> i & 1) != 0 && is_finite(shared)) {  // else it would spoil them all
+          sent_even_[at].set(i, shared * lanes.y.even[i]);
+          sent_shaped_[at].set(i, shared * lanes.y.shaped[i]);
+        }
         paths.radiance.set(
             i, lanes.y.before[i] + lanes.x.glossy[i] * to_x +
                    (lanes.x.diffuse[i] + lanes.x.glossy[i]) * glossy_light(lanes.y, i, radiance));
@@ -209,8 +215,9 @@ class PathReuse {
     const SegmentLanes& segments = segments_[from][at];
     const LobeShapeLanes& at_x = lanes_[at].x.shapes;
     const LobeShapeLanes& at_y = lanes_[from].y.shapes;
-    Vec3Lanes light = even_[from];
-    if (!at_y.are_even()) add_weighted(shapes_at(at_y, seen, segments.cos_y), shaped_[from], light);
+    Vec3Lanes light = sent_even_[from];
+    if (!at_y.are_even())
+      add_weighted(shapes_at(at_y, seen, segments.cos_y), sent_shaped_[from], light);
     add_weighted(segments.density, light, even);
     if (!at_x.are_even())
       add_shaped(segments.density, shapes_at(at_x, seen, segments.cos_x), light, shaped);
@@ -228,7 +235,7 @@ class PathReuse {
   std::array<std::array<SegmentLanes, capacity>, capacity> segments_;
   std::array<std::array<LaneMask, capacity>, capacity> seen_;
   GatheredRays<Segment> rays_;
-  std::array<Vec3Lanes, capacity> even_, shaped_;  // what a block's points send out
+  std::array<Vec3Lanes, capacity> sent_even_, sent_shaped_;  // what a block's points send out
   std::array<std::size_t, capacity> group_ends_{};
   std::size_t groups_ = 0;
 };

@@ -166,9 +166,8 @@ class TileRenderer {
   // Turns to a pixel; false where it is known to see nothing, whose samples are added at once.
   [[nodiscard]] bool is_rendered(int x, int y) {
     aim_lamp_rays(x, y, context_);
-    if (pass_.trial != nullptr) return true;
     if (context_.background == nullptr || !context_.background->contains(x, y)) return true;
-    if (pass_.tile.contains(x, y))
+    if (pass_.trial == nullptr && pass_.tile.contains(x, y))
       add_background(*context_.background, pass_.of_pixel(x, y), x, y, context_.options.clamp,
                      film_, counts_);
     return false;

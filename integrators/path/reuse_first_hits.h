@@ -36,6 +36,7 @@ inline void receive_by_path(const Scene& scene, std::uint32_t i, const PathBlock
   x.shaped.set(i, albedo * lobe.crossing.shaped);
   x.probability[i] = lobe.probability();
   x.shapes.set(i, lobe.crossing);
+  x.largest[i] = max_component(albedo * lobe.crossing.at(1));
   if (!is_alive) return true;
   if (x.lobe[i] < lobe.others) x.drawn &= ~(1u << i);
   const float cos_i = dot(point.shading.z, block.rays.direction[i]);
@@ -57,6 +58,7 @@ inline void receive_by_path(const Scene& scene, std::uint32_t i, const PathBlock
   x.shaped = x.glossy = {};
   x.shapes = {};
   x.probability.fill(1);
+  for (std::uint32_t i = 0; i < block_size; ++i) x.largest[i] = max_component(x.even[i]);
   x.drawn = alive;
   LaneMask receives = 0;
   for_each_lane(met, [&](std::uint32_t i) {

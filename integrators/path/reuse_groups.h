@@ -1,7 +1,7 @@
 // Which samples share what their paths find (path_reuse.h): those in the same lane of the blocks of
 // a group.
 //
-// They are of pixels all over an aligned square, one of each of its cells, which one a hash
+// They are of pixels all over an aligned square, about one of each of its cells, which one a hash
 // decides: noise that repeated itself at a fixed distance would be seen as a weave. Where pixels
 // get samples by their noise (renderer/film/sample_density.h), as many share as elsewhere, whatever
 // their indices. All that share are of one replicate, so that replicates stay independent of each
@@ -28,7 +28,7 @@ inline constexpr std::size_t reuse_group_size = 16;  // blocks, of as many lanes
 
 struct PixelPlace {
   int x = 0, y = 0;
-  [[nodiscard]] std::size_t colour() const { return static_cast<std::size_t>(x + y) & 1; }
+  [[nodiscard]] std::size_t colour() const { return chessboard_colour(x, y); }
 };
 struct PixelSample {
   PixelPlace pixel;

@@ -101,6 +101,15 @@ CANDELA_LANES void weigh(std::span<SegmentLanes> segments, std::span<const LaneM
     for (std::size_t i = 0; i < block_size; ++i) segment.density[i] *= sum[i];
 }
 
+CANDELA_LANES Lanes<float> importance_of(std::span<const SegmentLanes> segments,
+                                         std::span<const ReuseLanes> at) {
+  Lanes<float> sum{};
+  for (std::size_t k = 0; k < segments.size(); ++k)
+    for (std::size_t i = 0; i < block_size; ++i)
+      sum[i] += segments[k].density[i] * at[k].x.largest[i];
+  return sum;
+}
+
 CANDELA_LANES void add_weighted(const Lanes<float>& weight, const Vec3Lanes& radiance,
                                 Vec3Lanes& sum) {
   for (std::size_t i = 0; i < block_size; ++i) {

@@ -41,6 +41,7 @@ struct FirstHitLanes {
   Vec3Lanes even, shaped;
   LobeShapeLanes shapes;
   Lanes<float> probability{};  // with which directions are drawn from it
+  Lanes<float> largest{};      // of its channels, straight on
   LaneMask drawn = 0;          // the path's own is
   // The throughput of the path's own direction: by the diffuse lobe, and by the others.
   Vec3Lanes diffuse, glossy;
@@ -58,6 +59,9 @@ struct SharedPointLanes {
   // at every hit.
   LaneMask glossy = 0;
   Vec3Lanes wo, always;
+  // By how much a first hit scales what the path brings from y on, in its largest channel: its own,
+  // or all that y is shared with. Roulette goes by it.
+  Lanes<float> importance{};
   // Of the path's radiance: up to y; straight from lights to y, by the diffuse lobe and by the
   // others; and which share of what it brings from y on is by the diffuse lobe.
   Vec3Lanes before, direct, direct_glossy, onward;
@@ -92,6 +96,10 @@ struct SegmentLanes {
 // the lobes' probabilities: `seen` says of each in which lanes the segment is clear.
 void weigh(std::span<SegmentLanes> segments, std::span<const LaneMask> seen,
            std::span<const ReuseLanes> at);
+
+// How much points weigh for first hits, summed over these: `segments` of weights.
+[[nodiscard]] Lanes<float> importance_of(std::span<const SegmentLanes> segments,
+                                         std::span<const ReuseLanes> at);
 
 // sum += weight * radiance.
 void add_weighted(const Lanes<float>& weight, const Vec3Lanes& radiance, Vec3Lanes& sum);

@@ -8,8 +8,8 @@
 namespace candela {
 
 // Where a path met a surface; false where it is seen with a normal that is bent.
-[[nodiscard]] inline bool meet_place(const Scene& scene, const Hit& hit, const Vec3f& wo,
-                                     std::uint32_t i, SharedPointLanes& y) {
+[[nodiscard]] inline bool place_point(const Scene& scene, const Hit& hit, const Vec3f& wo,
+                                      std::uint32_t i, SharedPointLanes& y) {
   const Material& material = material_of(scene, hit.geometry);
   const SurfacePoint point = has_bump(material)
                                  ? surface_point_at<general_features>(scene, hit, material, wo)
@@ -29,20 +29,33 @@ namespace candela {
   return true;
 }
 
-// From now on what the path in lane i brings is kept apart. Roulette ends it as it would without:
-// what it brings to all together is as much as what it would bring to its own pixel.
-inline void meet_point(const Scene& scene, std::uint32_t i, PathBlock& block, SharedPointLanes& y) {
+// From now on what the path in lane i brings is kept apart.
+inline void set_apart(const Scene& scene, std::uint32_t i, PathBlock& block, SharedPointLanes& y) {
   y.before.set(i, block.paths.radiance[i]);
   block.paths.radiance.set(i, Rgb(0));
-  block.paths.roulette_scale[i] *= max_component(block.paths.throughput[i]);
+  y.importance[i] = max_component(block.paths.throughput[i]);
   block.paths.throughput.set(i, Rgb(1));
   if (is_lambertian(scene, block.hits.geometry[i])) return;
   y.glossy |= 1u << i;
   y.wo.set(i, -block.rays.direction[i]);
 }
 
+// `shared`: what points that serve others bring to all first hits together. A highlight at y shines
+// for the path's own first hit alone.
+inline void find_importance(const Lanes<float>& shared, LaneMask gives, SharedPointLanes& y) {
+  for_each_lane(gives, [&](std::uint32_t i) {
+    if (!(shared[i] > 0)) return;  // by rounding
+    const bool is_glossy = (y.glossy >> i & 1) != 0;
+    y.importance[i] = is_glossy ? (y.importance[i] + shared[i]) / 2 : shared[i];
+  });
+}
+// Roulette goes on by it.
+inline void scale_roulette(const SharedPointLanes& y, LaneMask apart, PathLanes& paths) {
+  for_each_lane(apart, [&](std::uint32_t i) { paths.roulette_scale[i] *= y.importance[i]; });
+}
+
 // All but which lanes there are.
-inline void clear_points(SharedPointLanes& y) {
+inline void reset_points(SharedPointLanes& y) {
   y.are_flat = true;
   y.even.x.fill(1);
   y.even.y = y.even.z = y.even.x;
@@ -103,7 +116,7 @@ inline void leave_point(const Scene& scene, std::uint32_t i, const LanesAfterSte
 // What the other lobes send to x.
 [[nodiscard]] inline Rgb glossy_light(const SharedPointLanes& y, std::uint32_t i,
                                       const Rgb& radiance) {
-  return y.direct_glossy[i] + (Rgb(1) - y.towards_x[i] * y.onward[i]) * radiance;
+  return y.direct_glossy[i] + glm::max(Rgb(1) - y.towards_x[i] * y.onward[i], Rgb(0)) * radiance;
 }
 
 }  // namespace candela

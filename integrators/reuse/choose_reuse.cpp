@@ -97,7 +97,7 @@ std::vector<Group> run_groups(const RenderOptions& options, const PathPlan& plan
 }
 
 // As relMSE weighs it.
-double noise_of(const BlockMeans& blocks, const Vec3d& mean, double picture_mean) {
+double noise_of_pixel(const BlockMeans& blocks, const Vec3d& mean, double picture_mean) {
   const Vec3d off = blocks[0] - blocks[1];
   double noise = 0;
   for (int c = 0; c < 3; ++c) noise += off[c] * off[c] * relative_weight(mean[c], picture_mean);
@@ -114,8 +114,8 @@ Pair noise_of(std::vector<PixelTrial> pixels) {
   if (!(picture_mean > 0)) return {};
   std::vector<Pair> noise;
   for (const PixelTrial& pixel : pixels)
-    noise.push_back({noise_of(pixel.shared, pixel.mean(), picture_mean),
-                     noise_of(pixel.alone, pixel.mean(), picture_mean)});
+    noise.push_back({noise_of_pixel(pixel.shared, pixel.mean(), picture_mean),
+                     noise_of_pixel(pixel.alone, pixel.mean(), picture_mean)});
   std::ranges::sort(noise, {}, [](const Pair& of) { return of.shared + of.alone; });
   noise.resize(noise.size() - noise.size() / noisy_share);
   Pair sum;

@@ -15,18 +15,14 @@
 namespace candela {
 namespace {
 
-std::size_t colour_of(int x, int y) {
-  return static_cast<std::size_t>(x + y) & 1;
-}
-
 int first_of_row(int y, const PixelRect& rect, std::size_t colour) {
-  return colour_of(rect.x0, y) == colour ? rect.x0 : rect.x0 + 1;
+  return chessboard_colour(rect.x0, y) == colour ? rect.x0 : rect.x0 + 1;
 }
 
 // How many of the colour are in the rows above row y.
 std::size_t pixels_before(int y, const PixelRect& rect, std::size_t colour) {
   const auto all = static_cast<std::size_t>(y - rect.y0) * static_cast<std::size_t>(rect.width());
-  return (all + (colour_of(rect.x0, rect.y0) == colour ? 1 : 0)) / 2;
+  return (all + (chessboard_colour(rect.x0, rect.y0) == colour ? 1 : 0)) / 2;
 }
 
 // Calls f with the index of each pixel of the colour, in rows from the top.
@@ -91,7 +87,7 @@ double value_at(int x, int y, const std::vector<Sign>& signs, const Film& pilot)
   for (int at_y = std::max(y - reach, rect.y0); at_y <= last_y; ++at_y) {
     const auto& of_row = weights_of_places[static_cast<std::size_t>(std::abs(at_y - y))];
     int at_x = std::max(x - reach, rect.x0);
-    if (colour_of(at_x, at_y) == colour_of(x, y)) ++at_x;
+    if (chessboard_colour(at_x, at_y) == chessboard_colour(x, y)) ++at_x;
     for (; at_x <= last_x; at_x += 2) {
       const double weight = of_row[static_cast<std::size_t>(std::abs(at_x - x))];
       const Sign& sign = signs[pilot.index(at_x, at_y)];
@@ -175,7 +171,8 @@ SampleDensity::SampleDensity(const Film& pilot, int side)
   }
   if (side_ > 1) even_out_squares();
   for (int y = rect_.y0; y < rect_.y1; ++y)
-    for (int x = rect_.x0; x < rect_.x1; ++x) wishes_[colour_of(x, y)].push_back(wish_at(x, y));
+    for (int x = rect_.x0; x < rect_.x1; ++x)
+      wishes_[chessboard_colour(x, y)].push_back(wish_at(x, y));
   for (Wishes& wishes : wishes_) std::sort(wishes.begin(), wishes.end());
 }
 
@@ -216,7 +213,7 @@ double SampleDensity::wish_at(int x, int y) const {
 }
 
 std::uint32_t SampleDensity::samples(int x, int y, const Scales& scales) const {
-  const double wanted = scales[colour_of(x, y)] * wish_at(x, y);
+  const double wanted = scales[chessboard_colour(x, y)] * wish_at(x, y);
   if (wanted <= pilot_samples_) return pilot_samples_;
   const double of_sequence = even_count(nearest_level(wanted / sequences_));
   return std::max(pilot_samples_, sequences_ * static_cast<std::uint32_t>(of_sequence));

@@ -17,6 +17,11 @@
 
 namespace candela {
 
+// 0 or 1.
+[[nodiscard]] inline std::size_t chessboard_colour(int x, int y) {
+  return static_cast<std::size_t>(x + y) & 1;
+}
+
 class SampleDensity {
  public:
   SampleDensity() = default;  // of no picture: not to be asked

@@ -2,8 +2,10 @@
 // less noise, the error that is stated stays true, the same bits however it is rendered.
 #include <gtest/gtest.h>
 
+#include "integrators/background_pixels.h"
 #include "integrators/path/kernels.h"
 #include "integrators/path/reuse_groups.h"
+#include "renderer/base/floating_point_traps.h"
 #include "tests/image/crafted_files.h"
 #include "tests/image/temporary_folder.h"
 #include "tests/integrators/leaning_mirror.h"
@@ -93,6 +95,16 @@ TEST(Statistical_PathReuse, LowersTheErrorAndTheOneThatIsStated) {
   expect_less_error_shared(room_of_a_point(0.7), 0.4);
 }
 
+// What paths from dark pixels find serves bright ones: roulette may not end them as if for their
+// own pixels alone.
+TEST(Statistical_PathReuse, DarkPixelsFindWhatBrightOnesNeed) {
+  SceneDescription scene = room_of_a_point(0.85);
+  const auto dark = add_material(scene, diffuse(Vec3d(0.002)));
+  for (int stripe = 0; stripe < 8; ++stripe)
+    add_mesh(scene, quad({-0.875 + 0.25 * stripe, -0.9, -0.99}, {0.125, 0, 0}, {0, 1.8, 0}), dark);
+  expect_less_error_shared(scene, 0.4);
+}
+
 // Pixels of unlike numbers of samples find as many to share with.
 TEST(Statistical_PathReuse, AdaptiveSamplingLosesNothingByIt) {
   const Scene scene = compiled(room_of_a_point(0.7), settings_of(32, 64).options);
@@ -130,32 +142,37 @@ TEST(Agreement_PathReuse, SameBitsOverThreadsTilesCropsAndKernels) {
   }
 }
 
-// Roulette, which ends longer paths, sees throughputs that are rounded in another way.
-TEST(Agreement_PathReuse, ATrialsGroupsAreThoseOfThePictureWithAndWithout) {
+RenderSettings settings_of_trial() {
   RenderSettings settings = settings_with_reuse(true, 32, 16);
-  settings.options.max_depth = 2;
+  settings.options.max_depth = 2;  // roulette, which ends longer paths, sees rounded throughputs
+  return settings;
+}
+Film rendered_square(const PathContext<EmbreeAccel>& context, const PixelRect& square,
+                     bool reuses_paths, const GroupTrial* trial = nullptr) {
+  TilePass pass;
+  pass.tile = square;
+  pass.range = {0, 16};
+  pass.plan.reuses_paths = reuses_paths;
+  pass.trial = trial;
+  Film film(32, 32, square, 0);
+  render_tile<lane_features>(context, pass, film);
+  return film;
+}
+
+TEST(Agreement_PathReuse, ATrialsGroupsAreThoseOfThePictureWithAndWithout) {
+  const RenderSettings settings = settings_of_trial();
   const Scene scene = compiled(room_of_what_shares_and_not(), settings.options);
   const EmbreeAccel accelerator(scene);
   const Filter filter = make_filter(settings.options);
   const auto context = make_path_context(scene, accelerator, filter, settings.options);
   const PixelRect square{16, 0, 32, 16};
-  const auto rendered_square = [&](bool reuses_paths, const GroupTrial* trial) {
-    TilePass pass;
-    pass.tile = square;
-    pass.range = {0, 16};
-    pass.plan.reuses_paths = reuses_paths;
-    pass.trial = trial;
-    Film film(32, 32, square, 0);
-    render_tile<lane_features>(context, pass, film);
-    return film;
-  };
-  const Film shared = rendered_square(true, nullptr);
-  const Film alone = rendered_square(false, nullptr);
+  const Film shared = rendered_square(context, square, true);
+  const Film alone = rendered_square(context, square, false);
   std::vector<int> groups_of(16 * 16, 0);
   for (std::uint64_t group = 0; group < 16; ++group) {
     Film alone_by_trial(32, 32, square, 0);
     const GroupTrial trial{group, &alone_by_trial};
-    const Film shared_by_trial = rendered_square(true, &trial);
+    const Film shared_by_trial = rendered_square(context, square, true, &trial);
     std::size_t pixels = 0;
     for (std::size_t i = 0; i < shared.pixel_count(); ++i) {
       EXPECT_EQ(alone_by_trial.samples(i), shared_by_trial.samples(i));
@@ -170,6 +187,37 @@ TEST(Agreement_PathReuse, ATrialsGroupsAreThoseOfThePictureWithAndWithout) {
     EXPECT_EQ(pixels, reuse_group_size);
   }
   EXPECT_EQ(groups_of, std::vector<int>(16 * 16, 1));
+}
+
+TEST(Agreement_PathReuse, SoTheyAreBesidePixelsThatAreKnownToSeeNothing) {
+  const RenderSettings settings = settings_of_trial();
+  SceneDescription description = ball_on_ground({0, 0, 0});
+  add_light(description, description::ConstantEnvironment{Vec3d(0.3), true});
+  const Scene scene = compiled(description, settings.options);
+  const EmbreeAccel accelerator(scene);
+  const Filter filter = make_filter(settings.options);
+  auto context = make_path_context(scene, accelerator, filter, settings.options);
+  const BackgroundPixels background(scene, filter, settings.options);
+  context.background = &background;
+  for (const PixelRect& square : {PixelRect{0, 0, 16, 16}, {16, 0, 32, 16}, {0, 16, 16, 32}}) {
+    const Film shared = rendered_square(context, square, true);
+    std::vector<int> is_asked(16 * 16, 0), is_seen(16 * 16, 0);
+    for (std::uint64_t group = 0; group < 16; ++group) {
+      Film alone(32, 32, square, 0);
+      const GroupTrial trial{group, &alone};
+      const Film by_trial = rendered_square(context, square, true, &trial);
+      for (std::size_t i = 0; i < shared.pixel_count(); ++i)
+        if (by_trial.samples(i) > 0) {
+          is_asked[i] = 1;
+          EXPECT_EQ(by_trial.mean(i), shared.mean(i));
+        }
+    }
+    for (int y = square.y0; y < square.y1; ++y)
+      for (int x = square.x0; x < square.x1; ++x)
+        is_seen[shared.index(x, y)] = background.contains(x, y) ? 0 : 1;
+    EXPECT_EQ(is_asked, is_seen);
+  }
+  EXPECT_TRUE(background.contains(0, 0));
 }
 
 TEST(Agreement_PathReuse, AdaptiveSamplingToo) {
@@ -223,6 +271,30 @@ TEST(Unit_PathReuse, IsLeftOutWhereItCannotBe) {
     change(settings.options);
     EXPECT_FALSE(is_done(room, settings));
   }
+}
+
+// Whatever comes from the back wall is not a number: what is lost there is its own path's sample,
+// not those that it would have served or that share their lanes.
+TEST(Unit_PathReuse, LostPathsSpoilTheirOwnSamplesAlone) {
+  RenderSettings settings = settings_with_reuse(false, 32, 32);
+  settings.options.max_depth = 2;
+  settings.options.replicates = 1;  // else doubtful pixels get more
+  SceneDescription room = small_room();
+  const auto front = add_material(room, diffuse(Vec3d(0.5)));
+  const auto back = add_material(room, diffuse(Vec3d(0.5)));
+  add_mesh(room, quad({-0.6, -0.6, 0.01}, {1, 0, 0}, {0, 1, 0}), front);
+  add_mesh(room, quad({-0.6, -0.6, 0}, {1, 0, 0}, {0, 1, 0}), back);
+  Scene scene = compiled(room, settings.options);
+  scene.materials[back.index].diffuse.constant = Rgb(std::numeric_limits<float>::quiet_NaN());
+  const AnyAccelerator accelerator = build_accelerator(scene, settings.accelerator);
+  const FloatingPointTraps traps(Traps::Off);  // comparisons with NaN raise them
+  const auto lost = [&](bool reuses_paths) {
+    settings.options.plan.reuses_paths = reuses_paths;
+    return render(scene, accelerator, settings.options, nullptr, nullptr)
+        .statistics.invalid_samples;
+  };
+  EXPECT_GT(lost(false), 0u);
+  EXPECT_EQ(lost(true), lost(false));
 }
 
 // Roulette may not end paths at first hits, where it would change with which density points are

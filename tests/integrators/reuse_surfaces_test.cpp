@@ -75,7 +75,8 @@ TEST(Statistical_ReuseSurfaces, GlossyOnesKeepTheMeanUnderALampAndASky) {
   const auto lamp = add_material(scene, diffuse(Vec3d(0)), {12, 12, 8});
   add_mesh(scene, quad({-0.2, 0.98, 0}, {0.4, 0, 0}, {0, 0, 0.4}), lamp);
   add_light(scene, description::ConstantEnvironment{Vec3d(0.3), true});
-  expect_same_mean_shared(scene, 256);
+  expect_same_mean_shared(scene, 256,
+                          [](RenderOptions& options) { options.samples_constant_sky = true; });
 }
 
 // None of the room's surfaces but the ceiling is Lambert's.

@@ -26,7 +26,7 @@ void expect_same_mean_shared(const description::SceneDescription& description, i
   change(shared.options);
   statistics::AgreementOptions options;
   options.pixel_levels = {};  // pixels of a group are not independent
-  options.block = 4;          // none has two pixels of a group
+  options.block = 4;          // hardly any has two pixels of a group
   const auto agreement =
       statistics::compare_replicates(replicated_pictures(description, alone, "each by itself"),
                                      replicated_pictures(description, shared, "shared"), options);
