@@ -6,7 +6,7 @@ seed: median, range and geometric mean, with twice the standard error of the mea
 points over that without. Last, what such points take by themselves.
 """
 
-import pathlib
+import math
 
 import chosen_scenes
 import truth
@@ -14,12 +14,14 @@ from arguments import at_least
 from fits import ratio_columns, ratio_of_errors, spread
 
 ABOUT = "scrambled Sobol points against plain random numbers: by how much relMSE is lower"
-# Squares far smaller than a pixel, so that every sample is a toss of a coin.
+# Squares far smaller than a pixel, so that every sample is a toss of a coin. Where a power of two
+# of them make a pixel, the first digits of a sample's place decide.
+SQUARES_A_PIXEL = (10.7, 8)
 CHECKER = """LookAt 0 0 1  0 0 0  0 1 0
 Camera "perspective" "float fov" 60
 WorldBegin
 LightSource "infinite" "rgb L" [1 1 1]
-Texture "squares" "spectrum" "checkerboard" "float uscale" 1777 "float vscale" 1777
+Texture "squares" "spectrum" "checkerboard" "float uscale" {squares} "float vscale" {squares}
   "rgb tex1" [.9 .9 .9] "rgb tex2" [.1 .1 .1]
 Material "diffuse" "texture reflectance" "squares"
 Shape "bilinearmesh" "point3 P" [-1 -1 0  1 -1 0  -1 1 0  1 1 0] "point2 uv" [0 0 1 0 0 1 1 1]
@@ -29,7 +31,7 @@ Shape "bilinearmesh" "point3 P" [-1 -1 0  1 -1 0  -1 1 0  1 1 0] "point2 uv" [0 
 def add_arguments(parser):
     parser.add_argument("--quick", action="store_true", help="48x48, 2 seeds")
     parser.add_argument("--seeds", type=at_least(1), help="pictures of each kind (8)")
-    parser.add_argument("--size", type=at_least(1), metavar="N", help="pixels a side (96)")
+    parser.add_argument("--size", type=at_least(1), metavar="N", help="pixels a side (128)")
 
 
 def run(options):
@@ -38,15 +40,16 @@ def run(options):
     out = options.out.resolve()
     candela = Candela(options.program, out / "renders")
     results = Results(out, "Sobol points", __doc__, candela.version())
-    size = options.size or (48 if options.quick else 96)
+    size = options.size or (48 if options.quick else 128)
     seeds = range(1, 1 + (options.seeds or (2 if options.quick else 8)))
     box = chosen_scenes.chosen(candela, out, ["cornell_box_diffuse"], ())["cornell_box_diffuse"]
-    checker = out / "checker.pbrt"
-    checker.write_text(CHECKER)
+    pictures = [("Cornell box, direct light", box, {"max_depth": 1}),
+                ("Cornell box", box, {"max_depth": "none"})]
+    for squares in SQUARES_A_PIXEL:
+        name = f"checker, {squares:g} squares a pixel"
+        pictures.append((name, checker_of(squares, size, out), {"max_depth": 1}))
     rows = []
-    for name, scene, extra in (("Cornell box, direct light", box, {"max_depth": 1}),
-                               ("Cornell box", box, {"max_depth": "none"}),
-                               ("sub-pixel checker", pathlib.Path(checker), {"max_depth": 1})):
+    for name, scene, extra in pictures:
         right = truth.reference(candela, name.replace(" ", "_").replace(",", ""), scene, size,
                                 256 if options.quick else 4096, **extra)
         rows += [{"picture": name, "replicates": replicates, "spp": spp}
@@ -60,6 +63,13 @@ def run(options):
     results.table("nanoseconds", "Of CPU time a dimension of Sobol points", [nanoseconds],
                   "block: of sixteen samples side by side, as most are drawn; single: of one.")
     results.finish()
+
+
+def checker_of(squares_a_pixel, size, out):
+    """A quad that is 2 wide and fills a picture of `size` pixels, which shows 2 / sqrt(3) of it."""
+    checker = out / f"checker_{squares_a_pixel:g}.pbrt"
+    checker.write_text(CHECKER.format(squares=squares_a_pixel * size * math.sqrt(3)))
+    return checker
 
 
 def gain(candela, scene, right, seeds, **options):
