@@ -56,8 +56,8 @@ class Convoy {
     for (std::size_t i = 0; i < size_; ++i) visit(*trips_[i]);
   }
 
-  // Of groups. Calls visit(trip, gain): by how much sharing makes its samples larger
-  // (path_reuse.h).
+  // Where all blocks are of groups. Calls visit(trip, gain): by how much sharing makes its samples
+  // larger (path_reuse.h).
   template <class Visit>
   void for_each_gain(const Visit& visit) {
     for (std::size_t i = 0; i < size_; ++i) visit(*trips_[i], reuse_->gain(i));
@@ -160,7 +160,7 @@ class Convoy {
   std::size_t bounces_ = 0;  // on the way
   PlainLanes lanes_;
   TripRays<F, A> rays_;
-  // As large as all else, and slow to set up where no paths are shared.
+  // Made with the first group: to set it up takes time that tiles without any need not spend.
   std::optional<PathReuse<A, F.reuses_paths() ? capacity : 1>> reuse_;
 };
 

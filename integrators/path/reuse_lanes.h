@@ -41,7 +41,7 @@ struct FirstHitLanes {
   Vec3Lanes even, shaped;
   LobeShapeLanes shapes;
   Lanes<float> probability{};  // with which directions are drawn from it
-  Lanes<float> largest{};      // of its channels, straight on
+  Lanes<float> largest{};      // of its channels, where light arrives straight on
   LaneMask drawn = 0;          // the path's own is
   // The throughput of the path's own direction: by the diffuse lobe, and by the others.
   Vec3Lanes diffuse, glossy;

@@ -44,7 +44,7 @@ inline void set_apart(const Scene& scene, std::uint32_t i, PathBlock& block, Sha
 // for the path's own first hit alone.
 inline void find_importance(const Lanes<float>& shared, LaneMask gives, SharedPointLanes& y) {
   for_each_lane(gives, [&](std::uint32_t i) {
-    if (!(shared[i] > 0)) return;  // by rounding
+    if (!(shared[i] > 0)) return;  // by rounding not even its own path's first hit is served
     const bool is_glossy = (y.glossy >> i & 1) != 0;
     y.importance[i] = is_glossy ? (y.importance[i] + shared[i]) / 2 : shared[i];
   });

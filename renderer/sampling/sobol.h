@@ -51,8 +51,10 @@ namespace candela {
 // A nested scramble of a 32-bit fraction [Owen95]: flips of a digit depend on the digits above it
 // only, so every elementary interval goes over into one of its size. All digits are flipped by
 // `shift` (which alone makes points uniform), and those below the 1st, 4th and 8th by a
-// multiplicative hash of all above: enough to give each stratum a jitter of its own (variances
-// within noise of the full nested scramble's for 16 to 1024 samples, at half the time).
+// multiplicative hash of all above: enough to give each stratum a jitter of its own, at half the
+// full nested scramble's time. Variances of edges and smooth functions are within noise of that
+// one's for 16 to 1024 samples; those of patterns with eight periods or so are higher, up to four
+// times those of independent numbers (docs/decisions.md).
 [[nodiscard]] constexpr std::uint32_t nested_scramble(std::uint32_t v, std::uint32_t shift,
                                                       std::uint32_t multiplier) {
   const std::uint32_t odd = multiplier | 1u;

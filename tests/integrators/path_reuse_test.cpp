@@ -273,8 +273,8 @@ TEST(Unit_PathReuse, IsLeftOutWhereItCannotBe) {
   }
 }
 
-// Whatever comes from the back wall is not a number: what is lost there is its own path's sample,
-// not those that it would have served or that share their lanes.
+// Whatever comes from behind the screen is not a number: what is lost there is its own path's
+// sample, not those that it would have served or that share their lanes.
 TEST(Unit_PathReuse, LostPathsSpoilTheirOwnSamplesAlone) {
   RenderSettings settings = settings_with_reuse(false, 32, 32);
   settings.options.max_depth = 2;
