@@ -38,36 +38,33 @@ using BitMatrix = std::array<std::uint32_t, joint_bits>;
   return rows;
 }
 
-// What each bit of a reversed index, from the highest, adds to the reversed product.
-using ReversedColumns = std::array<std::uint32_t, joint_bits>;
+// What each bit of an index, from the lowest, adds to the product.
+using BitColumns = std::array<std::uint32_t, joint_bits>;
 
-[[nodiscard]] constexpr ReversedColumns reversed_columns(const BitMatrix& matrix) {
-  ReversedColumns columns{};
+[[nodiscard]] constexpr BitColumns columns_of(const BitMatrix& matrix) {
+  BitColumns columns{};
   for (std::size_t r = 0; r < joint_bits; ++r)
     for (std::size_t c = 0; c < joint_bits; ++c)
-      if ((matrix[r] >> c & 1) != 0) columns[c] |= 0x80000000u >> r;
+      if ((matrix[r] >> c & 1) != 0) columns[c] |= 1u << r;
   return columns;
 }
 
-// How many columns a reversed index (or all whose union this is) may choose: none beyond its last
-// bit.
-[[nodiscard]] constexpr std::uint32_t needed_columns(std::uint32_t reversed_index) {
-  return std::min(32u - static_cast<std::uint32_t>(std::countr_zero(reversed_index)), joint_bits);
+// How many columns an index (or all whose union this is) may choose: none beyond its last bit.
+[[nodiscard]] constexpr std::uint32_t needed_columns(std::uint32_t index) {
+  return std::min(static_cast<std::uint32_t>(std::bit_width(index)), joint_bits);
 }
 // What a product takes over from the bits beyond the matrix, and what it has from column c.
-[[nodiscard]] constexpr std::uint32_t untouched_part(std::uint32_t reversed_index) {
-  return reversed_index & (0xffffffffu >> joint_bits);
+[[nodiscard]] constexpr std::uint32_t untouched_part(std::uint32_t index) {
+  return index & (0xffffffffu << joint_bits);
 }
-[[nodiscard]] constexpr std::uint32_t chosen_column(std::uint32_t reversed_index, std::uint32_t c,
+[[nodiscard]] constexpr std::uint32_t chosen_column(std::uint32_t index, std::uint32_t c,
                                                     std::uint32_t column) {
-  return (reversed_index & 0x80000000u >> c) != 0 ? column : 0;
+  return (index & 1u << c) != 0 ? column : 0;
 }
-[[nodiscard]] constexpr std::uint32_t multiplied(std::uint32_t reversed_index,
-                                                 const ReversedColumns& columns) {
-  std::uint32_t product = untouched_part(reversed_index);
-  const std::uint32_t needed = needed_columns(reversed_index);
-  for (std::uint32_t c = 0; c < needed; ++c)
-    product ^= chosen_column(reversed_index, c, columns[c]);
+[[nodiscard]] constexpr std::uint32_t multiplied(std::uint32_t index, const BitColumns& columns) {
+  std::uint32_t product = untouched_part(index);
+  const std::uint32_t needed = needed_columns(index);
+  for (std::uint32_t c = 0; c < needed; ++c) product ^= chosen_column(index, c, columns[c]);
   return product;
 }
 
@@ -75,7 +72,8 @@ using ReversedColumns = std::array<std::uint32_t, joint_bits>;
 // went, so that few points have small indices.
 [[nodiscard]] constexpr std::uint32_t joint_index(std::uint32_t reversed_index,
                                                   std::uint32_t seed) {
-  return shuffle_reversed_index(reversed_index, seed) ^ shuffle_reversed_index(0, seed);
+  return reverse_bits(shuffle_reversed_index(reversed_index, seed) ^
+                      shuffle_reversed_index(0, seed));
 }
 
 // From a vertex's pair of the ray that reaches it (the camera's: the place in the pixel; else the
@@ -97,19 +95,19 @@ inline constexpr BitMatrix to_lobe_choice = {
 inline constexpr std::uint32_t joint_bounces = 4;
 
 struct JointMatrices {
-  std::array<ReversedColumns, joint_bounces> light_points;
-  std::array<ReversedColumns, joint_bounces> directions;
-  std::array<ReversedColumns, joint_bounces> lobe_choices;
+  std::array<BitColumns, joint_bounces> light_points;
+  std::array<BitColumns, joint_bounces> directions;
+  std::array<BitColumns, joint_bounces> lobe_choices;
 };
 [[nodiscard]] constexpr JointMatrices joint_matrices_of_path() {
   JointMatrices matrices{};
   BitMatrix arriving{};  // of the ray that reaches the vertex: the identity for the camera's
   for (std::size_t r = 0; r < joint_bits; ++r) arriving[r] = 1u << r;
   for (std::size_t bounce = 0; bounce < joint_bounces; ++bounce) {
-    matrices.light_points[bounce] = reversed_columns(product(to_light_point, arriving));
-    matrices.lobe_choices[bounce] = reversed_columns(product(to_lobe_choice, arriving));
+    matrices.light_points[bounce] = columns_of(product(to_light_point, arriving));
+    matrices.lobe_choices[bounce] = columns_of(product(to_lobe_choice, arriving));
     arriving = product(to_direction, arriving);
-    matrices.directions[bounce] = reversed_columns(arriving);
+    matrices.directions[bounce] = columns_of(arriving);
   }
   return matrices;
 }
@@ -119,8 +117,7 @@ inline constexpr JointMatrices joint_matrices = joint_matrices_of_path();
 inline constexpr Dimension joint_order = Dimension::Filter;
 
 // The matrix of what is joint with those before it; null for what has an order of its own.
-[[nodiscard]] constexpr const ReversedColumns* joint_matrix(std::uint32_t bounce,
-                                                            Dimension dimension) {
+[[nodiscard]] constexpr const BitColumns* joint_matrix(std::uint32_t bounce, Dimension dimension) {
   if (bounce >= joint_bounces) return nullptr;
   if (dimension == Dimension::LightPoint) return &joint_matrices.light_points[bounce];
   if (dimension == Dimension::Direction) return &joint_matrices.directions[bounce];

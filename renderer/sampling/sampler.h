@@ -27,8 +27,8 @@ namespace candela {
 enum class PairOrder : std::uint8_t { Joint, Padded };
 
 // The matrix of a pair that goes together with those before it; else null.
-[[nodiscard]] constexpr const ReversedColumns* matrix_of(PairOrder order, std::uint32_t bounce,
-                                                         Dimension dimension) {
+[[nodiscard]] constexpr const BitColumns* matrix_of(PairOrder order, std::uint32_t bounce,
+                                                    Dimension dimension) {
   return order == PairOrder::Joint ? joint_matrix(bounce, dimension) : nullptr;
 }
 
@@ -60,7 +60,7 @@ class Sampler {
   // As 32-bit fractions.
   [[nodiscard]] SobolPoint sample_2d_bits(std::uint32_t bounce, Dimension dimension) const {
     const std::uint64_t key = dimension_key(sequence_key_, bounce, dimension);
-    if (const ReversedColumns* matrix = matrix_of(order_, bounce, dimension))
+    if (const BitColumns* matrix = matrix_of(order_, bounce, dimension))
       return scrambled_pair(multiplied(place_in_joint_order(), *matrix), key);
     return scrambled_sobol_2d(reversed_index_, key);
   }
@@ -71,7 +71,7 @@ class Sampler {
   // All 32 bits: for choices among so many things that 24 bits are too coarse.
   [[nodiscard]] std::uint32_t sample_1d_bits(std::uint32_t bounce, Dimension dimension) const {
     const std::uint64_t key = dimension_key(sequence_key_, bounce, dimension);
-    if (const ReversedColumns* matrix = matrix_of(order_, bounce, dimension))
+    if (const BitColumns* matrix = matrix_of(order_, bounce, dimension))
       return scrambled_number(multiplied(place_in_joint_order(), *matrix), key);
     return scrambled_sobol_1d(reversed_index_, key);
   }

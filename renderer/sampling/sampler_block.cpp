@@ -11,12 +11,28 @@ CANDELA_EACH_VECTOR_WIDTH void shuffle(const Lanes<std::uint64_t>& keys,
                                        const Lanes<std::uint32_t>& reversed_indices,
                                        Lanes<std::uint32_t>& order) {
   for (std::size_t i = 0; i < block_size; ++i)
-    order[i] = shuffle_reversed_index(reversed_indices[i], static_cast<std::uint32_t>(keys[i]));
+    order[i] = shuffled_index(reversed_indices[i], static_cast<std::uint32_t>(keys[i]));
+}
+
+CANDELA_EACH_VECTOR_WIDTH void reverse(Lanes<std::uint32_t>& lanes) {
+  for (std::size_t i = 0; i < block_size; ++i) lanes[i] = reverse_bits(lanes[i]);
+}
+
+// And all of them together.
+CANDELA_EACH_VECTOR_WIDTH std::uint32_t joint_indices_of(
+    const Lanes<std::uint64_t>& keys, const Lanes<std::uint32_t>& reversed_indices,
+    Lanes<std::uint32_t>& joint_indices) {
+  std::uint32_t all = 0;
+  for (std::size_t i = 0; i < block_size; ++i) {
+    joint_indices[i] = joint_index(reversed_indices[i], static_cast<std::uint32_t>(keys[i]));
+    all |= joint_indices[i];
+  }
+  return all;
 }
 
 // multiplied(), column by column, and lanes without unrolling: else GCC makes no vectors of them.
 CANDELA_EACH_VECTOR_WIDTH void multiply(const Lanes<std::uint32_t>& joint_indices,
-                                        const ReversedColumns& matrix, std::uint32_t columns,
+                                        const BitColumns& matrix, std::uint32_t columns,
                                         Lanes<std::uint32_t>& order) {
   for (std::size_t i = 0; i < block_size; ++i) order[i] = untouched_part(joint_indices[i]);
   for (std::uint32_t c = 0; c < columns; ++c) {
@@ -52,31 +68,29 @@ SamplerBlock::SamplerBlock(const PixelSampler& pixel, std::uint32_t first_sample
   std::uint32_t index = first_sample / pixel.replicates();
   for (std::size_t i = 0; i < block_size; ++i) {
     sequence_keys_[i] = i < period_ ? pixel.sequence_key(replicate) : sequence_keys_[i - period_];
-    reversed_indices_[i] = reverse_bits(index * branches + branch);
+    reversed_indices_[i] = index * branches + branch;
     if (++replicate == pixel.replicates()) {
       replicate = 0;
       ++index;
     }
   }
+  reverse(reversed_indices_);
   find_joint_indices();
 }
 
 SamplerBlock::SamplerBlock(const SequenceLanes& sequences)
-    : sequence_keys_(sequences.keys), period_(block_size), order_(sequences.order) {
-  for (std::size_t i = 0; i < block_size; ++i)
-    reversed_indices_[i] = reverse_bits(sequences.indices[i]);
+    : sequence_keys_(sequences.keys),
+      reversed_indices_(sequences.indices),
+      period_(block_size),
+      order_(sequences.order) {
+  reverse(reversed_indices_);
   find_joint_indices();
 }
 
 void SamplerBlock::find_joint_indices() {
   if (order_ == PairOrder::Padded) return;
-  const Lanes<std::uint64_t> seeds = keys_at(0, joint_order);
-  std::uint32_t all = 0;
-  for (std::size_t i = 0; i < block_size; ++i) {
-    joint_indices_[i] = joint_index(reversed_indices_[i], static_cast<std::uint32_t>(seeds[i]));
-    all |= joint_indices_[i];
-  }
-  joint_columns_ = needed_columns(all);
+  joint_columns_ =
+      needed_columns(joint_indices_of(keys_at(0, joint_order), reversed_indices_, joint_indices_));
 }
 
 Lanes<std::uint64_t> SamplerBlock::keys_at(std::uint32_t bounce, Dimension dimension) const {
@@ -90,7 +104,7 @@ Lanes<std::uint64_t> SamplerBlock::keys_at(std::uint32_t bounce, Dimension dimen
 Lanes<std::uint32_t> SamplerBlock::order_of(std::uint32_t bounce, Dimension dimension,
                                             const Lanes<std::uint64_t>& keys) const {
   Lanes<std::uint32_t> order;
-  if (const ReversedColumns* matrix = matrix_of(order_, bounce, dimension))
+  if (const BitColumns* matrix = matrix_of(order_, bounce, dimension))
     multiply(joint_indices_, *matrix, joint_columns_, order);
   else
     shuffle(keys, reversed_indices_, order);

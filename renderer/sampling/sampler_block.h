@@ -45,7 +45,7 @@ class SamplerBlock {
  private:
   void find_joint_indices();
   [[nodiscard]] Lanes<std::uint64_t> keys_at(std::uint32_t bounce, Dimension dimension) const;
-  // The reversed indices in the order of a dimension, whose keys these are.
+  // The indices in the order of a dimension, whose keys these are.
   [[nodiscard]] Lanes<std::uint32_t> order_of(std::uint32_t bounce, Dimension dimension,
                                               const Lanes<std::uint64_t>& keys) const;
 

@@ -93,7 +93,8 @@ TEST_P(Agreement_PbrtPictures, HaveTheLuminanceOfPbrts) {
   const std::vector<double> half2 = means_of(read(c.scene, "pbrt-v4-half2.exr"));
   const Image reference = read(c.scene, "pbrt-v4.exr");
 
-  const int samples = std::getenv("CANDELA_HEAVY") != nullptr ? 256 : 4;
+  // Of fewer the noise of veach-mis is so skewed that it is told too small more often than not.
+  const int samples = std::getenv("CANDELA_HEAVY") != nullptr ? 256 : 16;
   test::RenderSettings settings = test::settings_of(reference.width, samples);
   settings.options.height = reference.height;
   settings.options.max_depth = description->defaults.max_depth;

@@ -59,9 +59,9 @@ TEST(Unit_JointPairs, MatricesAreUpperTriangular) {
 }
 
 TEST(Unit_JointPairs, AProductIsOneMatrixAfterTheOther) {
-  const ReversedColumns first = reversed_columns(to_direction);
-  const ReversedColumns second = reversed_columns(to_light_point);
-  const ReversedColumns both = reversed_columns(product(to_light_point, to_direction));
+  const BitColumns first = columns_of(to_direction);
+  const BitColumns second = columns_of(to_light_point);
+  const BitColumns both = columns_of(product(to_light_point, to_direction));
   for (std::uint32_t i = 0; i < 100'000; ++i) {
     const std::uint32_t index = i * 2654435761u;
     ASSERT_EQ(multiplied(multiplied(index, first), second), multiplied(index, both));

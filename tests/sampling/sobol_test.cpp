@@ -19,7 +19,7 @@ TEST(Unit_Sobol, FirstPointsAreTheTextbooks) {
   const std::vector<double> second = {0, 0.5, 0.75, 0.25, 0.625, 0.125, 0.375, 0.875};
   for (std::uint32_t i = 0; i < 8; ++i) {
     EXPECT_EQ(reverse_bits(i) * 0x1p-32, first[i]);
-    EXPECT_EQ(sobol_second(reverse_bits(i)) * 0x1p-32, second[i]);
+    EXPECT_EQ(reverse_bits(reversed_sobol_second(i)) * 0x1p-32, second[i]);
   }
 }
 
@@ -33,7 +33,7 @@ TEST(Unit_Sobol, SecondDimensionFollowsItsRecurrence) {
     std::uint32_t expected = 0;
     for (unsigned j = 0; j < 32; ++j)
       if ((index >> j & 1) != 0) expected ^= directions[j];
-    ASSERT_EQ(sobol_second(reverse_bits(index)), expected);
+    ASSERT_EQ(reverse_bits(reversed_sobol_second(index)), expected);
   }
 }
 
@@ -160,6 +160,29 @@ TEST(Statistical_Sampler, IntegratesBetterThanIndependentNumbers) {
   });
   EXPECT_GT(edge.p_value(0.245), 0.001);
   EXPECT_LT(edge.variance(), 0.245 * 0.755 / 64 / 5);
+}
+
+// Of squares finer than what the points stratify each is a toss of a coin: also where a power of
+// two of them fit between 0 and 1, which the points' digits alone decide.
+TEST(Statistical_Sampler, IsNoWorseThanIndependentNumbersOnFineChessboards) {
+  for (const double squares : {7.3, 8.0, 9.2, 16.0})
+    for (const std::uint32_t count : {16u, 64u}) {
+      statistics::Moments means;
+      for (std::uint32_t pixel = 0; pixel < 4000; ++pixel) {
+        const Vec2f phase = Sampler(4, pixel, 1, 0).sample_2d(0, Dimension::Lens);
+        const auto row = [&](float u, float shift) {
+          return static_cast<int>(squares * double{u} + 2 * double{shift});
+        };
+        double sum = 0;
+        for (std::uint32_t i = 0; i < count; ++i) {
+          const Vec2f u = Sampler(9, pixel, 3, i).sample_2d(1, Dimension::Direction);
+          sum += ((row(u.x, phase.x) + row(u.y, phase.y)) & 1) == 0 ? 1 : -1;
+        }
+        means.add(sum / count);
+      }
+      EXPECT_GT(means.p_value(0), 0.001);
+      EXPECT_LT(means.variance() * count, 1.3) << squares << " squares, " << count << " points";
+    }
 }
 
 TEST(Statistical_Sampler, PaddedDimensionsDoNotConspire) {

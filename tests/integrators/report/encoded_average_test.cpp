@@ -36,7 +36,7 @@ struct Averages {
 
 Averages averages_of(const Scene& scene, int samples_per_pixel, std::uint64_t first_seed) {
   Averages averages;
-  for (std::uint64_t seed = first_seed; seed < first_seed + 24; ++seed) {
+  for (std::uint64_t seed = first_seed; seed < first_seed + 96; ++seed) {
     const test::RenderSettings settings = test::settings_of(16, samples_per_pixel, seed);
     const Image image = test::rendered(scene, settings).film.to_image(false);
     double linear = 0;
