@@ -236,6 +236,7 @@ Environment build_environment(const description::CubeEnvironment& cube,
     const GridSize wanted = grid_size(faces[i], textures, max_cells / 6);
     size = {std::max(size.columns, wanted.columns), std::max(size.rows, wanted.rows)};
   }
+  parallel_for(6, [&](std::size_t i) { (void)textures.texel(faces[i].texture, 0, 0); });  // decodes
   const auto solid_angle = [&](std::uint32_t column, std::uint32_t row) {
     return cube_cell_solid_angle(column, row, size);
   };

@@ -12,10 +12,6 @@ bool is_valid(const Rgb& texel) {
   return is_finite(texel) && min_component(texel) >= 0;
 }
 
-float valid_luminance(const Rgb& texel) {
-  return luminance(valid_radiance(Vec4f(texel, 1)));
-}
-
 std::uint32_t first_touched(std::uint64_t cell, std::uint64_t cells, std::uint64_t texels) {
   return static_cast<std::uint32_t>(cell * texels / cells);
 }
@@ -27,13 +23,13 @@ LuminanceRows decode(const TextureStore& textures, TextureHandle texture, RowRan
   LuminanceRows map;
   map.width = static_cast<std::uint32_t>(textures.info(texture).width);
   map.rows = rows;
-  map.values.reserve(std::size_t{rows.count()} * map.width);
+  map.values.resize(std::size_t{rows.count()} * map.width);
+  float* value = map.values.data();
   for (std::uint32_t y = rows.begin; y < rows.end; ++y) {
     std::uint32_t& invalid = map.invalid_counts.emplace_back(0);
-    for (std::uint32_t x = 0; x < map.width; ++x) {
-      const Rgb texel(textures.texel(texture, static_cast<int>(x), static_cast<int>(y)));
-      invalid += is_valid(texel) ? 0 : 1;
-      map.values.push_back(valid_luminance(texel));
+    for (const Vec4f& texel : textures.texels(texture, static_cast<int>(y))) {
+      invalid += is_valid(Rgb(texel)) ? 0 : 1;
+      *value++ = luminance(valid_radiance(texel));
     }
   }
   return map;
@@ -47,22 +43,21 @@ LuminanceRows filtered_luminance(const TextureStore& textures, TextureHandle tex
   const auto height = static_cast<std::uint32_t>(textures.info(texture).height);
   const RowRange needed{rows.begin > 0 ? rows.begin - 1 : 0, std::min(rows.end + 1, height)};
   const LuminanceRows map = decode(textures, texture, needed);
-  const std::uint32_t last_x = map.width - 1;
   LuminanceRows result{map.width, rows, {}, {}};
-  result.values.reserve(std::size_t{rows.count()} * map.width);
+  result.values.resize(std::size_t{rows.count()} * map.width);
+  std::vector<float> means(map.width + 2);  // of the columns, and beyond both ends
   for (std::uint32_t y = rows.begin; y < rows.end; ++y) {
     result.invalid_counts.push_back(map.invalid_counts[y - needed.begin]);
-    const std::uint32_t above = std::max(y, needed.begin + 1) - 1;
-    const std::uint32_t below = std::min(y + 1, needed.end - 1);
-    const auto column_mean = [&](std::uint32_t x) {
-      return 0.75f * map.at(x, y) + 0.125f * map.at(x, above) + 0.125f * map.at(x, below);
-    };
-    for (std::uint32_t x = 0; x < map.width; ++x) {
-      const std::uint32_t left = x > 0 ? x - 1 : (columns_wrap ? last_x : 0);
-      const std::uint32_t right = x < last_x ? x + 1 : (columns_wrap ? 0 : last_x);
-      result.values.push_back(0.75f * column_mean(x) + 0.125f * column_mean(left) +
-                              0.125f * column_mean(right));
-    }
+    const float* const here = map.row(y);
+    const float* const above = map.row(std::max(y, needed.begin + 1) - 1);
+    const float* const below = map.row(std::min(y + 1, needed.end - 1));
+    for (std::uint32_t x = 0; x < map.width; ++x)
+      means[x + 1] = 0.75f * here[x] + 0.125f * above[x] + 0.125f * below[x];
+    means.front() = columns_wrap ? means[map.width] : means[1];
+    means.back() = columns_wrap ? means[1] : means[map.width];
+    float* const values = result.values.data() + std::size_t{y - rows.begin} * map.width;
+    for (std::uint32_t x = 0; x < map.width; ++x)
+      values[x] = 0.75f * means[x + 1] + 0.125f * means[x] + 0.125f * means[x + 2];
   }
   return result;
 }

@@ -23,8 +23,9 @@ struct LuminanceRows {
   // By row: texels that are not finite or below 0 in a channel; they count as 0.
   std::vector<std::uint32_t> invalid_counts;
 
-  [[nodiscard]] float at(std::uint32_t x, std::uint32_t y) const {
-    return values[std::size_t{y - rows.begin} * width + x];
+  [[nodiscard]] float at(std::uint32_t x, std::uint32_t y) const { return row(y)[x]; }
+  [[nodiscard]] const float* row(std::uint32_t y) const {
+    return values.data() + std::size_t{y - rows.begin} * width;
   }
 };
 

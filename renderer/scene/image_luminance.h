@@ -14,11 +14,12 @@ template <class Weight>
                                     const Weight& weight) {
   const TextureInfo& info = textures.info(image);
   double sum = 0;
-  for (int y = 0; y < info.height; ++y)
-    for (int x = 0; x < info.width; ++x) {
-      const Rgb texel = valid_radiance(textures.texel(image, x, y));
-      sum += weight((x + 0.5) / info.width, (y + 0.5) / info.height) * luminance(Vec3d(texel));
-    }
+  for (int y = 0; y < info.height; ++y) {
+    int x = 0;
+    for (const Vec4f& texel : textures.texels(image, y))
+      sum += weight((x++ + 0.5) / info.width, (y + 0.5) / info.height) *
+             luminance(Vec3d(valid_radiance(texel)));
+  }
   return sum / (static_cast<double>(info.width) * info.height);
 }
 

@@ -14,6 +14,8 @@ namespace candela {
 
 // sRGB's bytes, linear.
 extern const std::array<float, 256> srgb_bytes;
+// The lab's (LabGamma), linear.
+extern const std::array<float, 256> lab_bytes;
 
 // IEC 61966-2-1 for samples that have no table.
 [[nodiscard]] inline float decoded_srgb(float value) {

@@ -76,16 +76,44 @@ template <class Value, std::size_t texel_bytes, bool has_border>
   return between(upper, lower, row.weight);
 }
 
+// What texel() has, filtered or not, decoded to linear.
+template <SampleType type, int channels, Encoding encoding>
+[[gnu::always_inline]] inline Vec4f linear(Float4 value) {
+  constexpr bool has_alpha = channels % 2 == 0;
+  const float alpha = has_alpha ? value[3] / unit<type> : 1.0f;
+  if constexpr (encoding != Encoding::Srgb) value = value / unit<type>;
+  if constexpr (encoding == Encoding::LabGamma) value = power_2_2(value);
+  return {value[0], value[1], value[2], alpha};
+}
+
 template <SampleType type, int channels, Encoding encoding, bool has_border>
 Vec4f filter(const TexelView& view, const Footprint& footprint) {
-  constexpr bool is_srgb = encoding == Encoding::Srgb;
-  constexpr bool has_alpha = channels % 2 == 0;
-  Float4 result = bilinear<Float4, size_of(type) * channels, has_border>(
-      view, footprint, texel<type, channels, is_srgb>);
-  const float alpha = has_alpha ? result[3] / unit<type> : 1.0f;
-  if constexpr (!is_srgb) result = result / unit<type>;
-  if constexpr (encoding == Encoding::LabGamma) result = power_2_2(result);
-  return {result[0], result[1], result[2], alpha};
+  return linear<type, channels, encoding>(bilinear<Float4, size_of(type) * channels, has_border>(
+      view, footprint, texel<type, channels, encoding == Encoding::Srgb>));
+}
+
+// The same bits as a filter of one texel; the lab's bytes, skies of many, without a power for each.
+template <SampleType type, int channels, Encoding encoding>
+[[gnu::always_inline]] inline Vec4f linear_texel(const std::byte* place) {
+  if constexpr (type == SampleType::U8 && encoding == Encoding::LabGamma) {
+    const auto colour = [&](int c) {
+      return lab_bytes[value_at<std::uint8_t>(place + (channels <= 2 ? 0 : c))];
+    };
+    const float alpha = stored_alpha<type, channels>(place) / unit<type>;
+    return {colour(0), colour(1), colour(2), channels % 2 == 0 ? alpha : 1.0f};
+  }
+  return linear<type, channels, encoding>(texel<type, channels, encoding == Encoding::Srgb>(place));
+}
+
+template <SampleType type, int channels, Encoding encoding>
+void read_row(const TexelView& view, std::int32_t row, std::span<Vec4f> texels) {
+  constexpr std::size_t texel_bytes = size_of(type) * channels;
+  const std::byte* place = view.samples + static_cast<std::size_t>(row) *
+                                              static_cast<std::size_t>(view.width) * texel_bytes;
+  for (Vec4f& of : texels) {
+    of = linear_texel<type, channels, encoding>(place);
+    place += texel_bytes;
+  }
 }
 
 template <SampleType type, int channels, bool has_border>
@@ -98,16 +126,17 @@ float filter_alpha(const TexelView& view, const Footprint& footprint) {
 
 template <SampleType type, int channels, bool has_border>
 TexelFilters chosen_encoding(Encoding encoding) {
-  const TexelFilter linear = filter<type, channels, Encoding::Linear, has_border>;
+  const TexelFilter as_stored = filter<type, channels, Encoding::Linear, has_border>;
   const TexelFilter srgb = filter<type, channels, Encoding::Srgb, has_border>;
   const AlphaFilter alpha = filter_alpha<type, channels, has_border>;
   switch (encoding) {
     case Encoding::Linear:
-      return {linear, linear, alpha};
+      return {as_stored, as_stored, alpha, read_row<type, channels, Encoding::Linear>};
     case Encoding::Srgb:
-      return {srgb, srgb, alpha};
+      return {srgb, srgb, alpha, read_row<type, channels, Encoding::Srgb>};
     case Encoding::LabGamma:
-      return {filter<type, channels, Encoding::LabGamma, has_border>, linear, alpha};
+      return {filter<type, channels, Encoding::LabGamma, has_border>, as_stored, alpha,
+              read_row<type, channels, Encoding::LabGamma>};
   }
   return {};
 }

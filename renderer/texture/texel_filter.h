@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "renderer/description/scene_description.h"
 #include "renderer/image/decode.h"
@@ -24,11 +25,14 @@ struct TexelView {
 using TexelFilter = Vec4f (*)(const TexelView&, const Footprint&);
 // The same bits as TexelFilter's alpha, whatever the encoding.
 using AlphaFilter = float (*)(const TexelView&, const Footprint&);
+// The first texels of a row, as TexelFilter has them where footprints are single texels.
+using RowReader = void (*)(const TexelView&, std::int32_t row, std::span<Vec4f> texels);
 
 struct TexelFilters {
   TexelFilter all = nullptr;
   TexelFilter before_gamma = nullptr;  // likewise, but for LabGamma's power_2_2()
   AlphaFilter alpha = nullptr;
+  RowReader row = nullptr;
 };
 
 // `channels`: 1..4. With `has_border`, texels at -1 are black and transparent.

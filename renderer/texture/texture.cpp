@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -59,6 +60,17 @@ class Texture {
     const int column = std::min(x, view_.width - 1);
     const int row = std::min(y, view_.height - 1);
     return filters_.all(view_, {{column, column, 0}, {row, row, 0}});
+  }
+  [[nodiscard]] std::vector<Vec4f> texels(int row) {
+    if (!is_ready_.load(std::memory_order_acquire)) prepare();
+    std::vector<Vec4f> texels(static_cast<std::size_t>(info_.width), constant_);
+    if (is_special_) return texels;
+    const std::span stored(texels.data(),
+                           static_cast<std::size_t>(std::min(info_.width, view_.width)));
+    filters_.row(view_, std::min(row, view_.height - 1), stored);
+    std::fill(texels.begin() + static_cast<std::ptrdiff_t>(stored.size()), texels.end(),
+              stored.back());
+    return texels;
   }
 
   // Inputs of procedural textures are in `store`. `at`: all of the point, or null where only uv is
@@ -247,6 +259,10 @@ bool TextureStore::is_by_place(TextureHandle texture) const {
 
 Vec4f TextureStore::texel(TextureHandle texture, int x, int y) const {
   return textures_[texture.index]->texel(x, y);
+}
+
+std::vector<Vec4f> TextureStore::texels(TextureHandle texture, int row) const {
+  return textures_[texture.index]->texels(row);
 }
 
 namespace {

@@ -86,6 +86,8 @@ class TextureStore {
   // One texel of an image, decoded to linear; row 0 is the file's first, 0 <= x < width, 0 <= y <
   // height. For tables that are built over all texels (environment maps), not for kernels.
   [[nodiscard]] Vec4f texel(TextureHandle texture, int x, int y) const;
+  // All texels of a row, at a fraction of what one after the other takes.
+  [[nodiscard]] std::vector<Vec4f> texels(TextureHandle texture, int row) const;
 
   // The smallest and largest stored value of `channel` (0..2 colour, 3: alpha; 1 where the file has
   // none) over all texels that a bilinear lookup within the triangle of uvs can touch; decodes.

@@ -209,23 +209,25 @@ TEST(Unit_Texture, HalvesStayHalvesAndWhatIsNotFiniteIsReplacedAndTold) {
   EXPECT_NE(found.list()[0].message.find("2 values that are not finite"), std::string::npos);
 }
 
-// The lab takes the first texel of what is one texel wide or high; the others filter along it.
-// Visibility asks for alpha alone, shading for all: one answer, whatever file and encoding.
-TEST(Unit_Texture, AlphaAloneHasTheSameBits) {
-  const TemporaryFolder folder;
+std::vector<std::string> files_of_all_kinds(const TemporaryFolder& folder) {
   std::vector<float> values;
   for (int i = 0; i < 7 * 5 * 4; ++i)
     values.push_back(static_cast<float>(sample(i, 3, 1)) / 100 - 0.5f);
   const std::vector<std::string> rgba = {"R", "G", "B", "A"};
-  const std::string paths[] = {
-      folder.put("rgba.png", crafted::png_rgba(7, 5, sample)),
-      folder.put("rgb.png", crafted::png_of(7, 5, crafted::Rgb, 8, sample)),
-      folder.put("grey.png", crafted::png_of(7, 5, crafted::GreyAlpha, 8, sample)),
-      folder.put("deep.png",
-                 crafted::png_of(7, 5, crafted::Rgba, 16,
-                                 [](int x, int y, int c) { return 251 * sample(x, y, c); })),
-      put_exr<Imath::half>(folder, "half.exr", {7, 5, SampleType::Half, rgba}, values),
-      put_exr<float>(folder, "float.exr", {7, 5, SampleType::Float, rgba}, values)};
+  return {folder.put("rgba.png", crafted::png_rgba(7, 5, sample)),
+          folder.put("rgb.png", crafted::png_of(7, 5, crafted::Rgb, 8, sample)),
+          folder.put("grey.png", crafted::png_of(7, 5, crafted::GreyAlpha, 8, sample)),
+          folder.put("deep.png",
+                     crafted::png_of(7, 5, crafted::Rgba, 16,
+                                     [](int x, int y, int c) { return 251 * sample(x, y, c); })),
+          put_exr<Imath::half>(folder, "half.exr", {7, 5, SampleType::Half, rgba}, values),
+          put_exr<float>(folder, "float.exr", {7, 5, SampleType::Float, rgba}, values)};
+}
+
+// Visibility asks for alpha alone, shading for all: one answer, whatever file and encoding.
+TEST(Unit_Texture, AlphaAloneHasTheSameBits) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> paths = files_of_all_kinds(folder);
   TextureStore store;
   for (const std::string& path : paths)
     for (const Wrap wrap : {Wrap::Repeat, Wrap::Clamp, Wrap::Mirror, Wrap::Black})
@@ -240,6 +242,30 @@ TEST(Unit_Texture, AlphaAloneHasTheSameBits) {
       }
 }
 
+// Tables over all texels read whole rows: those of a lookup at each texel's centre. All bytes.
+TEST(Unit_Texture, RowsHaveTheBitsOfTheirTexels) {
+  const TemporaryFolder folder;
+  std::vector<std::string> paths = files_of_all_kinds(folder);
+  paths.push_back(
+      folder.put("bytes.png", crafted::png_of(256, 2, crafted::Rgb, 8, [](int x, int, int c) {
+                   return static_cast<unsigned>((x + 85 * c) % 256);
+                 })));
+  TextureStore store;
+  for (const std::string& path : paths)
+    for (const Encoding encoding : {Encoding::Linear, Encoding::Srgb, Encoding::LabGamma}) {
+      const TextureHandle texture = added(store, path, encoding, Wrap::Clamp);
+      const TextureInfo& size = store.info(texture);
+      for (int y = 0; y < size.height; ++y) {
+        const std::vector<Vec4f> row = store.texels(texture, y);
+        ASSERT_EQ(row.size(), static_cast<std::size_t>(size.width));
+        for (int x = 0; x < size.width; ++x)
+          ASSERT_EQ(row[static_cast<std::size_t>(x)], store.texel(texture, x, y))
+              << path << " at " << x << ' ' << y;
+      }
+    }
+}
+
+// The lab takes the first texel of what is one texel wide or high; the others filter along it.
 TEST(Unit_Texture, ALineOfTexelsIsOneColourInTheLabsEncodingAlone) {
   const TemporaryFolder folder;
   const std::string path = folder.put("x.png", crafted::png_of(4, 1, crafted::Grey, 8, sample));
