@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "integrators/path/reuse_groups.h"
 #include "integrators/seed_stream.h"
@@ -40,12 +41,16 @@ struct Group {
 constexpr std::uint32_t samples_a_group =  // but at the picture's edges
     2 * whole_block * reuse_group_size;
 
+constexpr std::size_t fewest_groups = 8;
+
+// At most; 0 where they are too few to tell.
 std::size_t groups_to_ask(const RenderOptions& options) {
-  constexpr double share = 1.0 / 200;
-  constexpr double fewest = 8, most = 64;
+  constexpr double share = 1.0 / 100;
+  constexpr double most = 64;
   if (options.samples_per_pixel < static_cast<int>(whole_block)) return 0;
-  const double groups = std::min(share * picture_samples(options) / samples_a_group, most);
-  return groups < fewest ? 0 : static_cast<std::size_t>(groups);
+  const auto groups =
+      static_cast<std::size_t>(std::min(share * picture_samples(options) / samples_a_group, most));
+  return groups < fewest_groups ? 0 : groups;
 }
 
 PixelRect square_with(int x, int y, const RenderOptions& options) {
@@ -76,12 +81,15 @@ void run_block(TilePass pass, std::uint64_t group, std::size_t block, const Rend
   }
 }
 
-std::vector<Group> run_groups(const RenderOptions& options, const PathPlan& plan,
-                              const TileFunction& render_tile, const CancelFlag* cancel) {
+// Goes on to `count` groups.
+void run_groups(const RenderOptions& options, const PathPlan& plan, const TileFunction& render_tile,
+                const CancelFlag* cancel, std::size_t count, std::vector<Group>& groups) {
   const std::uint64_t seed = seed_of(SeedStream::Reuse, options.seed);
-  std::vector<Group> groups(groups_to_ask(options));
-  parallel_for(groups.size(), [&](std::size_t i) {
+  const std::size_t first = groups.size();
+  groups.resize(count);
+  parallel_for(count - first, [&](std::size_t after_first) {
     if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return;
+    const std::size_t i = first + after_first;
     const auto index = static_cast<std::uint32_t>(i);
     const PixelRect pixel = trial_tile(options, 1, seed, index);
     TilePass pass;
@@ -93,7 +101,6 @@ std::vector<Group> run_groups(const RenderOptions& options, const PathPlan& plan
       run_block(pass, hash_counter(seed, ~i), block, options, render_tile, groups[i]);
     }
   });
-  return groups;
 }
 
 // As relMSE weighs it.
@@ -123,8 +130,8 @@ Pair noise_of(std::vector<PixelTrial> pixels) {
   return sum;
 }
 
-bool pays(const std::vector<Group>& groups) {
-  constexpr double least_gain = 1.2;  // error falls faster than as 1 / time
+// Noise times cost.
+Pair toll_of(const std::vector<Group>& groups) {
   std::vector<PixelTrial> pixels;
   Pair cost;
   for (const Group& group : groups) {
@@ -132,7 +139,18 @@ bool pays(const std::vector<Group>& groups) {
     cost += group.cost;
   }
   const Pair noise = noise_of(std::move(pixels));
-  return noise.alone * cost.alone > least_gain * noise.shared * cost.shared;
+  return {noise.shared * cost.shared, noise.alone * cost.alone};
+}
+
+// How much less of it makes sharing pay: error falls faster than as 1 / time.
+constexpr double least_gain = 1.2;
+
+// Whether more groups would hardly change what these say. The pixels of a group share their noise,
+// so that of n groups is known within a factor of about exp(1 / sqrt(n)).
+bool is_clear(const Pair& toll, std::size_t groups) {
+  const double factor = std::exp(2 / std::sqrt(static_cast<double>(groups)));
+  const double bound = least_gain * toll.shared;
+  return toll.alone > factor * bound || factor * toll.alone < bound;
 }
 
 }  // namespace
@@ -141,8 +159,16 @@ ReuseChoice choose_reuse(const RenderOptions& options, PathPlan plan,
                          const TileFunction& render_tile, const CancelFlag* cancel) {
   if (plan.reuses_paths || !options.chooses_reuse) return {plan.reuses_paths};
   plan.reuses_paths = true;
-  const std::vector<Group> groups = run_groups(options, plan, render_tile, cancel);
-  ReuseChoice choice{pays(groups)};
+  const std::size_t most = groups_to_ask(options);
+  if (most == 0) return {};
+  std::vector<Group> groups;
+  Pair toll;
+  do {
+    const std::size_t count = std::min(std::max(fewest_groups, 2 * groups.size()), most);
+    run_groups(options, plan, render_tile, cancel, count, groups);
+    toll = toll_of(groups);
+  } while (groups.size() < most && !is_clear(toll, groups.size()));
+  ReuseChoice choice{toll.alone > least_gain * toll.shared};
   for (const Group& group : groups) choice.samples += group.samples;
   return choice;
 }

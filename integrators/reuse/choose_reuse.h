@@ -13,9 +13,10 @@ struct ReuseChoice {
   std::uint64_t samples = 0;  // that it took, which the picture does not use
 };
 
-// `plan`: with the picture's roulette. By groups all over the picture, whatever the crop: 1 in 200
-// of its samples, at most 32768; pictures whose share is below eight groups do not share, nor do
-// those of less than a block of samples a pixel. `cancel` may be null.
+// `plan`: with the picture's roulette. By groups all over the picture, whatever the crop: eight,
+// and twice as many until what they say is clear, at most 64 and 1 in 100 of the picture's samples.
+// Pictures of which eight are more do not share, nor do those of less than a block of samples a
+// pixel. `cancel` may be null.
 [[nodiscard]] ReuseChoice choose_reuse(const RenderOptions& options, PathPlan plan,
                                        const TileFunction& render_tile, const CancelFlag* cancel);
 

@@ -71,16 +71,18 @@ TEST(Unit_ChooseReuse, NotOfFewSamplesNorWherePathsCannotBeShared) {
   };
   RenderSettings settings = choosing(640, 16);
   settings.options.crop = PixelRect{0, 0, 1, 1};
-  EXPECT_EQ(samples_of(room_of_a_point(0.7), settings), 512u * (640 * 640 * 16 / 200 / 512));
+  const std::uint64_t clearly = samples_of(room_of_a_point(0.7), settings);
+  EXPECT_EQ(clearly % (512 * 8), 0u);
+  EXPECT_LT(clearly, 640u * 640 * 16 / 100 / 2);
   settings.options.samples_per_pixel = 15;  // less than a block
   EXPECT_EQ(samples_of(room_of_a_point(0.7), settings), 0u);
   settings.options.samples_per_pixel = 256;
-  EXPECT_EQ(samples_of(room_of_a_point(0.7), settings), 512u * 64);
-  settings.options.width = settings.options.height = 100;
-  settings.options.samples_per_pixel = 81;  // less than eight groups
+  EXPECT_EQ(samples_of(room_of_a_point(0), settings), 512u * 64) << "black: never clear";
+  settings.options.width = settings.options.height = 96;
+  settings.options.samples_per_pixel = 44;  // of which eight groups are more than one in 100
   EXPECT_EQ(samples_of(room_of_a_point(0.7), settings), 0u);
-  settings.options.samples_per_pixel = 82;
-  EXPECT_GT(samples_of(room_of_a_point(0.7), settings), 0u);
+  settings.options.samples_per_pixel = 45;
+  EXPECT_EQ(samples_of(room_of_a_point(0.7), settings), 512u * 8);
   SceneDescription mirrors = room_of_a_point(0.7);
   mirrors.materials[0].model = description::MirrorMaterial{};
   EXPECT_EQ(samples_of(mirrors, settings), 0u);
