@@ -20,18 +20,23 @@ namespace candela {
   return v;
 }
 
-// Shuffles the order of a sequence within every aligned block of a power of two, given and
-// returning reversed indices: a hash whose lower bits do not depend on the higher ones [Laine11],
-// by the constants of [Vegdahl21].
-[[nodiscard]] constexpr std::uint32_t shuffle_reversed_index(std::uint32_t reversed_index,
-                                                             std::uint32_t seed) {
-  std::uint32_t x = reversed_index;
+// A hash whose lower bits do not depend on the higher ones [Laine11], by the constants of
+// [Vegdahl21].
+[[nodiscard]] constexpr std::uint32_t hash_upwards(std::uint32_t x, std::uint32_t shift,
+                                                   std::uint32_t multiplier) {
   x ^= x * 0x3d20adeau;
-  x += seed;
-  x *= (seed >> 16) | 1u;
+  x += shift;
+  x *= multiplier | 1u;
   x ^= x * 0x05526c56u;
   x ^= x * 0x53a22864u;
   return x;
+}
+
+// Shuffles the order of a sequence within every aligned block of a power of two, given and
+// returning reversed indices.
+[[nodiscard]] constexpr std::uint32_t shuffle_reversed_index(std::uint32_t reversed_index,
+                                                             std::uint32_t seed) {
+  return hash_upwards(reversed_index, seed, seed >> 16);
 }
 [[nodiscard]] constexpr std::uint32_t shuffled_index(std::uint32_t reversed_index,
                                                      std::uint32_t seed) {
@@ -53,16 +58,9 @@ namespace candela {
 
 // A nested scramble [Owen95] of a 32-bit fraction whose bits are given in reverse: flips of a digit
 // depend on the digits above it only, so every elementary interval goes over into one of its size.
-// By a hash whose lower bits do not depend on the higher ones, as above.
 [[nodiscard]] constexpr std::uint32_t nested_scramble(std::uint32_t reversed, std::uint32_t shift,
                                                       std::uint32_t multiplier) {
-  std::uint32_t x = reversed;
-  x ^= x * 0x3d20adeau;
-  x += shift;
-  x *= multiplier | 1u;
-  x ^= x * 0x05526c56u;
-  x ^= x * 0x53a22864u;
-  return reverse_bits(x);
+  return reverse_bits(hash_upwards(reversed, shift, multiplier));
 }
 
 // Keys hold 64 random bits; multiplications spread them over the further seeds that a point needs.

@@ -2,6 +2,8 @@
 // count as 0, as where light is looked up. They decode the image.
 #pragma once
 
+#include <vector>
+
 #include "renderer/light/image_radiance.h"
 #include "renderer/math/colour.h"
 
@@ -15,10 +17,11 @@ template <class Weight>
   const TextureInfo& info = textures.info(image);
   double sum = 0;
   for (int y = 0; y < info.height; ++y) {
-    int x = 0;
-    for (const Vec4f& texel : textures.texels(image, y))
-      sum += weight((x++ + 0.5) / info.width, (y + 0.5) / info.height) *
-             luminance(Vec3d(valid_radiance(texel)));
+    const std::vector<Vec4f> row = textures.texels(image, y);
+    for (int x = 0; x < info.width; ++x) {
+      const Rgb texel = valid_radiance(row[static_cast<std::size_t>(x)]);
+      sum += weight((x + 0.5) / info.width, (y + 0.5) / info.height) * luminance(Vec3d(texel));
+    }
   }
   return sum / (static_cast<double>(info.width) * info.height);
 }
