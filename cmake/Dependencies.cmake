@@ -6,6 +6,8 @@ find_package(fmt REQUIRED)
 find_package(glm REQUIRED)
 find_package(TBB REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(PNG REQUIRED)
+find_package(JPEG REQUIRED)
 find_package(yaml-cpp REQUIRED)
 
 if(NOT TARGET glm::glm)

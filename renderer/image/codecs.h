@@ -1,7 +1,8 @@
 // What OpenImageIO reads and writes, in a module of its own (renderer/image/openimageio/): a
 // distribution's OpenImageIO brings some 250 libraries, which take a quarter of a second to load.
-// They are loaded when the first image asks for them, and never where none does: EXR pictures are
-// written without (encode_exr.h).
+// They are loaded when the first image asks for them, and never where none does: what most scenes
+// have and most renders write goes without (decode_png.h, decode_jpeg.h, decode_exr.h,
+// encode_exr.h, encode_png.h).
 #pragma once
 
 #include <string>

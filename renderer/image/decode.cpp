@@ -1,16 +1,20 @@
 #include "renderer/image/decode.h"
 
 #include <algorithm>
+#include <cstring>
 #include <exception>
 #include <new>
 
 #include <fmt/format.h>
 
 #include "renderer/image/codecs.h"
+#include "renderer/image/decode_exr.h"
+#include "renderer/image/decode_jpeg.h"
 #include "renderer/image/decode_limits.h"
+#include "renderer/image/decode_pfm.h"
+#include "renderer/image/decode_png.h"
 #include "renderer/image/guard.h"
 #include "renderer/image/image_format.h"
-#include "renderer/image/jpeg_header.h"
 #include "renderer/image/tga.h"
 
 namespace candela {
@@ -46,54 +50,106 @@ Result<ImageHeader> within(const DecodeLimits& limits, ImageHeader header) {
   return header;
 }
 
-Result<ImageHeader> checked_tga_header(const Bytes& bytes, const DecodeLimits& limits) {
-  Result<ImageHeader> header = decode_tga_header(bytes);
-  if (!header) return header;
-  return within(limits, std::move(*header));
+using MaybeHeader = std::optional<Result<ImageHeader>>;
+
+MaybeHeader if_plain(std::optional<ImageHeader> header) {
+  if (!header) return std::nullopt;
+  return Result<ImageHeader>(std::move(*header));
 }
 
-Result<DecodedImage> checked_tga(const Bytes& bytes, const DecodeLimits& limits) {
-  const Result<ImageHeader> header = checked_tga_header(bytes, limits);
-  if (!header) return header.diagnostics;
-  return decode_tga(bytes);
-}
-
-// Recognises, guards and hands on to `decode_tga_file` or, with the format, to `decode_other`.
-template <class T, class DecodeTga, class DecodeOther>
-Result<T> dispatch(const std::string& name, Bytes bytes, DecodeTga&& decode_tga_file,
-                   DecodeOther&& decode_other) {
-  if (!format_of_extension(name))
-    return failure(fmt::format("'{}' has no extension of an image; expected one of {}", name,
-                               readable_extensions));
-  const auto format = format_of(name, bytes);
-  if (!format) return failure(fmt::format("'{}' does not begin as any image that is read", name));
-  try {
-    if (*format == ImageFormat::Tga) return named(name, decode_tga_file(bytes));
-    Result<Bytes> guarded = guard_image(*format, std::move(bytes));
-    if (!guarded) return named(name, guarded.diagnostics);
-    return named(name, decode_other(*format, std::move(*guarded)));
-  } catch (const std::bad_alloc&) {
-    return failure(fmt::format("'{}' needs more memory than there is", name));
-  } catch (const std::exception& exception) {
-    return failure(fmt::format("'{}' cannot be decoded: {}", name, exception.what()));
+// What is read without OpenImageIO: all PNG and TGA, and of JPEG, EXR and float maps what pictures
+// mostly are. Empty for the rest, and for broken ones, of which OpenImageIO tells what is wrong.
+MaybeHeader own_header(ImageFormat format, const Bytes& bytes) {
+  switch (format) {
+    case ImageFormat::Png:
+      return decode_png_header(bytes);
+    case ImageFormat::Tga:
+      return decode_tga_header(bytes);
+    case ImageFormat::Jpeg:
+      return if_plain(plain_jpeg_header(bytes));
+    case ImageFormat::Exr:
+      return if_plain(plain_exr_header(bytes));
+    case ImageFormat::Pnm:
+      return if_plain(plain_pfm_header(bytes));
+    case ImageFormat::Hdr:
+    case ImageFormat::Tiff:
+    case ImageFormat::Bmp:
+      break;
   }
+  return std::nullopt;
 }
 
-Result<ImageHeader> other_header(ImageFormat format, Bytes bytes, const DecodeLimits& limits) {
-  auto plain = format == ImageFormat::Jpeg ? plain_jpeg_header(bytes) : std::nullopt;
-  if (plain) {
-    plain->channels.resize(std::min(plain->channels.size(), limits.max_channels));
-    return within(limits, std::move(*plain));
+// Of a file with an own_header().
+Result<DecodedImage> decode_own(ImageFormat format, const Bytes& bytes, const ImageHeader& header) {
+  if (format == ImageFormat::Png) return decode_png(bytes, header);
+  if (format == ImageFormat::Tga) return decode_tga(bytes);
+  if (format == ImageFormat::Jpeg) return decode_plain_jpeg(bytes, header);
+  if (format == ImageFormat::Exr) return decode_plain_exr(bytes, header);
+  return decode_plain_pfm(bytes, header);
+}
+
+void leave_out_channels(ImageHeader& header, std::size_t max_channels) {
+  header.channels.resize(std::min(header.channels.size(), max_channels));
+  if (std::cmp_greater_equal(header.alpha_channel, header.channels.size()))
+    header.alpha_channel = -1;
+}
+
+// Of each pixel the first channels stay, closed up.
+void leave_out_channels(DecodedImage& image, std::size_t max_channels) {
+  const std::size_t before = image.header.channels.size();
+  if (before <= max_channels) return;
+  const std::size_t pixels = image.header.sample_count() / before;
+  const std::size_t sample = size_of(image.header.sample_type);
+  for (std::size_t i = 0; i < pixels; ++i)
+    std::memmove(image.samples.get() + i * max_channels * sample,
+                 image.samples.get() + i * before * sample, max_channels * sample);
+  leave_out_channels(image.header, max_channels);
+}
+
+Result<ImageHeader> header_of(ImageFormat format, Bytes bytes, const DecodeLimits& limits) {
+  if (MaybeHeader own = own_header(format, bytes)) {
+    if (!*own) return std::move(*own);
+    leave_out_channels(**own, limits.max_channels);
+    return within(limits, std::move(**own));
   }
   const Result<Codecs> others = codecs();
   if (!others) return others.diagnostics;
   return others->decode_header(format, std::move(bytes), limits);
 }
 
-Result<DecodedImage> decode_other(ImageFormat format, Bytes bytes, const DecodeLimits& limits) {
+Result<DecodedImage> image_of(ImageFormat format, Bytes bytes, const DecodeLimits& limits) {
+  if (MaybeHeader own = own_header(format, bytes)) {
+    if (!*own) return own->diagnostics;
+    DecodeLimits of_all = limits;
+    of_all.max_channels = (*own)->channels.size();
+    const Result<ImageHeader> header = within(of_all, std::move(**own));
+    if (!header) return header.diagnostics;
+    Result<DecodedImage> image = decode_own(format, bytes, *header);
+    if (image) leave_out_channels(*image, limits.max_channels);
+    return image;
+  }
   const Result<Codecs> others = codecs();
   if (!others) return others.diagnostics;
   return others->decode(format, std::move(bytes), limits);
+}
+
+// Recognises, guards and hands on to `decode`.
+template <class T, class Decode>
+Result<T> dispatch(const std::string& name, Bytes bytes, Decode&& decode) {
+  if (!format_of_extension(name))
+    return failure(fmt::format("'{}' has no extension of an image; expected one of {}", name,
+                               readable_extensions));
+  const auto format = format_of(name, bytes);
+  if (!format) return failure(fmt::format("'{}' does not begin as any image that is read", name));
+  try {
+    Result<Bytes> guarded = guard_image(*format, std::move(bytes));
+    if (!guarded) return named(name, guarded.diagnostics);
+    return named(name, decode(*format, std::move(*guarded)));
+  } catch (const std::bad_alloc&) {
+    return failure(fmt::format("'{}' needs more memory than there is", name));
+  } catch (const std::exception& exception) {
+    return failure(fmt::format("'{}' cannot be decoded: {}", name, exception.what()));
+  }
 }
 
 std::size_t file_limit(const DecodeLimits& limits) {
@@ -103,27 +159,18 @@ std::size_t file_limit(const DecodeLimits& limits) {
 
 }  // namespace
 
-Diagnostics prepare_to_decode(const std::string& name) {
-  if (format_of_extension(name) == ImageFormat::Tga) return {};
-  return named(name, codecs().diagnostics);
-}
-
 Result<ImageHeader> decode_header(const std::string& name, Bytes bytes,
                                   const DecodeLimits& limits) {
-  return dispatch<ImageHeader>(
-      name, std::move(bytes), [&](const Bytes& tga) { return checked_tga_header(tga, limits); },
-      [&](ImageFormat format, Bytes other) {
-        return other_header(format, std::move(other), limits);
-      });
+  return dispatch<ImageHeader>(name, std::move(bytes), [&](ImageFormat format, Bytes guarded) {
+    return header_of(format, std::move(guarded), limits);
+  });
 }
 
 Result<DecodedImage> decode_image(const std::string& name, Bytes bytes,
                                   const DecodeLimits& limits) {
-  return dispatch<DecodedImage>(
-      name, std::move(bytes), [&](const Bytes& tga) { return checked_tga(tga, limits); },
-      [&](ImageFormat format, Bytes other) {
-        return decode_other(format, std::move(other), limits);
-      });
+  return dispatch<DecodedImage>(name, std::move(bytes), [&](ImageFormat format, Bytes guarded) {
+    return image_of(format, std::move(guarded), limits);
+  });
 }
 
 Result<ImageHeader> read_image_header(const std::string& path, const DecodeLimits& limits) {

@@ -59,10 +59,6 @@ struct DecodeLimits {
   bool counts_floats = false;                    // each sample counts four bytes, whatever its type
 };
 
-// Loads what images of this extension are decoded by (codecs.h), so that the first of them does
-// not; an error where it is missing and none of them can be.
-[[nodiscard]] Diagnostics prepare_to_decode(const std::string& name);
-
 // `name` is what messages call the image: its path. Errors begin with it in quotes; warnings tell
 // of what was converted (CMYK) or complained about by a decoder that went on.
 [[nodiscard]] Result<ImageHeader> decode_header(const std::string& name, Bytes bytes,

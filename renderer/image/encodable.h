@@ -19,8 +19,8 @@ struct Encodable {
   ImageHeader header;  // left, top: in the full picture
   int full_width = 0;
   int full_height = 0;
-  // What the file tells ("DateTime" in any format) and, but for EXR, what OpenImageIO asks its
-  // writers to do, under its names.
+  // What the file tells ("DateTime" in any format) and, but for EXR, what the writer is asked to
+  // do, under OpenImageIO's names.
   std::vector<EncodableAttribute> attributes;
   // Rows from the top, interleaved, machine byte order: header.sample_count() of the header's type.
   const std::byte* samples = nullptr;

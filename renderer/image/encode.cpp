@@ -14,6 +14,7 @@
 #include "renderer/image/display_transform.h"
 #include "renderer/image/encodable.h"
 #include "renderer/image/encode_exr.h"
+#include "renderer/image/encode_png.h"
 
 namespace candela {
 namespace {
@@ -177,14 +178,15 @@ Diagnostics encoder_failure(ImageFormat format, const std::string& reason) {
   return failure(fmt::format("{} encoder: {}", name_of(format), reason));
 }
 
-Result<std::string> encode_other(ImageFormat format, const Encodable& image) {
+Result<std::string> encode_as(ImageFormat format, const Encodable& image) {
+  if (format == ImageFormat::Exr) return encode_exr(image);
+  if (format == ImageFormat::Png) return encode_png(image);
   const Result<Codecs> others = codecs();
   return others ? others->encode(format, image) : others.diagnostics;
 }
 
 Result<std::string> encode(ImageFormat format, const Encodable& image) {
-  Result<std::string> bytes =
-      format == ImageFormat::Exr ? encode_exr(image) : encode_other(format, image);
+  Result<std::string> bytes = encode_as(format, image);
   if (bytes) return bytes;
   return encoder_failure(format, bytes.diagnostics.list()[0].message);
 }

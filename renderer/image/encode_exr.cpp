@@ -2,7 +2,6 @@
 
 #include <ImfChannelList.h>
 #include <ImfDoubleAttribute.h>
-#include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfIntAttribute.h>
@@ -15,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/floating_point_traps.h"
+#include "renderer/image/exr_slices.h"
 
 namespace candela {
 namespace {
@@ -61,41 +61,23 @@ Imath::Box2i window(int left, int top, int width, int height) {
   return {{left, top}, {left + width - 1, top + height - 1}};
 }
 
-Imf::PixelType pixel_type(const ImageHeader& header) {
-  return header.sample_type == SampleType::Half ? Imf::HALF : Imf::FLOAT;
-}
-
 Imf::Header header_of(const Encodable& image) {
   const ImageHeader& picture = image.header;
   Imf::Header header(window(0, 0, image.full_width, image.full_height),
                      window(picture.left, picture.top, picture.width, picture.height));
   header.compression() = Imf::ZIP_COMPRESSION;
   for (const std::string& channel : picture.channels)
-    header.channels().insert(channel, Imf::Channel(pixel_type(picture)));
+    header.channels().insert(channel, Imf::Channel(exr_pixel_type(picture)));
   for (const EncodableAttribute& attribute : image.attributes) insert(header, attribute);
   if (header.find("capDate") == header.end()) insert(header, {"DateTime", now()});
   return header;
-}
-
-// OpenEXR wants where the full picture's origin would lie, and promises not to write there.
-Imf::FrameBuffer rows_of(const Encodable& image) {
-  const ImageHeader& picture = image.header;
-  const std::size_t sample = size_of(picture.sample_type);
-  const std::size_t pixel = sample * picture.channels.size();
-  const Imath::V2i origin(picture.left, picture.top);
-  Imf::FrameBuffer rows;
-  for (std::size_t c = 0; c < picture.channels.size(); ++c)
-    rows.insert(picture.channels[c],
-                Imf::Slice::Make(pixel_type(picture), image.samples + c * sample, origin,
-                                 picture.width, picture.height, pixel));
-  return rows;
 }
 
 // The table of where its rows lie is written when the file's object ends.
 void write_to(FileInMemory& memory, const Encodable& image) {
   constexpr int threads = 0;  // of OpenEXR's own
   Imf::OutputFile file(memory, header_of(image), threads);
-  file.setFrameBuffer(rows_of(image));
+  file.setFrameBuffer(exr_slices(image.header, image.samples));  // which it only reads
   file.writePixels(image.header.height);
 }
 

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/image/codecs.h"
 #include "renderer/math/transcendental.h"
 #include "renderer/texture/footprint_ranges.h"
 #include "renderer/texture/texel_filter.h"
@@ -177,9 +178,10 @@ TextureHandle TextureStore::add(const description::Image& image, Diagnostics& di
   std::unique_ptr<TextureFile>& file = files_->by_path[key];
   if (!file) {
     const Result<ImageHeader> header = read_image_header(image.path, DecodeLimits{});
-    const Diagnostics missing = prepare_to_decode(image.path);
+    // A broken image is magenta, but codecs that are not there end the run.
+    const Diagnostics missing = header ? Diagnostics{} : codecs().diagnostics;
     for (const Diagnostic& reason : missing.list())
-      diagnostics.error(image.span, fmt::format("texture {}", reason.message));
+      diagnostics.error(image.span, fmt::format("texture '{}' {}", image.path, reason.message));
     if (!missing.has_errors()) warn_of(header, image.span, diagnostics);
     file = std::make_unique<TextureFile>(image.path, image.span, header);
   }

@@ -1,5 +1,5 @@
 # Installs `build` below `work`, builds the project `source` against it there, renders `scene`. Then
-# does without the module of codecs, which `textured_scene` needs.
+# does without the module of codecs, which `textured_scene` does not need.
 cmake_minimum_required(VERSION 3.22)
 
 function(run)
@@ -26,7 +26,11 @@ if(NOT EXISTS ${work}/picture.exr)
   message(FATAL_ERROR "The consumer wrote no picture.")
 endif()
 
-# Other formats than OpenEXR need the module of codecs, to which run paths lead.
+# Other formats than OpenEXR, PNG and JPEG need the module of codecs, to which run paths lead.
+file(WRITE ${work}/unusual.obj "mtllib unusual.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n"
+  "usemtl unusual\nf 1/1 2/1 3/1\n")
+file(WRITE ${work}/unusual.mtl "newmtl unusual\nmap_Kd unusual.ppm\n")
+file(WRITE ${work}/unusual.ppm "P3\n1 1\n255\n1 2 3\n")
 function(fail_for_want_of_codecs)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(status EQUAL 0 OR NOT output MATCHES "image codecs, which cannot be loaded")
@@ -35,14 +39,16 @@ function(fail_for_want_of_codecs)
   endif()
 endfunction()
 
-run(${work}/build/consumer ${scene} ${work}/picture.png)
-run(${work}/installed/bin/candela check ${textured_scene})
+run(${work}/build/consumer ${scene} ${work}/picture.hdr)
+run(${work}/installed/bin/candela check ${work}/unusual.obj)
 file(GLOB_RECURSE module ${work}/installed/*/candela_codecs.so)
 file(REMOVE ${module})
-fail_for_want_of_codecs(${work}/build/consumer ${scene} ${work}/again.png)
-fail_for_want_of_codecs(${work}/installed/bin/candela check ${textured_scene})
-fail_for_want_of_codecs(${work}/installed/bin/candela render ${scene} -o ${work}/again.png)
-if(EXISTS ${work}/again.png)
-  message(FATAL_ERROR "Without its module of codecs candela wrote a PNG.")
+fail_for_want_of_codecs(${work}/build/consumer ${scene} ${work}/again.hdr)
+fail_for_want_of_codecs(${work}/installed/bin/candela check ${work}/unusual.obj)
+fail_for_want_of_codecs(${work}/installed/bin/candela render ${scene} -o ${work}/again.hdr)
+if(EXISTS ${work}/again.hdr)
+  message(FATAL_ERROR "Without its module of codecs candela wrote an HDR.")
 endif()
+run(${work}/build/consumer ${scene} ${work}/again.png)
+run(${work}/installed/bin/candela check ${textured_scene})
 file(REMOVE_RECURSE ${work})

@@ -82,7 +82,8 @@ TEST(Unit_RenderCommand, LoadsOpenImageIOOnlyForWhatItAloneWrites) {
     return result.error.find("find library=libOpenImageIO") != std::string::npos;
   };
   EXPECT_FALSE(loads("/a.exr"));
-  EXPECT_TRUE(loads("/a.png"));
+  EXPECT_FALSE(loads("/a.png"));
+  EXPECT_TRUE(loads("/a.hdr"));
 }
 
 TEST(Unit_RenderCommand, WritesSeveralOutputsAtOnce) {

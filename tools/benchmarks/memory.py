@@ -19,15 +19,7 @@ GOAL_FOREST = 500e6  # bytes, of more than 10^7 triangles that are seen
 MANY = 10_000  # triangles; with few the tables' own sizes show
 SMALL = "64x64"  # a picture that takes no memory itself
 TOO_SMALL = "too small to tell"
-ONE_TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
-# The second one has an image, with which the libraries of all formats come.
-TRIANGLES = {
-    "one_triangle.obj": ONE_TRIANGLE + "f 1 2 3\n",
-    "one_image.obj": "mtllib one_image.mtl\n" + ONE_TRIANGLE + "vt 0 0\nusemtl image\n"
-                     "f 1/1 2/1 3/1\n",
-    "one_image.mtl": "newmtl image\nmap_Kd one_image.ppm\n",
-    "one_image.ppm": "P3\n1 1\n255\n128 128 128\n",
-}
+ONE_TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 
 
 def add_arguments(parser):
@@ -39,8 +31,7 @@ def run(options):
     out = options.out.resolve()
     candela = renders.Candela(options.program, out / "renders")
     results = Results(out, "Memory", __doc__, candela.version())
-    for name, text in TRIANGLES.items():
-        (out / name).write_text(text)
+    (out / "one_triangle.obj").write_text(ONE_TRIANGLE)
     verdicts = [] if options.quick else peaks(results, candela, options.size)
     verdicts += of_a_triangle(results, candela, options.quick)
     verdicts += forest(results, candela, options.size)
@@ -53,30 +44,28 @@ def peak_megabytes(candela, name, scene, size):
                           spp=1).stats["peak_memory_bytes"] * 1e-6
 
 
-def baseline(results, candela, name, size):
-    return peak_megabytes(candela, name, results.out / f"{name}.obj", size)
+def baseline(results, candela, size):
+    return peak_megabytes(candela, "one_triangle", results.out / "one_triangle.obj", size)
 
 
 def peaks(results, candela, size):
     """Verdicts, as of_a_triangle() and forest()."""
-    plain = baseline(results, candela, "one_triangle", size)
-    image = baseline(results, candela, "one_image", size)
+    plain = baseline(results, candela, size)
     files = {path.stem: path for path in scenes.course_scenes(ROOT)} | scenes.pbrt_scenes(ROOT)
     rows = []
     for name, path in files.items():
         with results.attempt(name):
-            rows.append(row(candela, name, path, size, (plain, image)))
-    results.table("peaks", f"MB above the {plain:.1f} of a scene of one triangle, {image:.1f} with "
-                  "an image where the scene has any", rows,
+            rows.append(row(candela, name, path, size, plain))
+    results.table("peaks", f"MB above the {plain:.1f} of a scene of one triangle", rows,
                   f"Wanted is a peak below {GOAL:g} times meshes and textures.")
     return [row["verdict"] for row in rows]
 
 
-def row(candela, name, scene, size, baselines):
-    """baselines: of one triangle without and with an image."""
+def row(candela, name, scene, size, one_triangle):
+    """one_triangle: the peak of a scene of one."""
     info = candela.info(scene, accel="embree")
     held = info["memory_bytes"]
-    peak = peak_megabytes(candela, name, scene, size) - baselines[bool(info["textures"])]
+    peak = peak_megabytes(candela, name, scene, size) - one_triangle
     meshes, textures, embree = (held[key] * 1e-6 for key in ("meshes", "textures", "embree"))
     ratio = peak / (meshes + textures)
     is_told = meshes + textures >= LEAST_MEGABYTES
@@ -93,7 +82,7 @@ def verdict(is_reached):
 def of_a_triangle(results, candela, quick):
     """Untextured scenes, and what is generated: what is held once the tree is built, and the peak
     of a small render, which is what the machine must have."""
-    plain = baseline(results, candela, "one_triangle", SMALL)
+    plain = baseline(results, candela, SMALL)
     rows = []
     for name, path in many_triangles(results.out, quick).items():
         info = candela.info(path, accel="embree")

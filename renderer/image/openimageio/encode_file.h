@@ -9,7 +9,7 @@
 
 namespace candela {
 
-// PNG, JPEG, HDR or TIFF. Errors are OpenImageIO's words.
+// JPEG, HDR or TIFF. Errors are OpenImageIO's words.
 [[nodiscard]] Result<std::string> encode_file(ImageFormat format, const Encodable& image);
 
 }  // namespace candela
