@@ -72,6 +72,7 @@ TEST(Unit_ChooseReuse, NotOfFewSamplesNorWherePathsCannotBeShared) {
   RenderSettings settings = choosing(640, 16);
   settings.options.crop = PixelRect{0, 0, 1, 1};
   const std::uint64_t clearly = samples_of(room_of_a_point(0.7), settings);
+  EXPECT_GT(clearly, 0u);
   EXPECT_EQ(clearly % (512 * 8), 0u);
   EXPECT_LT(clearly, 640u * 640 * 16 / 100 / 2);
   settings.options.samples_per_pixel = 15;  // less than a block
