@@ -27,6 +27,7 @@ set_source_files_properties(renderer/sampling/sampler_block.cpp PROPERTIES
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
   set_source_files_properties(
     integrators/path/block_lanes.cpp integrators/path/camera_rays.cpp
+    integrators/path/reflectance_lanes.cpp
     integrators/path/plain_bsdf_lanes.cpp
     integrators/path/plain_lanes.cpp integrators/path/reuse_lanes.cpp
     integrators/path/sky_lanes.cpp

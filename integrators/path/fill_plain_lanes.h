@@ -75,7 +75,7 @@ inline void put_instance(const Instance& instance, std::uint32_t slot, MetLanes&
 }
 
 inline void put_surface(const Scene& scene, const Geometry& geometry, const Hit& hit,
-                        std::uint32_t slot, PlainLanes& lanes) {
+                        Coherence coherence, std::uint32_t slot, PlainLanes& lanes) {
   const auto& corners = geometry.triangles[hit.triangle];
   MetLanes& met = lanes.met;
   met.corner0.set(slot, geometry.positions[corners[0]]);
@@ -88,14 +88,15 @@ inline void put_surface(const Scene& scene, const Geometry& geometry, const Hit&
   lanes.bsdfs.material[slot] = &material;
   lanes.bsdfs.uv[slot] =
       geometry.uvs.empty() ? SurfacePoint{}.uv : uv_of(geometry, corners, hit.u, hit.v);
-  if (material.reads_uv) prefetch_maps(material, scene.textures, lanes.bsdfs.uv[slot]);
+  if (material.reads_uv && coherence == Coherence::Incoherent)
+    prefetch_maps(material, scene.textures, lanes.bsdfs.uv[slot]);
 }
 
 // What a path's ray met, and the numbers by which it goes on.
 inline void put_path(const Scene& scene, const StepNumbers& numbers, std::uint32_t bounce,
                      const Hit& hit, const Ray& ray, const PathState& path, std::uint32_t slot,
                      PlainLanes& lanes) {
-  put_surface(scene, scene.geometries[hit.geometry], hit, slot, lanes);
+  put_surface(scene, scene.geometries[hit.geometry], hit, coherence_of(bounce), slot, lanes);
   MetLanes& met = lanes.met;
   met.geometry[slot] = hit.geometry;
   met.triangle[slot] = hit.triangle;

@@ -84,4 +84,8 @@ inline void lose_path(PathBlock& block, std::uint32_t i) {
   return false;
 }
 
+[[nodiscard]] inline Coherence coherence_of(std::uint32_t bounce) {
+  return bounce == 0 ? Coherence::Coherent : Coherence::Incoherent;
+}
+
 }  // namespace candela

@@ -1,8 +1,8 @@
 #include "integrators/path/sky_lanes.h"
 
+#include "integrators/path/reflectance_lanes.h"
 #include "renderer/base/floating_point_traps.h"
 #include "renderer/base/vector_widths.h"
-#include "renderer/math/lanes_power.h"
 
 namespace candela {
 namespace {
@@ -81,14 +81,6 @@ CANDELA_LANES void find_places(const Environment& sky, const Vec3Lanes& directio
   places = found;
 }
 
-CANDELA_LANES void decode_gamma(const LaneFlags& lacks_gamma, Vec3Lanes& colours) {
-  for (std::uint32_t i = 0; i < block_size; ++i) {
-    Vec3f colour = colours[i];
-    Vec3f decoded{power_2_2(colour.x), power_2_2(colour.y), power_2_2(colour.z)};
-    colours.set(i, lacks_gamma[i] != 0 ? decoded : colour);
-  }
-}
-
 // Of environment_pdf().
 void find_pdfs(const Environment& sky, LaneMask lanes, const Vec3Lanes& directions,
                Lanes<float>& pdf) {
@@ -140,7 +132,7 @@ void find_sky_radiance(const Environment& sky, const TextureStore& textures, Lan
     lacks_gamma[i] = flag(stored.lacks_gamma);
   });
   const FloatingPointTraps traps(Traps::Off);  // lanes that nothing is in
-  if (mask_of(lacks_gamma) != 0) decode_gamma(lacks_gamma, radiance);
+  decode_gamma(lacks_gamma, radiance);
   for_each_lane(lanes, [&](std::uint32_t i) {
     radiance.set(i, sky.scale * valid_radiance(Vec4f(radiance[i], 1)));
   });

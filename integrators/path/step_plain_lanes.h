@@ -97,7 +97,7 @@ class PlainSteps {
       const Geometry& geometry = geometry_met(trip, lane);
       meet_surface(trip, lane, geometry);
       if (!goes_on) return;
-      put_surface(scene, geometry, hits[lane], lane, lanes_);
+      put_surface(scene, geometry, hits[lane], coherence_of(trip.bounce), lane, lanes_);
       put_lamp_where_any(trip, lane, trip.numbers.light_choice(lane),
                          trip.numbers.light_point(lane), lane);
     });

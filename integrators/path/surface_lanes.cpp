@@ -1,5 +1,6 @@
 #include "integrators/path/surface_lanes.h"
 
+#include "integrators/path/reflectance_lanes.h"
 #include "renderer/material/bump.h"
 
 namespace candela {
@@ -38,22 +39,36 @@ void for_each_material(const PlainLanes& lanes, const Put& put) {
   });
 }
 
-void put_colours(const TextureStore& textures, PlainLanes& lanes) {
-  for_each_material(lanes, [&](std::uint32_t slot, const Material& material, const auto& at) {
-    lanes.bsdfs.diffuse.set(slot, colour_at(material.diffuse, textures, at));
-  });
+// What images have, but for the lab's gamma, which comes for all paths at once.
+void put_stored_diffuse(const Material& material, const TextureStore& textures,
+                        const TexturePoint& at, std::uint32_t slot, LaneFlags& lacks_gamma,
+                        PlainLanes& lanes) {
+  const TextureStore::Stored stored = stored_colour_at(material.diffuse, textures, at);
+  lanes.bsdfs.diffuse.set(slot, Rgb(stored.value));
+  lacks_gamma[slot] = flag(stored.lacks_gamma);
 }
 
-template <class BsdfAt>
-void put_highlights(const BsdfAt& bsdf_at, PlainLanes& lanes) {
-  BsdfLanes& bsdfs = lanes.bsdfs;
+void put_colours(const TextureStore& textures, PlainLanes& lanes) {
+  LaneFlags lacks_gamma{};
   for_each_material(lanes, [&](std::uint32_t slot, const Material& material, const auto& at) {
+    put_stored_diffuse(material, textures, at, slot, lacks_gamma, lanes);
+  });
+  decode_reflectance(lacks_gamma, lanes.bsdfs.diffuse);
+}
+
+// `bsdf_at`: with any colour of the diffuse lobe.
+template <class BsdfAt>
+void put_highlights(const BsdfAt& bsdf_at, const TextureStore& textures, PlainLanes& lanes) {
+  BsdfLanes& bsdfs = lanes.bsdfs;
+  LaneFlags lacks_gamma{};
+  for_each_material(lanes, [&](std::uint32_t slot, const Material& material, const auto& at) {
+    put_stored_diffuse(material, textures, at, slot, lacks_gamma, lanes);
     const Bsdf bsdf = bsdf_at(material, at);
-    bsdfs.diffuse.set(slot, bsdf.diffuse);
     bsdfs.specular.set(slot, bsdf.specular);
     bsdfs.f0.set(slot, bsdf.f0);
     bsdfs.alpha[slot] = bsdf.alpha;
   });
+  decode_reflectance(lacks_gamma, bsdfs.diffuse);
 }
 
 void put_metals(const TextureStore& textures, PlainLanes& lanes) {
@@ -95,15 +110,18 @@ void put_bsdfs(PlainModel model, const TextureStore& textures, PlainLanes& lanes
       return put_colours(textures, lanes);
     case PlainModel::CookTorrance:
     case PlainModel::SmithCookTorrance:
+      put_highlights(
+          [&](const Material& material, const TexturePoint& at) {
+            return unlimited_cook_torrance_at(material, textures, at, Rgb(0));
+          },
+          textures, lanes);
+      return limit_reflectances(lanes.bsdfs.diffuse, lanes.bsdfs.specular);
+    case PlainModel::Lab:
       return put_highlights(
           [&](const Material& material, const TexturePoint& at) {
-            return cook_torrance_at(material, textures, at);
+            return lab_at(material, textures, at, Rgb(0));
           },
-          lanes);
-    case PlainModel::Lab:
-      return put_highlights([&](const Material& material,
-                                const TexturePoint& at) { return lab_at(material, textures, at); },
-                            lanes);
+          textures, lanes);
     case PlainModel::Conductor:
       return put_metals(textures, lanes);
     case PlainModel::CoatedDiffuse:

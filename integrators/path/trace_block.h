@@ -10,10 +10,6 @@
 
 namespace candela {
 
-[[nodiscard]] inline Coherence coherence_of(std::uint32_t bounce) {
-  return bounce == 0 ? Coherence::Coherent : Coherence::Incoherent;
-}
-
 // Where the rays of the paths end. Of surfaces in the very same place a packet may meet another one
 // than a single ray or a packet with other lanes does: which lanes there are follows from the
 // picture's ranges of samples alone (shared_block.h), from no tile, crop or thread.

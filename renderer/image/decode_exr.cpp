@@ -11,9 +11,8 @@
 #include <exception>
 #include <stdexcept>
 
-#include <fmt/format.h>
-
 #include "renderer/base/floating_point_traps.h"
+#include "renderer/image/damage.h"
 #include "renderer/image/exr_slices.h"
 
 namespace candela {
@@ -100,7 +99,7 @@ Result<DecodedImage> decode_plain_exr(const Bytes& bytes, const ImageHeader& hea
     file.setFrameBuffer(exr_slices(header, decoded.samples.get()));
     file.readPixels(header.top, header.top + header.height - 1);
   } catch (const std::exception& exception) {
-    return failure(fmt::format("is damaged: {}", exception.what()));
+    return is_damaged(exception.what());
   }
   return decoded;
 }

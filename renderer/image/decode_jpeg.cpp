@@ -7,8 +7,7 @@
 
 #include <jerror.h>
 
-#include <fmt/format.h>
-
+#include "renderer/image/damage.h"
 #include "renderer/image/jpeg_segments.h"
 
 namespace candela {
@@ -93,12 +92,8 @@ Result<DecodedImage> decode_plain_jpeg(const Bytes& bytes, const ImageHeader& he
   DecodedImage decoded;
   decoded.header = header;
   decoded.samples = allocate_samples(header);
-  if (!reader.read(bytes, header, decoded.samples.get()))
-    return failure(fmt::format("is damaged: {}", reader.complaint()));
-  Diagnostics found;
-  if (reader.complaint()[0] != 0)
-    found.warning({}, fmt::format("is damaged but readable: {}", reader.complaint()));
-  return {std::move(decoded), std::move(found)};
+  if (!reader.read(bytes, header, decoded.samples.get())) return is_damaged(reader.complaint());
+  return {std::move(decoded), is_damaged_but_readable(reader.complaint())};
 }
 
 std::optional<ImageHeader> plain_jpeg_header(const Bytes& bytes) {

@@ -7,7 +7,7 @@
 #include <csetjmp>
 #include <cstring>
 
-#include <fmt/format.h>
+#include "renderer/image/damage.h"
 
 namespace candela {
 namespace {
@@ -100,15 +100,11 @@ class PngReader {
   int passes_ = 1;
 };
 
-Diagnostics is_damaged(const PngReader& reader) {
-  return failure(fmt::format("is damaged: {}", reader.complaint()));
-}
-
 }  // namespace
 
 Result<ImageHeader> decode_png_header(const Bytes& bytes) {
   PngReader reader(bytes);
-  if (!reader.open()) return is_damaged(reader);
+  if (!reader.open()) return is_damaged(reader.complaint());
   return reader.header();
 }
 
@@ -117,11 +113,9 @@ Result<DecodedImage> decode_png(const Bytes& bytes, const ImageHeader& header) {
   DecodedImage decoded;
   decoded.header = header;
   decoded.samples = allocate_samples(header);
-  if (!reader.open() || !reader.read_rows(decoded.samples.get())) return is_damaged(reader);
-  Diagnostics found;
-  if (reader.complaint()[0] != 0)
-    found.warning({}, fmt::format("is damaged but readable: {}", reader.complaint()));
-  return {std::move(decoded), std::move(found)};
+  if (!reader.open() || !reader.read_rows(decoded.samples.get()))
+    return is_damaged(reader.complaint());
+  return {std::move(decoded), is_damaged_but_readable(reader.complaint())};
 }
 
 }  // namespace candela

@@ -20,6 +20,15 @@ namespace candela {
   if (!parameter.texture) return parameter.constant;
   return clamp_unit(Rgb(textures.lookup_at(parameter.texture, at)));
 }
+// The same but for the power of LabGamma, after which it is to be clamped.
+[[nodiscard]] inline TextureStore::Stored stored_colour_at(const ColourParameter& parameter,
+                                                           const TextureStore& textures,
+                                                           const TexturePoint& at) {
+  if (!parameter.texture) return {Vec4f(parameter.constant, 1), false};
+  const TextureStore::Stored stored = textures.lookup_stored_at(parameter.texture, at);
+  if (stored.lacks_gamma) return stored;
+  return {Vec4f(clamp_unit(Rgb(stored.value)), 1), false};
+}
 [[nodiscard]] inline float scalar_at(const ScalarParameter& parameter, const TextureStore& textures,
                                      const TexturePoint& at) {
   if (!parameter.texture) return parameter.constant;
@@ -80,28 +89,36 @@ inline void limit_reflectance(Rgb& diffuse, Rgb& specular) {
   specular /= sum;
 }
 
+// With a given colour of the diffuse lobe, and before limit_reflectance().
+[[nodiscard]] inline Bsdf unlimited_cook_torrance_at(const Material& material,
+                                                     const TextureStore& textures,
+                                                     const TexturePoint& at, const Rgb& diffuse) {
+  return {.model = material.energy_compensation ? BsdfModel::CompensatedCookTorrance
+                                                : BsdfModel::CookTorrance,
+          .fresnel = fresnel_term(material),
+          .geometry = material.geometry == GeometryModel::Smith ? GeometryTerm::Smith
+                                                                : GeometryTerm::SchlickGgx,
+          .alpha = ggx_width(scalar_at(material.roughness, textures, at)),
+          .diffuse = diffuse,
+          .specular = colour_at(material.specular, textures, at),
+          .f0 = material.f0,
+          .eta = material.eta,
+          .k = material.k};
+}
 [[nodiscard]] inline Bsdf cook_torrance_at(const Material& material, const TextureStore& textures,
                                            const TexturePoint& at) {
-  Bsdf bsdf{.model = material.energy_compensation ? BsdfModel::CompensatedCookTorrance
-                                                  : BsdfModel::CookTorrance,
-            .fresnel = fresnel_term(material),
-            .geometry = material.geometry == GeometryModel::Smith ? GeometryTerm::Smith
-                                                                  : GeometryTerm::SchlickGgx,
-            .alpha = ggx_width(scalar_at(material.roughness, textures, at)),
-            .diffuse = colour_at(material.diffuse, textures, at),
-            .specular = colour_at(material.specular, textures, at),
-            .f0 = material.f0,
-            .eta = material.eta,
-            .k = material.k};
+  Bsdf bsdf =
+      unlimited_cook_torrance_at(material, textures, at, colour_at(material.diffuse, textures, at));
   limit_reflectance(bsdf.diffuse, bsdf.specular);
   return bsdf;
 }
 
+// With a given colour of the diffuse lobe.
 [[nodiscard]] inline Bsdf lab_at(const Material& material, const TextureStore& textures,
-                                 const TexturePoint& at) {
+                                 const TexturePoint& at, const Rgb& diffuse) {
   Bsdf bsdf{.model = has_highlight(material) ? BsdfModel::Lab : BsdfModel::Diffuse,
             .alpha = material.roughness.constant,
-            .diffuse = colour_at(material.diffuse, textures, at),
+            .diffuse = diffuse,
             .specular = material.specular.constant};
   if (material.specular.texture) {
     const Vec4f specular = textures.lookup_at(material.specular.texture, at);
@@ -262,7 +279,7 @@ struct MetalIndex {
     case MaterialModel::CookTorrance:
       return cook_torrance_at(material, textures, at);
     case MaterialModel::Lab:
-      return lab_at(material, textures, at);
+      return lab_at(material, textures, at, colour_at(material.diffuse, textures, at));
     case MaterialModel::Mirror:
       return {.model = BsdfModel::Mirror, .diffuse = colour_at(material.diffuse, textures, at)};
     case MaterialModel::Conductor:

@@ -82,10 +82,10 @@ class Texture {
     return filters_.all(view_, footprint_of(uv, view_.width, view_.height, wrap_));
   }
 
-  // Of images.
-  [[nodiscard]] TextureStore::Stored lookup_stored(Vec2f uv) {
+  [[nodiscard, gnu::always_inline]] TextureStore::Stored lookup_stored(const TextureStore& store, Vec2f uv,
+                                                   const TexturePoint* at) {
     if (!is_ready_.load(std::memory_order_acquire)) prepare();
-    if (is_special_) return {constant_, false};
+    if (is_special_) return {special(store, uv, at), false};
     return {filters_.before_gamma(view_, footprint_of(uv, view_.width, view_.height, wrap_)),
             encoding_ == Encoding::LabGamma};
   }
@@ -232,7 +232,12 @@ Vec4f TextureStore::lookup(TextureHandle texture, Vec2f uv) const {
 }
 
 TextureStore::Stored TextureStore::lookup_stored(TextureHandle image, Vec2f uv) const {
-  return textures_[image.index]->lookup_stored(uv);
+  return textures_[image.index]->lookup_stored(*this, uv, nullptr);
+}
+
+TextureStore::Stored TextureStore::lookup_stored_at(TextureHandle texture,
+                                                    const TexturePoint& at) const {
+  return textures_[texture.index]->lookup_stored(*this, at.uv, &at);
 }
 
 std::optional<Vec2f> TextureStore::slope(TextureHandle texture, Vec2f uv) const {

@@ -65,12 +65,14 @@ class TextureStore {
   // but as the file stores it. Wrap::Black has alpha 0 outside where the file has alpha.
   // Stored values that are not finite count as 0; decoding_diagnostics() says how many there were.
   [[nodiscard]] Vec4f lookup(TextureHandle texture, Vec2f uv) const;
-  // lookup() of an image but for the power of LabGamma, for callers that take that of many at once.
+  // lookup() and lookup_at() but for an image's power of LabGamma, for callers that take that of
+  // many at once.
   struct Stored {
     Vec4f value;
     bool lacks_gamma;  // power_2_2() of the colour is still to be taken
   };
   [[nodiscard]] Stored lookup_stored(TextureHandle image, Vec2f uv) const;
+  [[nodiscard]] Stored lookup_stored_at(TextureHandle texture, const TexturePoint& at) const;
   // (d/du, d/dv) of lookup().x by central differences over one texel, where texels tell it at once
   // (texel_slope.h).
   [[nodiscard]] std::optional<Vec2f> slope(TextureHandle texture, Vec2f uv) const;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/floating_point_traps.h"
+#include "renderer/image/damage.h"
 #include "renderer/image/decode_limits.h"
 #include "renderer/image/openimageio/sample_type.h"
 
@@ -146,10 +147,7 @@ Diagnostics complaint_of(const OpenImage& image, const std::string& text) {
   if (text.empty()) return {};
   const bool is_passable =
       image.format == ImageFormat::Jpeg && text.find("Premature end") == std::string::npos;
-  if (!is_passable) return failure(fmt::format("is damaged: {}", first_line(text)));
-  Diagnostics found;
-  found.warning({}, fmt::format("is damaged but readable: {}", first_line(text)));
-  return found;
+  return is_passable ? is_damaged_but_readable(first_line(text)) : is_damaged(first_line(text));
 }
 
 Result<DecodedImage> decode_open_image(OpenImage& image, const DecodeLimits& limits) {
@@ -158,7 +156,7 @@ Result<DecodedImage> decode_open_image(OpenImage& image, const DecodeLimits& lim
   decoded.samples = allocate_samples(decoded.header);
   const bool is_read = read_rows(image, decoded.header, decoded.samples.get());
   const std::string complaint = image.input->geterror();
-  if (!is_read) return failure(fmt::format("is damaged: {}", first_line(complaint)));
+  if (!is_read) return is_damaged(first_line(complaint));
   Diagnostics found = complaint_of(image, complaint);
   if (found.has_errors()) return found;
   warn_of_inks(image, found);

@@ -1,0 +1,17 @@
+// What images say of colours, from what they have stored (TextureStore::lookup_stored()), and what
+// is made of it at surfaces, for all lanes at once.
+#pragma once
+
+#include "renderer/math/lanes.h"
+
+namespace candela {
+
+// The lab's gamma, in lanes with the flag.
+void decode_gamma(const LaneFlags& lacks_gamma, Vec3Lanes& colours);
+// The same, then clamped to [0, 1].
+void decode_reflectance(const LaneFlags& lacks_gamma, Vec3Lanes& colours);
+
+// limit_reflectance().
+void limit_reflectances(Vec3Lanes& diffuse, Vec3Lanes& specular);
+
+}  // namespace candela
