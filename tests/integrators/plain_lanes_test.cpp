@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <bit>
+
 #include "renderer/base/floating_point_traps.h"
 #include "tests/image/crafted_files.h"
 #include "tests/image/temporary_folder.h"
@@ -80,16 +83,29 @@ SceneDescription room_of_many_lamps() {
   return scene;
 }
 
-description::ImageHandle add_image(SceneDescription& scene, const TemporaryFolder& folder,
-                                   const std::string& name, const crafted::Samples& texel) {
-  scene.images.push_back({folder.put(name, crafted::png_rgba(8, 8, texel)),
-                          description::Encoding::Linear,
-                          description::Wrap::Repeat,
-                          {}});
+description::ImageHandle add_image(SceneDescription& scene, const std::string& path,
+                                   description::Encoding encoding) {
+  scene.images.push_back({path, encoding, description::Wrap::Repeat, {}});
   return description::ImageHandle(scene.images.size() - 1);
 }
+description::ImageHandle add_image(SceneDescription& scene, const TemporaryFolder& folder,
+                                   const std::string& name, const crafted::Samples& texel) {
+  return add_image(scene, folder.put(name, crafted::png_rgba(8, 8, texel)),
+                   description::Encoding::Linear);
+}
+// From 0 to 2.25 in the lab's encoding: what surfaces take for at most 1.
+description::ImageHandle add_bright_image(SceneDescription& scene, const TemporaryFolder& folder) {
+  crafted::Bytes bytes = crafted::text("PF\n4 4\n-1.0\n");
+  for (int i = 0; i < 48; ++i) {
+    const float value = 0.05f * static_cast<float>(i % 46);
+    const auto raw = std::bit_cast<std::array<unsigned char, 4>>(value);
+    bytes.insert(bytes.end(), raw.begin(), raw.end());
+  }
+  return add_image(scene, folder.put("bright.pfm", bytes), description::Encoding::LabGamma);
+}
 
-// Maps of colours, of highlights that are black in places, of heights and of normals.
+// Maps of colours in the lab's encoding and without, of highlights that are black in places, of
+// heights and of normals.
 SceneDescription room_of_maps(const TemporaryFolder& folder) {
   SceneDescription scene = room_of_all_kinds();
   const auto colours = add_image(scene, folder, "colours.png", [](int x, int y, int c) {
@@ -103,19 +119,22 @@ SceneDescription room_of_maps(const TemporaryFolder& folder) {
   const auto normals = add_image(scene, folder, "normals.png", [](int x, int y, int c) {
     return c == 2 ? 230u : 128u + 7u * unsigned(c == 0 ? x : y);
   });
+  const auto encoded =
+      add_image(scene, folder.file("colours.png"), description::Encoding::LabGamma);
+  const auto bright = add_bright_image(scene, folder);
   const auto surface = [&](decltype(description::Material::model) model) -> description::Material& {
     return scene.materials[add_material(scene, std::move(model)).index];
   };
   const auto last = [&] { return MaterialHandle(scene.materials.size() - 1); };
-  description::Material& bumpy = surface(description::DiffuseMaterial{{Vec3d(0.9), colours}});
+  description::Material& bumpy = surface(description::DiffuseMaterial{{Vec3d(0.9), encoded}});
   bumpy.height = heights;
   bumpy.height_scale = 0.1;
   add_mesh(scene, quad({-0.9, -0.5, -0.95}, {0.8, 0, 0}, {0, 0.8, 0}), last());
   CookTorranceMaterial rough = glossy(0.3);
-  rough.diffuse.map = colours;
+  rough.diffuse.map = bright;
   surface(rough).normal_map = normals;
   add_mesh(scene, quad({0.1, -0.5, -0.95}, {0.8, 0, 0.1}, {0, 0.8, 0}), last());
-  surface(description::LabMaterial{.diffuse = {Vec3d(0.5), colours},
+  surface(description::LabMaterial{.diffuse = {Vec3d(0.5), encoded},
                                    .specular = {Vec3d(1), highlights}});
   add_mesh(scene, quad({-0.6, -0.7, 0.2}, {0.9, 0.1, 0}, {0, 0.6, -0.3}), last());
   surface(description::LabMaterial{
