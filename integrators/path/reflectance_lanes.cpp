@@ -9,20 +9,20 @@ namespace candela {
 namespace {
 
 template <class Bound>
-inline void decode(const LaneFlags& lacks_gamma, Vec3Lanes& colours, const Bound& bound) {
+inline void decode(const LaneFlags& are_decoded, Vec3Lanes& colours, const Bound& bound) {
   for (std::uint32_t i = 0; i < block_size; ++i) {
     const Vec3f colour = colours[i];
     const Vec3f decoded =
         bound(Vec3f(power_2_2(colour.x), power_2_2(colour.y), power_2_2(colour.z)));
-    colours.set(i, lacks_gamma[i] != 0 ? decoded : colour);
+    colours.set(i, are_decoded[i] != 0 ? decoded : colour);
   }
 }
 
-CANDELA_LANES void decode_all(const LaneFlags& lacks_gamma, Vec3Lanes& colours) {
-  decode(lacks_gamma, colours, [](const Vec3f& colour) { return colour; });
+CANDELA_LANES void decode_all(const LaneFlags& are_decoded, Vec3Lanes& colours) {
+  decode(are_decoded, colours, [](const Vec3f& colour) { return colour; });
 }
-CANDELA_LANES void decode_and_clamp(const LaneFlags& lacks_gamma, Vec3Lanes& colours) {
-  decode(lacks_gamma, colours, [](const Vec3f& colour) { return clamp_unit(colour); });
+CANDELA_LANES void decode_and_clamp(const LaneFlags& are_decoded, Vec3Lanes& colours) {
+  decode(are_decoded, colours, [](const Vec3f& colour) { return clamp_unit(colour); });
 }
 
 CANDELA_LANES void limit_all(Vec3Lanes& diffuse, Vec3Lanes& specular) {
@@ -36,16 +36,14 @@ CANDELA_LANES void limit_all(Vec3Lanes& diffuse, Vec3Lanes& specular) {
 
 }  // namespace
 
-void decode_gamma(const LaneFlags& lacks_gamma, Vec3Lanes& colours) {
-  if (mask_of(lacks_gamma) == 0) return;
+void decode_gamma(LaneMask lanes, Vec3Lanes& colours) {
   const FloatingPointTraps traps(Traps::Off);  // lanes that nothing is in
-  decode_all(lacks_gamma, colours);
+  decode_all(flags_of(lanes), colours);
 }
 
-void decode_reflectance(const LaneFlags& lacks_gamma, Vec3Lanes& colours) {
-  if (mask_of(lacks_gamma) == 0) return;
+void decode_reflectance(LaneMask lanes, Vec3Lanes& colours) {
   const FloatingPointTraps traps(Traps::Off);
-  decode_and_clamp(lacks_gamma, colours);
+  decode_and_clamp(flags_of(lanes), colours);
 }
 
 void limit_reflectances(Vec3Lanes& diffuse, Vec3Lanes& specular) {

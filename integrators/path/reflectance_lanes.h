@@ -6,10 +6,10 @@
 
 namespace candela {
 
-// The lab's gamma, in lanes with the flag.
-void decode_gamma(const LaneFlags& lacks_gamma, Vec3Lanes& colours);
+// The lab's gamma, in those lanes.
+void decode_gamma(LaneMask lanes, Vec3Lanes& colours);
 // The same, then clamped to [0, 1].
-void decode_reflectance(const LaneFlags& lacks_gamma, Vec3Lanes& colours);
+void decode_reflectance(LaneMask lanes, Vec3Lanes& colours);
 
 // limit_reflectance().
 void limit_reflectances(Vec3Lanes& diffuse, Vec3Lanes& specular);

@@ -125,14 +125,13 @@ void find_sky_radiance(const Environment& sky, const TextureStore& textures, Lan
   find_sky_points(sky, directions, points);
   if (coherence == Coherence::Incoherent)
     for_each_lane(lanes, [&](std::uint32_t i) { prefetch_radiance(sky, textures, points[i]); });
-  LaneFlags lacks_gamma{};
+  LaneMask lacks_gamma = 0;
   for_each_lane(lanes, [&](std::uint32_t i) {
     const auto stored = textures.lookup_stored(sky.faces[points.face[i]], points[i].uv);
     radiance.set(i, Rgb(stored.value));
-    lacks_gamma[i] = flag(stored.lacks_gamma);
+    if (stored.lacks_gamma) lacks_gamma |= 1u << i;
   });
-  const FloatingPointTraps traps(Traps::Off);  // lanes that nothing is in
-  decode_gamma(lacks_gamma, radiance);
+  if (lacks_gamma != 0) decode_gamma(lacks_gamma, radiance);
   for_each_lane(lanes, [&](std::uint32_t i) {
     radiance.set(i, sky.scale * valid_radiance(Vec4f(radiance[i], 1)));
   });

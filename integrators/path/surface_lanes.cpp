@@ -39,36 +39,41 @@ void for_each_material(const PlainLanes& lanes, const Put& put) {
   });
 }
 
-// What images have, but for the lab's gamma, which comes for all paths at once.
-void put_stored_diffuse(const Material& material, const TextureStore& textures,
-                        const TexturePoint& at, std::uint32_t slot, LaneFlags& lacks_gamma,
-                        PlainLanes& lanes) {
-  const TextureStore::Stored stored = stored_colour_at(material.diffuse, textures, at);
-  lanes.bsdfs.diffuse.set(slot, Rgb(stored.value));
-  lacks_gamma[slot] = flag(stored.lacks_gamma);
+// The colour of the diffuse lobe. Says whether it lacks the lab's gamma, which comes for all paths
+// at once (decode_reflectance()).
+inline bool put_diffuse(const Material& material, const TextureStore& textures,
+                        const TexturePoint& at, std::uint32_t slot, Vec3Lanes& diffuse) {
+  if (!material.diffuse.texture) {
+    diffuse.set(slot, material.diffuse.constant);
+    return false;
+  }
+  const auto [value, lacks_gamma] = textures.lookup_stored_at(material.diffuse.texture, at);
+  diffuse.set(slot, lacks_gamma ? Rgb(value) : clamp_unit(Rgb(value)));
+  return lacks_gamma;
 }
 
 void put_colours(const TextureStore& textures, PlainLanes& lanes) {
-  LaneFlags lacks_gamma{};
+  Vec3Lanes& diffuse = lanes.bsdfs.diffuse;
+  LaneMask lacks_gamma = 0;
   for_each_material(lanes, [&](std::uint32_t slot, const Material& material, const auto& at) {
-    put_stored_diffuse(material, textures, at, slot, lacks_gamma, lanes);
+    if (put_diffuse(material, textures, at, slot, diffuse)) lacks_gamma |= 1u << slot;
   });
-  decode_reflectance(lacks_gamma, lanes.bsdfs.diffuse);
+  if (lacks_gamma != 0) decode_reflectance(lacks_gamma, diffuse);
 }
 
 // `bsdf_at`: with any colour of the diffuse lobe.
 template <class BsdfAt>
 void put_highlights(const BsdfAt& bsdf_at, const TextureStore& textures, PlainLanes& lanes) {
   BsdfLanes& bsdfs = lanes.bsdfs;
-  LaneFlags lacks_gamma{};
+  LaneMask lacks_gamma = 0;
   for_each_material(lanes, [&](std::uint32_t slot, const Material& material, const auto& at) {
-    put_stored_diffuse(material, textures, at, slot, lacks_gamma, lanes);
+    if (put_diffuse(material, textures, at, slot, bsdfs.diffuse)) lacks_gamma |= 1u << slot;
     const Bsdf bsdf = bsdf_at(material, at);
     bsdfs.specular.set(slot, bsdf.specular);
     bsdfs.f0.set(slot, bsdf.f0);
     bsdfs.alpha[slot] = bsdf.alpha;
   });
-  decode_reflectance(lacks_gamma, bsdfs.diffuse);
+  if (lacks_gamma != 0) decode_reflectance(lacks_gamma, bsdfs.diffuse);
 }
 
 void put_metals(const TextureStore& textures, PlainLanes& lanes) {

@@ -20,15 +20,6 @@ namespace candela {
   if (!parameter.texture) return parameter.constant;
   return clamp_unit(Rgb(textures.lookup_at(parameter.texture, at)));
 }
-// The same but for the power of LabGamma, after which it is to be clamped.
-[[nodiscard]] inline TextureStore::Stored stored_colour_at(const ColourParameter& parameter,
-                                                           const TextureStore& textures,
-                                                           const TexturePoint& at) {
-  if (!parameter.texture) return {Vec4f(parameter.constant, 1), false};
-  const TextureStore::Stored stored = textures.lookup_stored_at(parameter.texture, at);
-  if (stored.lacks_gamma) return stored;
-  return {Vec4f(clamp_unit(Rgb(stored.value)), 1), false};
-}
 [[nodiscard]] inline float scalar_at(const ScalarParameter& parameter, const TextureStore& textures,
                                      const TexturePoint& at) {
   if (!parameter.texture) return parameter.constant;
