@@ -181,24 +181,66 @@ struct Wide {
   Vec3d rare_noise{0.0};
 };
 
-Wide wide_of(const Surroundings& s, int x, int y) {
+struct WideSum {
   double count = 0;
-  Vec3d sum(0.0);
-  Vec3d rare(0.0);
-  Vec3d rare_square(0.0);
-  for (int dy = -wide_radius; dy <= wide_radius; ++dy)
-    for (int dx = -wide_radius; dx <= wide_radius; ++dx) {
-      if (dx == 0 && dy == 0) continue;
-      const std::size_t neighbour = s.at(x + dx, y + dy);
-      count += s.counts[neighbour];
-      sum += s.counts[neighbour] * s.means[neighbour];
-      rare += s.counts[neighbour] * s.rare[neighbour];
-      rare_square += s.counts[neighbour] * s.rare[neighbour] * s.rare[neighbour];
+  Vec3d mean{0.0};
+  Vec3d rare{0.0};
+  Vec3d rare_square{0.0};
+
+  void add(const WideSum& more) {
+    count += more.count;
+    mean += more.mean;
+    rare += more.rare;
+    rare_square += more.rare_square;
+  }
+};
+
+// Sums over the pixels near by without the one in the middle, which nothing is subtracted for: it
+// may be larger than all others together. Each row's serves those above and below.
+class WideSums {
+ public:
+  explicit WideSums(const Surroundings& s) : s_(s), pixels_(s.means.size()), rows_(s.means.size()) {
+    for (std::size_t i = 0; i < pixels_.size(); ++i)
+      pixels_[i] = {s.counts[i], s.counts[i] * s.means[i], s.counts[i] * s.rare[i],
+                    s.counts[i] * s.rare[i] * s.rare[i]};
+    for (int y = 0; y < s.height(); ++y)
+      for (int x = wide_radius; x < s.width() - wide_radius; ++x) {
+        rows_[s.at(x, y)] = beside(x, y);
+        rows_[s.at(x, y)].add(pixels_[s.at(x, y)]);
+      }
+  }
+
+  [[nodiscard]] WideSum around(int x, int y) const {
+    WideSum sum = beside(x, y);
+    for (int dy = 1; dy <= wide_radius; ++dy) {
+      sum.add(rows_[s_.at(x, y - dy)]);
+      sum.add(rows_[s_.at(x, y + dy)]);
     }
-  if (!(count > 0)) return {s.means[s.at(x, y)], Vec3d(0.0), Vec3d(0.0)};  // a picture of one pixel
-  rare /= count;
-  const Vec3d rare_variance = max(rare_square / count - rare * rare, Vec3d(0.0));
-  return {sum / count, max(rare, Vec3d(0.0)), rare_variance / count};
+    return sum;
+  }
+
+ private:
+  // In the same row.
+  [[nodiscard]] WideSum beside(int x, int y) const {
+    WideSum sum;
+    for (int dx = 1; dx <= wide_radius; ++dx) {
+      sum.add(pixels_[s_.at(x - dx, y)]);
+      sum.add(pixels_[s_.at(x + dx, y)]);
+    }
+    return sum;
+  }
+
+  const Surroundings& s_;
+  std::vector<WideSum> pixels_;
+  std::vector<WideSum> rows_;
+};
+
+// `own`: where there is nobody else, in a picture of one pixel.
+Wide wide_of(const WideSum& sum, const Vec3d& own) {
+  if (!(sum.count > 0)) return {own, Vec3d(0.0), Vec3d(0.0)};
+  const Vec3d rare = sum.rare / sum.count;
+  const Vec3d rare_variance = max(sum.rare_square / sum.count - rare * rare, Vec3d(0.0));
+  return {sum.mean / sum.count, max(rare, Vec3d(0.0)), rare_variance / sum.count};
 }
 
 // Where less than one neighbour looks alike, in sum, the pixel's own mean, `own`, is as far from
@@ -232,12 +274,15 @@ Vec3d own_variance(const Surroundings& s, std::size_t at, const Vec3d& variance_
 
 std::vector<NeighbourLevel> neighbour_levels(const Film& film, const PixelRect& block) {
   const Surroundings surroundings(film, block);
+  const WideSums wide(surroundings);
   std::vector<NeighbourLevel> levels;
+  levels.reserve(static_cast<std::size_t>(block.width()) *
+                 static_cast<std::size_t>(block.height()));
   for (const Sums& sums : sums_of_alike(surroundings, block)) {
     const int x = margin + static_cast<int>(levels.size()) % block.width();
     const int y = margin + static_cast<int>(levels.size()) / block.width();
-    levels.push_back(
-        level_of(sums, wide_of(surroundings, x, y), surroundings.means[surroundings.at(x, y)]));
+    const Vec3d& own = surroundings.means[surroundings.at(x, y)];
+    levels.push_back(level_of(sums, wide_of(wide.around(x, y), own), own));
     const std::size_t i = film.index(block.x0 + x - margin, block.y0 + y - margin);
     levels.back().own_variance =
         own_variance(surroundings, surroundings.at(x, y), variance_of_mean(film, i));

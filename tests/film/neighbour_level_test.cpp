@@ -38,6 +38,26 @@ TEST(Unit_NeighbourLevel, LeavesThePixelItselfOut) {
   EXPECT_EQ(before.wide_mean, after.wide_mean);
 }
 
+// Of nine times nine, without the one in the middle, and of those that there are at the edge.
+TEST(Unit_NeighbourLevel, TheWideMeanIsThatOfAllNearBy) {
+  const Film film = test::synthetic_film(size, 8, 2, 5, [](std::mt19937_64& random, int, int) {
+    return std::exponential_distribution<double>(1)(random);
+  });
+  const auto levels = neighbour_levels(film, film.crop());
+  for (const auto& [x, y] : {std::pair{7, 8}, {0, 0}, {15, 3}, {2, 15}}) {
+    Vec3d sum(0.0);
+    int count = 0;
+    for (int at_y = std::max(y - 4, 0); at_y <= std::min(y + 4, size - 1); ++at_y)
+      for (int at_x = std::max(x - 4, 0); at_x <= std::min(x + 4, size - 1); ++at_x) {
+        if (at_x == x && at_y == y) continue;
+        sum += film.mean(film.index(at_x, at_y));
+        ++count;
+      }
+    const Vec3d expected = sum / static_cast<double>(count);
+    EXPECT_NEAR(levels[film.index(x, y)].wide_mean.x, expected.x, 1e-12) << x << "," << y;
+  }
+}
+
 NeighbourLevel mean_level(const Film& film) {
   NeighbourLevel mean;
   for (const NeighbourLevel& level : neighbour_levels(film, film.crop())) {
