@@ -2,6 +2,8 @@
 
 #include <dlfcn.h>
 
+#include <atomic>
+
 #include <fmt/format.h>
 
 #include "renderer/base/floating_point_traps.h"
@@ -37,12 +39,19 @@ Result<Codecs> load() {
   return Codecs{*found};
 }
 
+std::atomic<bool> were_asked_for{false};
+
 }  // namespace
 
 // The module stays to the end of the process: its libraries have threads and tables of their own.
 Result<Codecs> codecs() {
   static const Result<Codecs> loaded = load();
+  were_asked_for = true;
   return loaded;
+}
+
+Diagnostics why_codecs_are_missing() {
+  return were_asked_for ? codecs().diagnostics : Diagnostics{};
 }
 
 }  // namespace candela

@@ -26,4 +26,7 @@ struct Codecs {
 // error tells what the system's loader found in its way.
 [[nodiscard]] Result<Codecs> codecs();
 
+// Why it could not be loaded; nothing where it was, or where nobody has asked for it.
+[[nodiscard]] Diagnostics why_codecs_are_missing();
+
 }  // namespace candela

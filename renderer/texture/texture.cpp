@@ -179,7 +179,7 @@ TextureHandle TextureStore::add(const description::Image& image, Diagnostics& di
   if (!file) {
     const Result<ImageHeader> header = read_image_header(image.path, DecodeLimits{});
     // A broken image is magenta, but codecs that are not there end the run.
-    const Diagnostics missing = header ? Diagnostics{} : codecs().diagnostics;
+    const Diagnostics missing = header ? Diagnostics{} : why_codecs_are_missing();
     for (const Diagnostic& reason : missing.list())
       diagnostics.error(image.span, fmt::format("texture '{}' {}", image.path, reason.message));
     if (!missing.has_errors()) warn_of(header, image.span, diagnostics);

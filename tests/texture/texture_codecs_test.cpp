@@ -24,6 +24,10 @@ TEST(Unit_TextureCodecs, AreLoadedWhenAnUnusualImageIsAdded) {
     ASSERT_TRUE(read_decoded_image(corpus + usual, DecodeLimits{})) << usual;
     EXPECT_FALSE(codecs_are_loaded()) << usual;
   }
+  Diagnostics broken;
+  TextureStore().add({corpus + "png/none.png", Encoding::Srgb, Wrap::Repeat, {}}, broken);
+  EXPECT_FALSE(broken.has_errors());
+  EXPECT_FALSE(codecs_are_loaded()) << "for a file that is not there";
   Diagnostics diagnostics;
   TextureStore().add({corpus + "jpeg/cmyk.jpg", Encoding::Srgb, Wrap::Repeat, {}}, diagnostics);
   EXPECT_TRUE(diagnostics.list().empty());
