@@ -1,8 +1,7 @@
 // What OpenImageIO reads and writes, in a module of its own (renderer/image/openimageio/): a
 // distribution's OpenImageIO brings some 250 libraries, which take a quarter of a second to load.
 // They are loaded when the first image asks for them, and never where none does: what most scenes
-// have and most renders write goes without (decode_png.h, decode_jpeg.h, decode_exr.h,
-// encode_exr.h, encode_png.h).
+// have and most renders write goes without (formats/).
 #pragma once
 
 #include <string>
@@ -14,7 +13,7 @@
 
 namespace candela {
 
-// Of a file that passed its guard (guard.h). Errors are sentences without the file's name;
+// Of a file that passed its guard (formats/guard.h). Errors are sentences without the file's name;
 // the libraries' exceptions come through.
 struct Codecs {
   Result<ImageHeader> (*decode_header)(ImageFormat, Bytes, const DecodeLimits&);

@@ -8,14 +8,14 @@
 #include <fmt/format.h>
 
 #include "renderer/image/codecs.h"
-#include "renderer/image/decode_exr.h"
-#include "renderer/image/decode_jpeg.h"
 #include "renderer/image/decode_limits.h"
-#include "renderer/image/decode_pfm.h"
-#include "renderer/image/decode_png.h"
-#include "renderer/image/guard.h"
+#include "renderer/image/formats/decode_exr.h"
+#include "renderer/image/formats/decode_jpeg.h"
+#include "renderer/image/formats/decode_pfm.h"
+#include "renderer/image/formats/decode_png.h"
+#include "renderer/image/formats/decode_tga.h"
+#include "renderer/image/formats/guard.h"
 #include "renderer/image/image_format.h"
-#include "renderer/image/tga.h"
 
 namespace candela {
 namespace {

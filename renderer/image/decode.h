@@ -1,6 +1,7 @@
 // Image files to samples in their own bit depth. Nothing is allocated on a header's word: formats
-// are recognised by content, their structure is checked (guard.h), sizes are held against a limit,
-// and rows are decoded in bands into memory that is reserved but untouched until they arrive.
+// are recognised by content, their structure is checked (formats/guard.h), sizes are held against a
+// limit, and rows are decoded in bands into memory that is reserved but untouched until they
+// arrive.
 #pragma once
 
 #include <cstddef>

@@ -13,8 +13,8 @@
 #include "renderer/image/codecs.h"
 #include "renderer/image/display_transform.h"
 #include "renderer/image/encodable.h"
-#include "renderer/image/encode_exr.h"
-#include "renderer/image/encode_png.h"
+#include "renderer/image/formats/encode_exr.h"
+#include "renderer/image/formats/encode_png.h"
 
 namespace candela {
 namespace {

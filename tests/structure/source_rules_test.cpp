@@ -92,8 +92,8 @@ TEST(Unit_Structure, RulesRefuseLibrariesOutsideTheirDoor) {
   EXPECT_FALSE(refused("renderer/accel/embree_accel.cpp", "embree4/rtcore.h"));
   EXPECT_TRUE(refused("renderer/image/decode.cpp", "ImfInputFile.h"));
   EXPECT_TRUE(refused("renderer/image/decode.cpp", "png.h"));
-  EXPECT_FALSE(refused("renderer/image/encode_exr.cpp", "ImfHeader.h"));
-  EXPECT_FALSE(refused("renderer/image/decode_png.cpp", "png.h"));
+  EXPECT_FALSE(refused("renderer/image/formats/encode_exr.cpp", "ImfHeader.h"));
+  EXPECT_FALSE(refused("renderer/image/formats/decode_png.cpp", "png.h"));
   EXPECT_FALSE(refused("renderer/image/openimageio/decode_file.cpp", "OpenImageIO/imageio.h"));
   EXPECT_FALSE(refused("renderer/film/film.cpp", "vector"));
 }

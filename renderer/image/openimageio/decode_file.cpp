@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "renderer/base/floating_point_traps.h"
-#include "renderer/image/damage.h"
 #include "renderer/image/decode_limits.h"
+#include "renderer/image/formats/damage.h"
 #include "renderer/image/openimageio/sample_type.h"
 
 namespace candela {

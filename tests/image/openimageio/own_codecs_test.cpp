@@ -5,7 +5,7 @@
 
 #include "renderer/image/codecs.h"
 #include "renderer/image/decode.h"
-#include "renderer/image/guard.h"
+#include "renderer/image/formats/guard.h"
 #include "tests/image/openimageio/sample_files.h"
 
 namespace candela {

@@ -1,4 +1,4 @@
-#include "renderer/image/decode_jpeg.h"
+#include "renderer/image/formats/decode_jpeg.h"
 
 #include <csetjmp>
 #include <cstdio>  // which jpeglib.h needs
@@ -7,8 +7,8 @@
 
 #include <jerror.h>
 
-#include "renderer/image/damage.h"
-#include "renderer/image/jpeg_segments.h"
+#include "renderer/image/formats/damage.h"
+#include "renderer/image/formats/jpeg_segments.h"
 
 namespace candela {
 namespace {

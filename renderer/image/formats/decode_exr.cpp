@@ -1,4 +1,4 @@
-#include "renderer/image/decode_exr.h"
+#include "renderer/image/formats/decode_exr.h"
 
 #include <ImfChannelList.h>
 #include <ImfHeader.h>
@@ -12,8 +12,8 @@
 #include <stdexcept>
 
 #include "renderer/base/floating_point_traps.h"
-#include "renderer/image/damage.h"
-#include "renderer/image/exr_slices.h"
+#include "renderer/image/formats/damage.h"
+#include "renderer/image/formats/exr_slices.h"
 
 namespace candela {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderer/image/encode_png.h"
+#include "renderer/image/formats/encode_png.h"
 
 #include <png.h>
 

@@ -1,6 +1,6 @@
-#include "renderer/image/jpeg_segments.h"
+#include "renderer/image/formats/jpeg_segments.h"
 
-#include "renderer/image/byte_cursor.h"
+#include "renderer/image/formats/byte_cursor.h"
 
 namespace candela::jpeg {
 namespace {

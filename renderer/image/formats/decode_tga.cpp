@@ -1,4 +1,4 @@
-#include "renderer/image/tga.h"
+#include "renderer/image/formats/decode_tga.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/image/byte_cursor.h"
+#include "renderer/image/formats/byte_cursor.h"
 
 namespace candela {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderer/image/decode_pfm.h"
+#include "renderer/image/formats/decode_pfm.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "renderer/image/guard.h"
+#include "renderer/image/formats/guard.h"
 
 #include <utility>
 

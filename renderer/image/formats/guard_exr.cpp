@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "renderer/image/byte_cursor.h"
-#include "renderer/image/guard.h"
+#include "renderer/image/formats/byte_cursor.h"
+#include "renderer/image/formats/guard.h"
 
 namespace candela {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderer/image/decode_png.h"
+#include "renderer/image/formats/decode_png.h"
 
 #include <png.h>
 
@@ -7,7 +7,7 @@
 #include <csetjmp>
 #include <cstring>
 
-#include "renderer/image/damage.h"
+#include "renderer/image/formats/damage.h"
 
 namespace candela {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "renderer/image/guard.h"
-#include "renderer/image/jpeg_segments.h"
+#include "renderer/image/formats/guard.h"
+#include "renderer/image/formats/jpeg_segments.h"
 
 namespace candela {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderer/image/encode_exr.h"
+#include "renderer/image/formats/encode_exr.h"
 
 #include <ImfChannelList.h>
 #include <ImfDoubleAttribute.h>
@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/floating_point_traps.h"
-#include "renderer/image/exr_slices.h"
+#include "renderer/image/formats/exr_slices.h"
 
 namespace candela {
 namespace {
