@@ -62,7 +62,8 @@ inline void put_normals(const Geometry& geometry, const std::array<std::uint32_t
   met.normal2.set(slot, geometry.normals[corners[2]]);
 }
 
-// Asks the memory for what the surface's maps say there, long before the first is looked at.
+// Asks the memory for what the surface's maps say there, long before the first is looked at. What
+// camera rays meet lies beside what their neighbours met: there it is asked for nothing.
 inline void prefetch_maps(const Material& material, const TextureStore& textures, Vec2f uv) {
   for (const TextureHandle map :
        {material.diffuse.texture, material.specular.texture, material.height, material.normal_map})

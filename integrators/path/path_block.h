@@ -84,6 +84,7 @@ inline void lose_path(PathBlock& block, std::uint32_t i) {
   return false;
 }
 
+// Of a block's rays: those from the camera leave side by side.
 [[nodiscard]] inline Coherence coherence_of(std::uint32_t bounce) {
   return bounce == 0 ? Coherence::Coherent : Coherence::Incoherent;
 }

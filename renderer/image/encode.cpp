@@ -179,8 +179,8 @@ Diagnostics encoder_failure(ImageFormat format, const std::string& reason) {
 }
 
 Result<std::string> encode_as(ImageFormat format, const Encodable& image) {
-  if (format == ImageFormat::Exr) return encode_exr(image);
-  if (format == ImageFormat::Png) return encode_png(image);
+  if (!is_encoded_by_codecs(format))
+    return format == ImageFormat::Exr ? encode_exr(image) : encode_png(image);
   const Result<Codecs> others = codecs();
   return others ? others->encode(format, image) : others.diagnostics;
 }
@@ -209,6 +209,10 @@ Diagnostics check_sides(ImageFormat format, int width, int height) {
   if (width <= limit && height <= limit) return {};
   return failure(fmt::format("a {} can be at most {} pixels wide and high, not {} x {}",
                              name_of(format), limit, width, height));
+}
+
+bool is_encoded_by_codecs(ImageFormat format) {
+  return format != ImageFormat::Exr && format != ImageFormat::Png;
 }
 
 Result<std::string> encode_samples(const DecodedImage& image, int channel) {

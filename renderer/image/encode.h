@@ -1,4 +1,5 @@
-// A picture as the bytes of an image file, made in memory: EXR by OpenEXR, others by OpenImageIO.
+// A picture as the bytes of an image file, made in memory: EXR by OpenEXR, PNG by libpng, others by
+// OpenImageIO.
 #pragma once
 
 #include "renderer/base/result.h"
@@ -12,6 +13,9 @@ namespace candela {
 // Whether the format can hold pictures of this size: an error without the path, such as "a jpeg can
 // be at most 65500 pixels wide and high, not 70000 x 2".
 [[nodiscard]] Diagnostics check_sides(ImageFormat format, int width, int height);
+
+// Whether OpenImageIO writes the format, which is a module to load (codecs.h).
+[[nodiscard]] bool is_encoded_by_codecs(ImageFormat format);
 
 // What the format cannot hold (a JPEG side over 65500, no channels, ...) is an error without the
 // path.

@@ -28,7 +28,7 @@ Diagnostics cannot_write(const std::string& path, const Diagnostics& reasons) {
 Diagnostics check_writable_image(const std::string& path) {
   const auto format = format_of_extension(path);
   if (!format || !is_writable(*format)) return unknown_extension(path);
-  if (*format != ImageFormat::Exr && *format != ImageFormat::Png)
+  if (is_encoded_by_codecs(*format))
     if (const Result<Codecs> others = codecs(); !others)
       return cannot_write(path, others.diagnostics);
   return check_writable_file(path);

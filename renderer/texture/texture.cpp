@@ -82,8 +82,9 @@ class Texture {
     return filters_.all(view_, footprint_of(uv, view_.width, view_.height, wrap_));
   }
 
-  [[nodiscard, gnu::always_inline]] TextureStore::Stored lookup_stored(const TextureStore& store, Vec2f uv,
-                                                   const TexturePoint* at) {
+  [[nodiscard, gnu::always_inline]] TextureStore::Stored lookup_stored(const TextureStore& store,
+                                                                       Vec2f uv,
+                                                                       const TexturePoint* at) {
     if (!is_ready_.load(std::memory_order_acquire)) prepare();
     if (is_special_) return {special(store, uv, at), false};
     return {filters_.before_gamma(view_, footprint_of(uv, view_.width, view_.height, wrap_)),

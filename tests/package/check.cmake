@@ -26,7 +26,8 @@ if(NOT EXISTS ${work}/picture.exr)
   message(FATAL_ERROR "The consumer wrote no picture.")
 endif()
 
-# Other formats than OpenEXR, PNG and JPEG need the module of codecs, to which run paths lead.
+# Other formats than OpenEXR and PNG need the module of codecs to be written, and rare ones to be read:
+# run paths lead to it.
 file(WRITE ${work}/unusual.obj "mtllib unusual.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n"
   "usemtl unusual\nf 1/1 2/1 3/1\n")
 file(WRITE ${work}/unusual.mtl "newmtl unusual\nmap_Kd unusual.ppm\n")

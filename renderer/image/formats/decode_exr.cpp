@@ -6,7 +6,6 @@
 #include <ImfInputFile.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <exception>
 #include <stdexcept>

@@ -7,6 +7,8 @@
 
 #include <jerror.h>
 
+#include <utility>
+
 #include "renderer/image/formats/damage.h"
 #include "renderer/image/formats/jpeg_segments.h"
 
