@@ -133,6 +133,7 @@ class TileRenderer {
         splitting_(F.media && context_.scene.features.media ? 1 : pass.plan.splitting),
         film_(film),
         shared_(of_render.options),
+        dealer_(film.replicates()),
         convoy_(of_render.options.savings.has_convoys) {
     context_.roulette = pass.plan.roulette();
     context_.guide = pass.guide;
@@ -186,38 +187,39 @@ class TileRenderer {
   // where all pixels get the same samples, and where there are lamp rays.
   void add_groups(const PixelRect& square) {
     std::array<std::vector<PixelPlace>, 2> with_own_blocks;  // by colour
-    SampleDealer dealer(film_.replicates());
+    dealer_.clear();
     for (const PixelPlace& pixel : pixels_to_deal(square)) {
       if (!is_rendered(pixel.x, pixel.y)) continue;
       if (pass_.density == nullptr || context_.lamp_rays > 0)
         with_own_blocks[pixel.colour()].push_back(pixel);
       else
-        dealer.add(pixel, pass_.of_pixel(pixel.x, pixel.y));
+        dealer_.add(pixel, pass_.of_pixel(pixel.x, pixel.y));
     }
-    auto groups = dealt(with_own_blocks[0]);
-    std::ranges::move(dealt(with_own_blocks[1]), std::back_inserter(groups));
+    std::vector<Hand<PixelPlace>> groups;
+    for (const std::vector<PixelPlace>& pixels : with_own_blocks) deal(std::span(pixels), groups);
     for (std::size_t i = 0; i < groups.size(); ++i)
       if (pass_.trial == nullptr || pass_.trial->number % groups.size() == i) add_group(groups[i]);
     context_.lamp_rays = 0;
-    dealer.for_each_group([&](std::span<const SampleColumn> columns) { add_group(columns); });
+    dealer_.for_each_group([&](std::span<const SampleColumn> columns) { add_group(columns); });
   }
 
-  void add_group(const std::vector<PixelPlace>& pixels) {
+  void add_group(const Hand<PixelPlace>& pixels) {
+    std::array<SampleRange, reuse_group_size> ranges;
     SampleRange all{std::numeric_limits<std::uint32_t>::max(), 0};
-    for (const PixelPlace& pixel : pixels) {
-      const SampleRange range = pass_.of_pixel(pixel.x, pixel.y);
-      if (range.first == range.end) continue;
-      all = {std::min(all.first, range.first), std::max(all.end, range.end)};
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      ranges[i] = pass_.of_pixel(pixels[i].x, pixels[i].y);
+      if (ranges[i].first == ranges[i].end) continue;
+      all = {std::min(all.first, ranges[i].first), std::max(all.end, ranges[i].end)};
     }
     for (std::uint32_t base = first_block(all); base < all.end; base += block_size) {
       if (!convoy_.has_room_for(pixels.size())) travel();
-      for (const PixelPlace& pixel : pixels) add_block_of_pixel(pixel, base);
+      for (std::size_t i = 0; i < pixels.size(); ++i)
+        add_block_of_pixel(pixels[i], ranges[i], base);
       convoy_.end_group();
     }
   }
-  void add_block_of_pixel(const PixelPlace& pixel, std::uint32_t base) {
+  void add_block_of_pixel(const PixelPlace& pixel, const SampleRange& range, std::uint32_t base) {
     const auto& [x, y] = pixel;
-    const SampleRange range = pass_.of_pixel(x, y);
     if (base < first_block(range) || base >= range.end) return;
     aim_lamp_rays(x, y, context_);
     start<F>(convoy_.add(context_,
@@ -287,6 +289,7 @@ class TileRenderer {
   Film& film_;
   TileCounts counts_;
   SharedBlock shared_;
+  SampleDealer dealer_;
   Convoy<F, A> convoy_;
 };
 

@@ -1,6 +1,6 @@
 #include "integrators/path/reuse_groups.h"
 
-#include <iterator>
+#include <algorithm>
 
 #include "renderer/film/tiles.h"
 #include "renderer/sampling/hash.h"
@@ -20,23 +20,6 @@ std::vector<PixelPlace> pixels_to_deal(const PixelRect& square) {
     std::ranges::sort(std::span(pixels).subspan(first), {}, place);
   }
   return pixels;
-}
-
-void SampleDealer::add(const PixelPlace& pixel, const SampleRange& range) {
-  for (std::uint32_t i = range.first; i < range.end; ++i)
-    samples_[pixel.colour()].push_back({pixel, i});
-}
-
-std::vector<SampleColumn> SampleDealer::deal() const {
-  std::vector<SampleColumn> columns;
-  for (const std::vector<PixelSample>& samples : samples_) {
-    std::vector<std::vector<PixelSample>> of_replicates(replicates_);
-    for (const PixelSample& sample : samples)
-      of_replicates[sample.index % replicates_].push_back(sample);
-    for (const std::vector<PixelSample>& of_replicate : of_replicates)
-      std::ranges::move(dealt(of_replicate), std::back_inserter(columns));
-  }
-  return columns;
 }
 
 }  // namespace candela

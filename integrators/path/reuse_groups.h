@@ -9,8 +9,6 @@
 // for those of the other.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <span>
 #include <vector>
 
@@ -35,13 +33,27 @@ struct PixelSample {
   std::uint32_t index = 0;  // of the pixel's samples
 };
 
-// In turn to the fewest hands of reuse_group_size at most.
+// Every so many of the cards that were dealt, which it refers to.
 template <class T>
-[[nodiscard]] inline std::vector<std::vector<T>> dealt(const std::vector<T>& cards) {
+class Hand {
+ public:
+  Hand(std::span<const T> cards, std::size_t first, std::size_t hands)
+      : first_(&cards[first]), step_(hands), size_((cards.size() - first + hands - 1) / hands) {}
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] const T& operator[](std::size_t i) const { return first_[i * step_]; }
+
+ private:
+  const T* first_;
+  std::size_t step_;
+  std::size_t size_;
+};
+
+// In turn to the fewest hands of reuse_group_size at most, which are added to others.
+template <class T>
+inline void deal(std::span<const T> cards, std::vector<Hand<T>>& hands) {
   const std::size_t count = (cards.size() + reuse_group_size - 1) / reuse_group_size;
-  std::vector<std::vector<T>> hands(count);
-  for (std::size_t i = 0; i < cards.size(); ++i) hands[i % count].push_back(cards[i]);
-  return hands;
+  for (std::size_t i = 0; i < count; ++i) hands.emplace_back(cards, i, count);
 }
 
 // The pixels of a square, cell by cell, those of each cell in an order that a hash decides: so
@@ -49,30 +61,37 @@ template <class T>
 [[nodiscard]] std::vector<PixelPlace> pixels_to_deal(const PixelRect& square);
 
 // Samples that share.
-using SampleColumn = std::vector<PixelSample>;
+using SampleColumn = Hand<PixelSample>;
 
 // Of a square's pixels, which may have different numbers of samples.
 class SampleDealer {
  public:
-  explicit SampleDealer(std::uint32_t replicates) : replicates_(replicates) {}
+  explicit SampleDealer(std::uint32_t replicates)
+      : replicates_(replicates), samples_(2 * replicates_) {}
 
   // In the order of pixels_to_deal().
-  void add(const PixelPlace& pixel, const SampleRange& range);
+  void add(const PixelPlace& pixel, const SampleRange& range) {
+    std::vector<PixelSample>* const of_replicates = &samples_[pixel.colour() * replicates_];
+    for (std::uint32_t i = range.first; i < range.end; ++i)
+      of_replicates[i % replicates_].push_back({pixel, i});
+  }
   // Calls visit(columns) for each group, with a column for each lane.
   template <class Visit>
   void for_each_group(const Visit& visit) const {
-    const std::vector<SampleColumn> columns = deal();
+    std::vector<SampleColumn> columns;
+    for (const std::vector<PixelSample>& samples : samples_) deal(std::span(samples), columns);
     std::span<const SampleColumn> left = columns;
     for (; left.size() > reuse_group_size; left = left.subspan(reuse_group_size))
       visit(left.first(reuse_group_size));
     if (!left.empty()) visit(left);
   }
+  void clear() {
+    for (std::vector<PixelSample>& samples : samples_) samples.clear();
+  }
 
  private:
-  [[nodiscard]] std::vector<SampleColumn> deal() const;
-
   std::size_t replicates_;
-  std::array<std::vector<PixelSample>, 2> samples_;  // by colour
+  std::vector<std::vector<PixelSample>> samples_;  // by colour, then by replicate
 };
 
 }  // namespace candela

@@ -26,11 +26,6 @@ Film::Film(int full_width, int full_height, PixelRect crop, AovSet aovs, std::ui
   if ((aovs & first_hit_aovs) != 0) aov_pixels_.resize(count);
 }
 
-std::size_t Film::index(int x, int y) const {
-  return static_cast<std::size_t>(y - crop_.y0) * static_cast<std::size_t>(crop_.width()) +
-         static_cast<std::size_t>(x - crop_.x0);
-}
-
 std::uint32_t Film::sum_of(std::uint32_t sample_index) const {
   const std::uint32_t turn = samples_a_piece_ > 0 ? sample_index / samples_a_piece_ : sample_index;
   return turn % replicates_;

@@ -101,7 +101,10 @@ class Film {
   [[nodiscard]] static std::size_t bytes_a_pixel(AovSet aovs, std::uint32_t replicates);
 
   // A pixel's place in the crop, in rows from the top; the others take it.
-  [[nodiscard]] std::size_t index(int x, int y) const;
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y - crop_.y0) * static_cast<std::size_t>(crop_.width()) +
+           static_cast<std::size_t>(x - crop_.x0);
+  }
   [[nodiscard]] std::uint32_t samples(std::size_t i) const { return pixels_[i].samples; }
   [[nodiscard]] std::uint32_t cost(std::size_t i) const { return pixels_[i].cost; }
   // Of pieces: where all are whole.

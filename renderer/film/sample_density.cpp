@@ -162,7 +162,8 @@ SampleDensity::SampleDensity(const Film& pilot, int side)
       side_(side),
       sequences_(pilot.sequences()),
       pilot_samples_(pilot.samples(0)),
-      values_(pilot.pixel_count()) {
+      values_(pilot.pixel_count()),
+      wish_of_pixel_(pilot.pixel_count()) {
   for (std::size_t colour = 0; colour < wishes_.size(); ++colour) {
     const std::vector<double> values = density_of(colour, pilot);
     std::size_t next = 0;
@@ -171,8 +172,10 @@ SampleDensity::SampleDensity(const Film& pilot, int side)
   }
   if (side_ > 1) even_out_squares();
   for (int y = rect_.y0; y < rect_.y1; ++y)
-    for (int x = rect_.x0; x < rect_.x1; ++x)
-      wishes_[chessboard_colour(x, y)].push_back(wish_at(x, y));
+    for (int x = rect_.x0; x < rect_.x1; ++x) {
+      wish_of_pixel_[index(x, y)] = wish_at(x, y);
+      wishes_[chessboard_colour(x, y)].push_back(wish_of_pixel_[index(x, y)]);
+    }
   for (Wishes& wishes : wishes_) std::sort(wishes.begin(), wishes.end());
 }
 
@@ -205,15 +208,15 @@ void SampleDensity::even_out(const PixelRect& square, std::size_t colour) {
 
 // The value, and up to 5 % more or less: where many are alike not all of them turn to the next
 // level at the same mean.
-double SampleDensity::wish_at(int x, int y) const {
+float SampleDensity::wish_at(int x, int y) const {
   constexpr double octaves = 0.125;
-  return static_cast<double>(at(x, y)) *
-         std::exp2(octaves *
-                   evenly_spread(x / side_ - rect_.x0 / side_, y / side_ - rect_.y0 / side_));
+  const double turn = evenly_spread(x / side_ - rect_.x0 / side_, y / side_ - rect_.y0 / side_);
+  return static_cast<float>(static_cast<double>(at(x, y)) * std::exp2(octaves * turn));
 }
 
 std::uint32_t SampleDensity::samples(int x, int y, const Scales& scales) const {
-  const double wanted = scales[chessboard_colour(x, y)] * wish_at(x, y);
+  const double wanted =
+      scales[chessboard_colour(x, y)] * static_cast<double>(wish_of_pixel_[index(x, y)]);
   if (wanted <= pilot_samples_) return pilot_samples_;
   const double of_sequence = even_count(nearest_level(wanted / sequences_));
   return std::max(pilot_samples_, sequences_ * static_cast<std::uint32_t>(of_sequence));

@@ -34,7 +34,7 @@ class SampleDensity {
 
   // What making one takes for each pixel, at least, beside the pilot.
   static constexpr std::size_t bytes_a_pixel =
-      sizeof(float) + sizeof(double) + 2 * sizeof(double);  // values, colours, what each says
+      3 * sizeof(float) + 2 * sizeof(double);  // values, wishes, theirs by colour; what each says
 
   // Relative to the mean over the pixels, which is 1 but for what the colours differ by.
   [[nodiscard]] float at(int x, int y) const { return values_[index(x, y)]; }
@@ -49,10 +49,10 @@ class SampleDensity {
 
  private:
   // The wishes (wish_at) of a colour's pixels, rising.
-  using Wishes = std::vector<double>;
+  using Wishes = std::vector<float>;
   void even_out_squares();
   void even_out(const PixelRect& square, std::size_t colour);
-  [[nodiscard]] double wish_at(int x, int y) const;
+  [[nodiscard]] float wish_at(int x, int y) const;
   // By the pixels of one colour: scales(), and what a scale gives all of them together.
   [[nodiscard]] double scale_of(const Wishes& wishes, std::uint32_t mean) const;
   [[nodiscard]] double sum_of_samples(const Wishes& wishes, double scale) const;
@@ -66,6 +66,7 @@ class SampleDensity {
   std::uint32_t sequences_ = 1;
   std::uint32_t pilot_samples_ = 0;
   std::vector<float> values_;
+  std::vector<float> wish_of_pixel_;
   std::array<Wishes, 2> wishes_;
 };
 

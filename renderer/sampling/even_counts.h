@@ -20,10 +20,11 @@ namespace candela {
 
 // The nearest by ratio of a count from 1 on.
 [[nodiscard]] inline int nearest_level(double count) {
-  const int power_below = 2 * std::ilogb(count);
-  int level = power_below;
-  while (level < power_below + 2 && count >= lower_end_of_level(level + 1)) ++level;
-  return level;
+  constexpr double root_of_1_5 = 1.2247448713915890;  // lower ends over the power of two below them
+  constexpr double root_of_3 = 1.7320508075688772;
+  int power = 0;
+  const double over_power = 2 * std::frexp(count, &power);  // in [1, 2)
+  return 2 * (power - 1) + (over_power >= root_of_1_5 ? 1 : 0) + (over_power >= root_of_3 ? 1 : 0);
 }
 
 }  // namespace candela
