@@ -34,6 +34,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanit
     renderer/accel/box_list.cpp
     renderer/accel/embree_block.cpp
     renderer/accel/face_hits.cpp renderer/accel/face_lanes.cpp
+    renderer/film/alike_sums.cpp renderer/film/pair_errors.cpp
+    renderer/film/pixel_planes.cpp renderer/film/robust_mean.cpp
     PROPERTIES
     SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS
     "-O3;-fno-trapping-math;--param=max-tree-if-conversion-phi-args=64")

@@ -29,7 +29,7 @@ Trial run_trial(const TilePass& pass, const RenderOptions& options,
     const Vec3d mean = film.mean(i);
     trial.mean += sum_of_components(mean);
     for (std::uint32_t r = 0; r < trial_replicates; ++r) {
-      const auto samples = static_cast<double>(film.samples_of_replicate(i, r));
+      const auto samples = static_cast<double>(film.samples_by_replicate(i).of(r));
       const Vec3d off = film.replicate_sum(i, r) / samples - mean;
       trial.variance += sum_of_components(off * off) / (trial_replicates - 1);
     }

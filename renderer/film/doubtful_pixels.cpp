@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "renderer/base/parallel.h"
 #include "renderer/film/robust_mean.h"
@@ -12,21 +13,24 @@ namespace candela {
 namespace {
 
 // The most that a pixel's error may be: as it is stated, or were the pixel no brighter than without
-// its rare light.
-double greatest_error(const Film& film, std::size_t i, const PixelErrors& errors) {
+// its rare light, `level`.
+double greatest_error(const Film& film, std::size_t i, const Vec3d& level,
+                      const PixelErrors& errors) {
   const Vec3d variance = variance_of_mean(film, i);
-  const Vec3d level = robust_mean(film, i).mean;
   return std::max(errors.errors[i],
                   sum_of_components(variance / (level * level + errors.epsilon)) / 3);
 }
 
 std::vector<double> greatest_errors(const Film& film, const PixelErrors& errors) {
   std::vector<double> greatest(film.pixel_count());
-  constexpr std::size_t at_once = 4096;
-  parallel_for((greatest.size() + at_once - 1) / at_once, [&](std::size_t part) {
-    const std::size_t end = std::min((part + 1) * at_once, greatest.size());
-    for (std::size_t i = part * at_once; i < end; ++i)
-      greatest[i] = greatest_error(film, i, errors);
+  parallel_for((greatest.size() + block_size - 1) / block_size, [&](std::size_t part) {
+    Lanes<std::size_t> pixels;
+    std::iota(pixels.begin(), pixels.end(), part * block_size);
+    const std::size_t count = std::min<std::size_t>(greatest.size() - pixels[0], block_size);
+    RobustMeanLanes robust;
+    robust_means(film, std::span(pixels).first(count), robust);
+    for (std::size_t i = 0; i < count; ++i)
+      greatest[pixels[i]] = greatest_error(film, pixels[i], robust.mean[i], errors);
   });
   return greatest;
 }

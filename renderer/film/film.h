@@ -54,6 +54,16 @@ struct FilmSample {
   std::uint32_t material = 0;
 };
 
+// How many of a pixel's samples are of each replicate: they take turns.
+struct SamplesByReplicate {
+  std::uint32_t of_each = 0;
+  std::uint32_t with_one_more = 0;
+
+  [[nodiscard]] std::uint32_t of(std::uint32_t replicate) const {
+    return of_each + (replicate < with_one_more ? 1 : 0);
+  }
+};
+
 class Film {
  public:
   Film() = default;
@@ -108,8 +118,8 @@ class Film {
   [[nodiscard]] std::uint32_t samples(std::size_t i) const { return pixels_[i].samples; }
   [[nodiscard]] std::uint32_t cost(std::size_t i) const { return pixels_[i].cost; }
   // Of pieces: where all are whole.
-  [[nodiscard]] std::uint32_t samples_of_replicate(std::size_t i, std::uint32_t replicate) const {
-    return (pixels_[i].samples + replicates_ - 1 - replicate) / replicates_;
+  [[nodiscard]] SamplesByReplicate samples_by_replicate(std::size_t i) const {
+    return {pixels_[i].samples / replicates_, pixels_[i].samples % replicates_};
   }
   [[nodiscard]] const Vec3d& replicate_sum(std::size_t i, std::uint32_t replicate) const {
     return sums_[i * replicates_ + replicate];

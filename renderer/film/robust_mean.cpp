@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
+#include "renderer/base/floating_point_traps.h"
+#include "renderer/base/vector_widths.h"
+#include "renderer/film/sample_sum.h"
 #include "renderer/film/variance.h"
 
 namespace candela {
@@ -21,39 +25,84 @@ struct Trimming {
 constexpr Trimming of_three{0.70711, 0.7640};
 constexpr Trimming of_four{0.49278, 0.4571};
 
-// Of the replicates r with r mod `most_groups` = g.
-Vec3d group_mean(const Film& film, std::size_t i, std::uint32_t g, std::uint32_t replicates) {
-  Vec3d sum(0.0);
-  double samples = 0;
-  for (std::uint32_t r = g; r < replicates; r += most_groups) {
-    sum += film.replicate_sum(i, r);
-    samples += film.samples_of_replicate(i, r);
-  }
-  return sum / samples;
+// Sixteen pixels side by side, by group: replicate r belongs to group r mod `most_groups`.
+using GroupLanes = std::array<SampleSumLanes, most_groups>;
+
+void put_sums(const Film& film, std::size_t pixel, std::size_t lane, GroupLanes& groups) {
+  const SamplesByReplicate counts = film.samples_by_replicate(pixel);
+  std::array<SampleSum, most_groups> sums;
+  for (std::uint32_t r = 0; r < film.replicates(); ++r)
+    sums[r % most_groups].add({film.replicate_sum(pixel, r), static_cast<double>(counts.of(r))});
+  for (std::size_t g = 0; g < most_groups; ++g) groups[g].set(lane, sums[g]);
+}
+
+inline Vec3d mean_of(const SampleSum& sum) {
+  return sum.radiance * (sum.samples > 0 ? 1 / sum.samples : 0.0);
+}
+
+inline double light_of(const SampleSum& sum, const Vec3d& mean) {
+  return sum.samples > 0 ? sum_of_components(mean) : std::numeric_limits<double>::lowest();
+}
+
+inline double is_there(const SampleSum& sum) {
+  return sum.samples > 0 ? 1.0 : 0.0;
+}
+
+inline Vec3d weighted_square(double weight, const Vec3d& deviation) {
+  return weight * deviation * deviation;
+}
+
+// Of two groups and more. Numbers that are 1 or 0 in place of booleans, and no arrays: vectors know
+// neither.
+inline RobustMean robust_of(const SampleSum& sum_a, const SampleSum& sum_b, const SampleSum& sum_c,
+                            const SampleSum& sum_d) {
+  const Vec3d a = mean_of(sum_a), b = mean_of(sum_b), c = mean_of(sum_c), d = mean_of(sum_d);
+  const double light_a = light_of(sum_a, a), light_b = light_of(sum_b, b);
+  const double light_c = light_of(sum_c, c), light_d = light_of(sum_d, d);
+  const double most = std::max(std::max(light_a, light_b), std::max(light_c, light_d));
+  const double a_is_most = light_a == most ? 1.0 : 0.0;
+  const double b_is_most = (light_b == most ? 1.0 : 0.0) * (1 - a_is_most);
+  const double c_is_most = (light_c == most ? 1.0 : 0.0) * (1 - a_is_most) * (1 - b_is_most);
+  const double d_is_most = 1 - a_is_most - b_is_most - c_is_most;
+  const double keep_a = is_there(sum_a) - a_is_most, keep_b = is_there(sum_b) - b_is_most;
+  const double keep_c = is_there(sum_c) - c_is_most, keep_d = is_there(sum_d) - d_is_most;
+  const double kept = keep_a + keep_b + keep_c + keep_d;
+  const Vec3d mean = (keep_a * a + keep_b * b + keep_c * c + keep_d * d) * (1 / kept);
+  const Vec3d squares = weighted_square(keep_a, a - mean) + weighted_square(keep_b, b - mean) +
+                        weighted_square(keep_c, c - mean) + weighted_square(keep_d, d - mean);
+  const Vec3d variance = squares * (1 / (kept - 1));
+  const Vec3d deviation(std::sqrt(variance.x), std::sqrt(variance.y), std::sqrt(variance.z));
+  const double missing = kept < 3 ? of_three.missing : of_four.missing;
+  const double of_variance = kept < 3 ? of_three.variance : of_four.variance;
+  const Vec3d robust = mean + missing * deviation;
+  const double samples = sum_a.samples + sum_b.samples + sum_c.samples + sum_d.samples;
+  const Vec3d whole = sum_a.radiance + sum_b.radiance + sum_c.radiance + sum_d.radiance;
+  return {robust, of_variance * variance, whole * (1 / samples) - robust};
+}
+
+CANDELA_LANES void set_means(const GroupLanes& groups, RobustMeanLanes& __restrict means) {
+  for (std::size_t i = 0; i < block_size; ++i)
+    means.set(i, robust_of(groups[0][i], groups[1][i], groups[2][i], groups[3][i]));
 }
 
 }  // namespace
 
+void robust_means(const Film& film, std::span<const std::size_t> pixels, RobustMeanLanes& means) {
+  GroupLanes groups;
+  for (std::size_t i = 0; i < pixels.size(); ++i) put_sums(film, pixels[i], i, groups);
+  {
+    const FloatingPointTraps traps(Traps::Off);  // lanes that nothing is in, or too little
+    set_means(groups, means);
+  }
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    if (used_replicates(film, pixels[i]) < 3)
+      means.set(i, {film.mean(pixels[i]), variance_of_mean(film, pixels[i]), Vec3d(0.0)});
+}
+
 RobustMean robust_mean(const Film& film, std::size_t i) {
-  const std::uint32_t replicates = used_replicates(film, i);
-  if (replicates < 3) return {film.mean(i), variance_of_mean(film, i), Vec3d(0.0)};
-  const std::uint32_t groups = std::min(replicates, most_groups);
-  std::array<Vec3d, most_groups> means;
-  for (std::uint32_t g = 0; g < groups; ++g) means[g] = group_mean(film, i, g, replicates);
-  const auto end = means.begin() + groups;
-  std::iter_swap(end - 1, std::max_element(means.begin(), end, [](const Vec3d& a, const Vec3d& b) {
-                   return sum_of_components(a) < sum_of_components(b);
-                 }));
-  const double kept = groups - 1;
-  Vec3d mean(0.0);
-  for (std::uint32_t g = 0; g + 1 < groups; ++g) mean += means[g] / kept;
-  Vec3d variance(0.0);
-  for (std::uint32_t g = 0; g + 1 < groups; ++g)
-    variance += (means[g] - mean) * (means[g] - mean) / (kept - 1);
-  const Trimming trimming = groups == 3 ? of_three : of_four;
-  const Vec3d deviation(std::sqrt(variance.x), std::sqrt(variance.y), std::sqrt(variance.z));
-  mean += trimming.missing * deviation;
-  return {mean, trimming.variance * variance, film.mean(i) - mean};
+  RobustMeanLanes means;
+  robust_means(film, {&i, 1}, means);
+  return means[0];
 }
 
 }  // namespace candela

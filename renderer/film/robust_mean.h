@@ -6,7 +6,10 @@
 // over many pixels.
 #pragma once
 
+#include <span>
+
 #include "renderer/film/film.h"
+#include "renderer/math/lanes.h"
 
 namespace candela {
 
@@ -20,5 +23,21 @@ struct RobustMean {
 // without the brightest of them, and as much more as would be missing on average were all of them
 // normal. With two replicates no light is known to be rare.
 [[nodiscard]] RobustMean robust_mean(const Film& film, std::size_t i);
+
+struct RobustMeanLanes {
+  Vec3dLanes mean, variance, rare;
+
+  [[nodiscard]] RobustMean operator[](std::size_t i) const {
+    return {mean[i], variance[i], rare[i]};
+  }
+  void set(std::size_t i, const RobustMean& robust) {
+    mean.set(i, robust.mean);
+    variance.set(i, robust.variance);
+    rare.set(i, robust.rare);
+  }
+};
+
+// The same of up to sixteen pixels at once, bit by bit.
+void robust_means(const Film& film, std::span<const std::size_t> pixels, RobustMeanLanes& means);
 
 }  // namespace candela

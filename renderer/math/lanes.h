@@ -22,16 +22,19 @@ using LaneFlags = Lanes<std::uint32_t>;  // 1 in lanes where something holds, el
   return condition ? 1 : 0;
 }
 
-struct Vec3Lanes {
-  Lanes<float> x{}, y{}, z{};
+template <class Vector>
+struct VectorLanes {
+  Lanes<typename Vector::value_type> x{}, y{}, z{};
 
-  [[nodiscard]] Vec3f operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
-  void set(std::size_t i, const Vec3f& v) {
+  [[nodiscard]] Vector operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+  void set(std::size_t i, const Vector& v) {
     x[i] = v.x;
     y[i] = v.y;
     z[i] = v.z;
   }
 };
+using Vec3Lanes = VectorLanes<Vec3f>;
+using Vec3dLanes = VectorLanes<Vec3d>;
 
 // Bit i stands for lane i.
 using LaneMask = std::uint32_t;

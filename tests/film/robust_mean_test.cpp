@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "tests/film/synthetic_film.h"
@@ -49,6 +50,44 @@ TEST(Unit_RobustMean, LeavesOutWhatOneReplicateAloneHasMet) {
   EXPECT_EQ(robust_mean(film, i).mean, Vec3d(1.0));
   EXPECT_EQ(robust_mean(film, i).variance, Vec3d(0.0));
   EXPECT_EQ(robust_mean(film, i).rare, film.mean(i) - Vec3d(1.0));
+}
+
+// Whichever replicate is the brightest, of three and of four; of those that are alike only one is
+// left out.
+TEST(Unit_RobustMean, LeavesOutTheBrightest) {
+  for (const int replicates : {3, 4})
+    for (int brightest = 0; brightest < replicates; ++brightest) {
+      const Film film = film_of(2, replicates, [&, next = 0](std::mt19937_64&, int, int) mutable {
+        return next++ % replicates == brightest ? 9.0 : 2.0;
+      });
+      EXPECT_EQ(robust_mean(film, 3).mean, Vec3d(2.0)) << brightest << " of " << replicates;
+    }
+  const Film film = film_of(2, 4, [](std::mt19937_64&, int, int) { return 3.0; });
+  EXPECT_EQ(robust_mean(film, 0).mean, Vec3d(3.0));
+  EXPECT_EQ(robust_mean(film, 0).variance, Vec3d(0.0));
+}
+
+// Also where they have one to nine samples, which are of one to four groups.
+TEST(Unit_RobustMean, OfManyAtOnceIsThatOfEach) {
+  Film film(4, 4, {0, 0, 4, 4}, 0, 8);
+  std::mt19937_64 random(11);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x)
+      for (int s = 0; s < (3 * x + 4 * y) % 9 + 1; ++s) {
+        FilmSample sample;
+        sample.radiance = Rgb(static_cast<float>(normal(random)), 1, static_cast<float>(s));
+        film.add(x, y, sample);
+      }
+  const std::array<std::size_t, 11> pixels{15, 3, 0, 7, 8, 1, 2, 12, 10, 5, 6};
+  RobustMeanLanes many;
+  robust_means(film, pixels, many);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const RobustMean one = robust_mean(film, pixels[i]);
+    EXPECT_EQ(many[i].mean, one.mean) << pixels[i];
+    EXPECT_EQ(many[i].variance, one.variance) << pixels[i];
+    EXPECT_EQ(many[i].rare, one.rare) << pixels[i];
+    EXPECT_NEAR(one.mean.x + one.rare.x, film.mean(pixels[i]).x, 1e-12) << pixels[i];
+  }
 }
 
 TEST(Unit_RobustMean, OfTwoReplicatesIsTheMean) {

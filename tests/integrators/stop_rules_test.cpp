@@ -152,7 +152,8 @@ TEST(Statistical_Replicates, AreIndependentOfEachOther) {
   double variance = 0;
   for (std::size_t i = 0; i < film.pixel_count(); ++i) {
     const auto deviation = [&](std::uint32_t r) {
-      return film.replicate_sum(i, r).x / film.samples_of_replicate(i, r) - 2;  // 1 / (1 - albedo)
+      return film.replicate_sum(i, r).x / film.samples_by_replicate(i).of(r) -
+             2;  // 1 / (1 - albedo)
     };
     covariance += deviation(0) * deviation(1);
     variance += deviation(0) * deviation(0);

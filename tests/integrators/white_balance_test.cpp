@@ -72,7 +72,7 @@ TEST(Unit_WhiteBalancedFilm, SumsAndVariancesAreOfTheBalancedSamples) {
     const double n = film.replicates();
     for (std::uint32_t r = 0; r < film.replicates(); ++r) {
       const Vec3d off = matrix * (plain.replicate_sum(i, r) /
-                                      static_cast<double>(film.samples_of_replicate(i, r)) -
+                                      static_cast<double>(film.samples_by_replicate(i).of(r)) -
                                   plain.mean(i));
       variance += off * off / (n * (n - 1));
     }

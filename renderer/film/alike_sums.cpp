@@ -1,0 +1,103 @@
+#include "renderer/film/alike_sums.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "renderer/base/vector_widths.h"
+
+namespace candela {
+namespace {
+
+constexpr int search_radius = 2;  // where neighbours that look alike are looked for
+constexpr int patch_radius = 1;   // what is compared of them
+static_assert(search_radius + 2 * patch_radius <= alike_margin);
+static_assert(patch_radius == 1, "nine distances are added up");
+
+struct GreyLevel {
+  double level;
+  double variance;
+};
+
+// How much two pixels differ beyond what their noise explains, over it [Rousselle12, eq. 4]:
+// about 0 where they have the same expectation.
+inline double distance(const GreyLevel& a, const GreyLevel& b) {
+  const double difference = a.level - b.level;
+  const double variance = a.variance + b.variance;
+  const double chance = a.variance + std::min(a.variance, b.variance);
+  const double excess = difference * difference - chance;
+  const double without_noise = difference == 0 ? 0.0 : 1e10;
+  return variance > 0 ? excess / variance : without_noise;
+}
+
+// From the pixels at a and b on.
+CANDELA_LANES void set_distances(std::size_t count, const double* levels_a,
+                                 const double* variances_a, const double* levels_b,
+                                 const double* variances_b, double* __restrict distances) {
+  for (std::size_t i = 0; i < count; ++i)
+    distances[i] = distance({levels_a[i], variances_a[i]}, {levels_b[i], variances_b[i]});
+}
+
+// From the mean distance of the 3x3 pixels around the two. `above`, `here` and `below`: the first
+// of the three in each row.
+CANDELA_LANES void set_weights(std::size_t count, const double* above, const double* here,
+                               const double* below, const double* counts,
+                               double* __restrict weights, double* __restrict sums) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double sum = (above[i] + above[i + 1] + above[i + 2]) +
+                       (here[i] + here[i + 1] + here[i + 2]) +
+                       (below[i] + below[i + 1] + below[i + 2]);
+    const double mean = std::max(sum / 9, 0.0);
+    weights[i] = counts[i] / ((1 + mean) * (1 + mean));
+    sums[i] += weights[i];
+  }
+}
+
+CANDELA_LANES void add_weighted(std::size_t count, const double* weights, const double* means,
+                                const double* variances, const double* spreads,
+                                double* __restrict mean_sums, double* __restrict spread_sums,
+                                double* __restrict noise_sums) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double weight = weights[i];
+    mean_sums[i] += weight * means[i];
+    spread_sums[i] += weight * spreads[i];
+    noise_sums[i] += weight * weight * variances[i];
+  }
+}
+
+AlikeSums zeros(std::size_t count) {
+  AlikeSums sums;
+  sums.weights.resize(count);
+  for (Planes* planes : {&sums.means, &sums.spreads, &sums.noises})
+    for (Plane& plane : *planes) plane.resize(count);
+  return sums;
+}
+
+}  // namespace
+
+AlikeSums alike_sums(const GreyPixels& grey, const std::array<ChannelPixels, 3>& channels,
+                     std::size_t first, std::size_t count) {
+  AlikeSums sums = zeros(count);
+  const std::size_t reach = grey.width + patch_radius;  // back and on to the corners of a patch
+  Plane distances(count + 2 * reach);
+  Plane weights(count);
+  for (int dy = -search_radius; dy <= search_radius; ++dy)
+    for (int dx = -search_radius; dx <= search_radius; ++dx) {
+      if (dx == 0 && dy == 0) continue;
+      const auto shifted = [&](std::size_t i) {
+        return i + static_cast<std::size_t>(dy) * grey.width + static_cast<std::size_t>(dx);
+      };
+      const std::size_t a = first - reach;
+      set_distances(distances.size(), &grey.levels[a], &grey.variances[a], &grey.levels[shifted(a)],
+                    &grey.variances[shifted(a)], distances.data());
+      set_weights(count, distances.data(), distances.data() + grey.width,
+                  distances.data() + 2 * grey.width, &grey.counts[shifted(first)], weights.data(),
+                  sums.weights.data());
+      for (std::size_t c = 0; c < channels.size(); ++c)
+        add_weighted(count, weights.data(), &channels[c].means[shifted(first)],
+                     &channels[c].variances[shifted(first)], &channels[c].spreads[shifted(first)],
+                     sums.means[c].data(), sums.spreads[c].data(), sums.noises[c].data());
+    }
+  return sums;
+}
+
+}  // namespace candela

@@ -1,0 +1,90 @@
+#include "renderer/film/pair_errors.h"
+
+#include <algorithm>
+
+#include "renderer/base/floating_point_traps.h"
+#include "renderer/base/vector_widths.h"
+
+namespace candela {
+namespace {
+
+// 1 / (r^2 + epsilon) of one channel from an estimate of r with a known variance. Plugging it in
+// overstates where it is noisy; the second-order term of Taylor's series takes that away.
+inline double inverse_square(double estimate, double variance, double epsilon) {
+  const double square = estimate * estimate;
+  const double inverse = 1 / (square + epsilon);
+  const double curvature = (6 * square - 2 * epsilon) * inverse * inverse;  // of it, over it
+  constexpr double most = 0.5;  // of the correction, where the series says nothing
+  return (1 - std::clamp(0.5 * curvature * variance, -most, most)) * inverse;
+}
+
+inline double error_of_level(const PixelLevel& level, const Vec3d& variance, double epsilon) {
+  const Vec3d inverse_squares(inverse_square(level.mean.x, level.variance.x, epsilon),
+                              inverse_square(level.mean.y, level.variance.y, epsilon),
+                              inverse_square(level.mean.z, level.variance.z, epsilon));
+  return sum_of_components(variance * inverse_squares) / 3;
+}
+
+// How near to a pixel's own mean its level is: as its noise is small beside the structure
+// [James61].
+inline double trust_in(double structure, double own_noise) {
+  return structure > 0 ? structure / (structure + own_noise) : 0.0;
+}
+
+// Between the neighbours that look alike and `own`, the pixel's mean over a share of its samples;
+// never far below them, since a pixel whose light comes in rare samples is black without those.
+// Where too much noise is left, all that is near by. Rare light comes on top: the pixel's own says
+// little of how rare it is.
+inline PixelLevel level_of(const NeighbourLevel& near, const Vec3d& own, double own_share,
+                           double epsilon) {
+  const double one_of_share = own_share > 0 ? 1 / own_share : 0.0;
+  const Vec3d own_noise = near.own_variance * one_of_share;
+  const Vec3d trust = (own_share > 0 ? 1.0 : 0.0) * Vec3d(trust_in(near.structure.x, own_noise.x),
+                                                          trust_in(near.structure.y, own_noise.y),
+                                                          trust_in(near.structure.z, own_noise.z));
+  constexpr double lowest = 1.0 / 3;
+  const Vec3d mean = max(near.mean + trust * (own - near.mean), lowest * near.mean);
+  const Vec3d variance = (1.0 - trust) * (1.0 - trust) * near.noise;
+  constexpr double much = 0.3;  // variance over level: at twice that nothing else counts
+  const double noise = sum_of_components(variance / (mean * mean + epsilon)) / 3;
+  const double blend = std::clamp(noise / much - 1, 0.0, 1.0);
+  return {mix(mean, near.wide_mean, blend) + near.rare,
+          variance * (1 - blend) * (1 - blend) + near.rare_noise};
+}
+
+// The level that the error is held against is made without the pair: were it of the same noise,
+// pixels that are too bright by chance would hide their own error.
+inline double error_of_pair(const NeighbourLevel& near, const SampleSum& whole, const SampleSum& a,
+                            const SampleSum& b, double epsilon) {
+  const double one_of_a = 1 / a.samples;
+  const double one_of_b = 1 / b.samples;
+  const Vec3d difference = a.radiance * one_of_a - b.radiance * one_of_b;
+  // One sample's variance is that of the difference over the sum of both.
+  const Vec3d variance = difference * difference * (1 / ((one_of_a + one_of_b) * whole.samples));
+  const double left = whole.samples - a.samples - b.samples;
+  const double one_of_left = left > 0 ? 1 / left : 0.0;
+  const Vec3d own = (whole.radiance - a.radiance - b.radiance) * one_of_left;
+  return error_of_level(level_of(near, own, left / whole.samples, epsilon), variance, epsilon);
+}
+
+CANDELA_LANES void add_errors(const LevelLanes& near, const SampleSumLanes& whole,
+                              const SampleSumLanes& a, const SampleSumLanes& b, double epsilon,
+                              Lanes<double>& errors) {
+  for (std::size_t i = 0; i < block_size; ++i)
+    errors[i] += error_of_pair(near[i], whole[i], a[i], b[i], epsilon);
+}
+
+}  // namespace
+
+void add_errors_of_pair(const LevelLanes& near, const SampleSumLanes& whole,
+                        const SampleSumLanes& a, const SampleSumLanes& b, double epsilon,
+                        Lanes<double>& errors) {
+  const FloatingPointTraps traps(Traps::Off);  // lanes that nothing is in
+  add_errors(near, whole, a, b, epsilon, errors);
+}
+
+double error_beside(const PixelLevel& level, const Vec3d& variance, double epsilon) {
+  return error_of_level(level, variance, epsilon);
+}
+
+}  // namespace candela
