@@ -37,11 +37,11 @@ inline double trust_in(double structure, double own_noise) {
 // little of how rare it is.
 inline PixelLevel level_of(const NeighbourLevel& near, const Vec3d& own, double own_share,
                            double epsilon) {
-  const double one_of_share = own_share > 0 ? 1 / own_share : 0.0;
-  const Vec3d own_noise = near.own_variance * one_of_share;
-  const Vec3d trust = (own_share > 0 ? 1.0 : 0.0) * Vec3d(trust_in(near.structure.x, own_noise.x),
-                                                          trust_in(near.structure.y, own_noise.y),
-                                                          trust_in(near.structure.z, own_noise.z));
+  const double is_any_left = own_share > 0 ? 1.0 : 0.0;
+  const Vec3d own_noise = near.own_variance * (own_share > 0 ? 1 / own_share : 0.0);
+  const Vec3d trust = is_any_left * Vec3d(trust_in(near.structure.x, own_noise.x),
+                                          trust_in(near.structure.y, own_noise.y),
+                                          trust_in(near.structure.z, own_noise.z));
   constexpr double lowest = 1.0 / 3;
   const Vec3d mean = max(near.mean + trust * (own - near.mean), lowest * near.mean);
   const Vec3d variance = (1.0 - trust) * (1.0 - trust) * near.noise;

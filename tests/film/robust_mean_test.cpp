@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "tests/film/synthetic_film.h"
 #include "tests/statistics/moments.h"
@@ -52,19 +53,36 @@ TEST(Unit_RobustMean, LeavesOutWhatOneReplicateAloneHasMet) {
   EXPECT_EQ(robust_mean(film, i).rare, film.mean(i) - Vec3d(1.0));
 }
 
-// Whichever replicate is the brightest, of three and of four; of those that are alike only one is
-// left out.
+RobustMean of_replicates(const std::vector<double>& values) {
+  const auto count = static_cast<int>(values.size());
+  return robust_mean(film_of(1, count,
+                             [&, next = std::size_t{0}](std::mt19937_64&, int, int) mutable {
+                               return values[next++];
+                             }),
+                     0);
+}
+
+// Whichever replicate is the brightest, of three and of four.
 TEST(Unit_RobustMean, LeavesOutTheBrightest) {
   for (const int replicates : {3, 4})
     for (int brightest = 0; brightest < replicates; ++brightest) {
-      const Film film = film_of(2, replicates, [&, next = 0](std::mt19937_64&, int, int) mutable {
-        return next++ % replicates == brightest ? 9.0 : 2.0;
-      });
-      EXPECT_EQ(robust_mean(film, 3).mean, Vec3d(2.0)) << brightest << " of " << replicates;
+      std::vector<double> values(static_cast<std::size_t>(replicates), 2.0);
+      values[static_cast<std::size_t>(brightest)] = 9;
+      EXPECT_EQ(of_replicates(values).mean, Vec3d(2.0)) << brightest << " of " << replicates;
     }
-  const Film film = film_of(2, 4, [](std::mt19937_64&, int, int) { return 3.0; });
-  EXPECT_EQ(robust_mean(film, 0).mean, Vec3d(3.0));
-  EXPECT_EQ(robust_mean(film, 0).variance, Vec3d(0.0));
+}
+
+TEST(Unit_RobustMean, LeavesOutOnlyOneOfThoseThatAreAlike) {
+  EXPECT_EQ(of_replicates({3, 3, 3, 3}).mean, Vec3d(3.0));
+  EXPECT_EQ(of_replicates({3, 3, 3, 3}).variance, Vec3d(0.0));
+  constexpr double less = 9 - 0x1p-20;  // as a float, too
+  for (const std::vector<double>& values :
+       {std::vector{9.0, 9.0, 2.0, 1.0}, {2.0, 9.0, 9.0, 1.0}, {1.0, 2.0, 9.0, 9.0}}) {
+    const RobustMean robust = of_replicates(values);
+    const RobustMean almost = of_replicates({9.0, less, 2.0, 1.0});
+    EXPECT_NEAR(robust.mean.x, almost.mean.x, 1e-5);
+    EXPECT_NEAR(robust.variance.x, almost.variance.x, 1e-5);
+  }
 }
 
 // Also where they have one to nine samples, which are of one to four groups.
