@@ -26,20 +26,7 @@ Film::Film(int full_width, int full_height, PixelRect crop, AovSet aovs, std::ui
   if ((aovs & first_hit_aovs) != 0) aov_pixels_.resize(count);
 }
 
-std::uint32_t Film::sum_of(std::uint32_t sample_index) const {
-  const std::uint32_t turn = samples_a_piece_ > 0 ? sample_index / samples_a_piece_ : sample_index;
-  return turn % replicates_;
-}
-
-void Film::add(int x, int y, std::uint32_t sample_index, const FilmSample& sample) {
-  const std::size_t i = index(x, y);
-  Pixel& pixel = pixels_[i];
-  const Vec3d radiance(sample.radiance);
-  sums_[i * replicates_ + sum_of(sample_index)] +=
-      (balance_ ? *balance_ * radiance : radiance) * double{sample.weight};
-  pixel.alpha += static_cast<double>(sample.alpha);
-  ++pixel.samples;
-  if (aov_pixels_.empty() || !sample.has_hit) return;
+void Film::add_first_hit(std::size_t i, std::uint32_t sample_index, const FilmSample& sample) {
   AovPixel& aov = aov_pixels_[i];
   aov.albedo += Vec3d(sample.albedo);
   aov.normal += Vec3d(sample.normal);

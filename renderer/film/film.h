@@ -84,7 +84,15 @@ class Film {
   // Adds sample `sample_index` of a pixel; when a film is read those of a pixel are the first ones,
   // whatever order they came in. Calls for one pixel come from one thread at a time. Coordinates of
   // the full picture. Non-finite or negative radiance must not come here: the caller counts it.
-  void add(int x, int y, std::uint32_t sample_index, const FilmSample& sample);
+  void add(int x, int y, std::uint32_t sample_index, const FilmSample& sample) {
+    const std::size_t i = index(x, y);
+    const Vec3d radiance(sample.radiance);
+    sums_[i * replicates_ + sum_of(sample_index)] +=
+        (balance_ ? *balance_ * radiance : radiance) * double{sample.weight};
+    pixels_[i].alpha += static_cast<double>(sample.alpha);
+    ++pixels_[i].samples;
+    if (!aov_pixels_.empty() && sample.has_hit) add_first_hit(i, sample_index, sample);
+  }
   // Its next one, where they come in order.
   void add(int x, int y, const FilmSample& sample) {
     add(x, y, pixels_[index(x, y)].samples, sample);
@@ -153,7 +161,12 @@ class Film {
   };
 
   // Which of a pixel's sums a sample belongs to.
-  [[nodiscard]] std::uint32_t sum_of(std::uint32_t sample_index) const;
+  [[nodiscard]] std::uint32_t sum_of(std::uint32_t sample_index) const {
+    const std::uint32_t turn =
+        samples_a_piece_ > 0 ? sample_index / samples_a_piece_ : sample_index;
+    return turn % replicates_;
+  }
+  void add_first_hit(std::size_t i, std::uint32_t sample_index, const FilmSample& sample);
 
   int full_width_ = 0;
   int full_height_ = 0;
