@@ -77,7 +77,7 @@ constexpr std::array libraries = {
     Library{"CLI/", R"(tools/candela/[^/]*\.cpp)"},
     Library{"nlohmann/", R"((tools/candela|tests)/.*\.cpp)"},
     Library{"yaml-cpp/", R"((scene_io|tests)/.*\.cpp)"},
-    Library{"zlib.h", R"((scene_io|tests)/.*\.cpp|renderer/image/formats/guard_png\.cpp)"},
+    Library{"zlib.h", R"((scene_io|tests)/.*\.cpp|renderer/image/formats/(guard|encode)_png\.cpp)"},
     Library{"xxhash.h", R"(.*\.cpp)"},
     Library{"tiny_obj_loader.h", R"(tests/.*\.cpp)"},
     Library{"gtest/", R"(tests/.*)"},
