@@ -53,13 +53,13 @@ CANDELA_LANES void set_weights(std::size_t count, const double* above, const dou
 }
 
 CANDELA_LANES void add_weighted(std::size_t count, const double* weights, const double* means,
-                                const double* variances, const double* spreads,
-                                double* __restrict mean_sums, double* __restrict spread_sums,
+                                const double* variances, const double* squares,
+                                double* __restrict mean_sums, double* __restrict square_sums,
                                 double* __restrict noise_sums) {
   for (std::size_t i = 0; i < count; ++i) {
     const double weight = weights[i];
     mean_sums[i] += weight * means[i];
-    spread_sums[i] += weight * spreads[i];
+    square_sums[i] += weight * squares[i];
     noise_sums[i] += weight * weight * variances[i];
   }
 }
@@ -67,7 +67,7 @@ CANDELA_LANES void add_weighted(std::size_t count, const double* weights, const 
 AlikeSums zeros(std::size_t count) {
   AlikeSums sums;
   sums.weights.resize(count);
-  for (Planes* planes : {&sums.means, &sums.spreads, &sums.noises})
+  for (Planes* planes : {&sums.means, &sums.squares, &sums.noises})
     for (Plane& plane : *planes) plane.resize(count);
   return sums;
 }
@@ -94,8 +94,8 @@ AlikeSums alike_sums(const GreyPixels& grey, const std::array<ChannelPixels, 3>&
                   sums.weights.data());
       for (std::size_t c = 0; c < channels.size(); ++c)
         add_weighted(count, weights.data(), &channels[c].means[shifted(first)],
-                     &channels[c].variances[shifted(first)], &channels[c].spreads[shifted(first)],
-                     sums.means[c].data(), sums.spreads[c].data(), sums.noises[c].data());
+                     &channels[c].variances[shifted(first)], &channels[c].squares[shifted(first)],
+                     sums.means[c].data(), sums.squares[c].data(), sums.noises[c].data());
     }
   return sums;
 }

@@ -19,14 +19,14 @@ struct GreyPixels {
 struct ChannelPixels {
   Plane means;
   Plane variances;
-  Plane spreads;  // mean^2 - variance
+  Plane squares;  // mean^2 - variance: of what the means would be without noise
 };
 
 // With weights w over the neighbours, of a run of pixels.
 struct AlikeSums {
   Plane weights;   // w
   Planes means;    // w mean
-  Planes spreads;  // w spread
+  Planes squares;  // w square
   Planes noises;   // w^2 variance
 };
 

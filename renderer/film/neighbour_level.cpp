@@ -93,9 +93,9 @@ class Surroundings {
     greys.variances = mean_of_nine(variance_in_phase(own_variances), width());
     for (std::size_t c = 0; c < 3; ++c) {
       channels[c].variances = mean_of_nine(own_variances[c], width());
-      channels[c].spreads = product(channels[c].means, channels[c].means);
-      for (std::size_t i = 0; i < channels[c].spreads.size(); ++i)
-        channels[c].spreads[i] -= channels[c].variances[i];
+      channels[c].squares = product(channels[c].means, channels[c].means);
+      for (std::size_t i = 0; i < channels[c].squares.size(); ++i)
+        channels[c].squares[i] -= channels[c].variances[i];
     }
   }
 
@@ -138,8 +138,7 @@ class WideSums {
 };
 
 // Where less than one neighbour looks alike, in sum, the pixel's own mean, `own`, is as far from
-// theirs as their levels are apart: far beyond noise.
-// `at`: the pixel's place in the sums.
+// theirs as their levels are apart: far beyond noise. `at`: the pixel's place in the sums.
 NeighbourLevel level_of(const AlikeSums& sums, std::size_t at, const Wide& wide, const Vec3d& own) {
   NeighbourLevel level;
   level.wide_mean = wide.mean;
@@ -154,7 +153,7 @@ NeighbourLevel level_of(const AlikeSums& sums, std::size_t at, const Wide& wide,
   if (is_alone) return level;
   level.noise = of_pixel(sums.noises, at) / (weight * weight);
   level.structure =
-      max(level.structure, of_pixel(sums.spreads, at) / weight - level.mean * level.mean);
+      max(level.structure, of_pixel(sums.squares, at) / weight - level.mean * level.mean);
   return level;
 }
 
