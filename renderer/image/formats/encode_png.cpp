@@ -97,8 +97,8 @@ class PngWriter {
     png_set_IHDR(png_, info_, static_cast<png_uint_32>(image.header.width),
                  static_cast<png_uint_32>(image.header.height), facts.bits, facts.colour_type,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_BASE, PNG_FILTER_TYPE_BASE);
-    // Noise repeats nothing but runs: to look for more takes five times as long for 1 to 2 %
-    // of the size (docs/decisions.md).
+    // Noise repeats nothing but runs: to look for more takes two to six times as long for 2 % of
+    // the size at most (docs/decisions.md).
     png_set_compression_strategy(png_, Z_RLE);
     if (facts.is_srgb) png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_ABSOLUTE);
     if (facts.has_time) png_set_tIME(png_, info_, &facts.time);
