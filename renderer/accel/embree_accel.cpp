@@ -161,19 +161,24 @@ Hit EmbreeAccel::State::nearest(const Ray& ray) const {
   if (few.faces.is_empty()) return intersect(world.get(), ray);
   const std::optional<Hit> known = few.faces.intersect(ray);
   if (!known) return intersect(world.get(), ray);
-  if (!rest) return *known;
-  const Ray before{ray.origin, ray.direction, std::min(ray.t_max, known->t)};
-  if (!few.boxes.is_entered(before)) return *known;
-  const Hit hit = intersect(rest.get(), before);
-  return hit.is_hit() ? hit : *known;
+  Hit nearest = *known;
+  Ray before{ray.origin, ray.direction, std::min(ray.t_max, nearest.t)};
+  const auto take = [&](const Hit& hit) {
+    if (!hit.is_hit()) return;
+    nearest = hit;
+    before.t_max = hit.t;
+  };
+  if (!few.spheres.is_empty()) take(few.spheres.intersect(before));
+  if (rest && few.boxes.is_entered(before)) take(intersect(rest.get(), before));
+  return nearest;
 }
 
 bool EmbreeAccel::State::is_occluded(const Ray& ray) const {
   if (few.faces.is_empty()) return occluded(world.get(), ray);
   const std::optional<bool> known = few.faces.occluded(ray);
   if (!known) return occluded(world.get(), ray);
-  if (*known || !rest || !few.boxes.is_entered(ray)) return *known;
-  return occluded(rest.get(), ray);
+  if (*known || (!few.spheres.is_empty() && few.spheres.occluded(ray))) return true;
+  return rest && few.boxes.is_entered(ray) && occluded(rest.get(), ray);
 }
 
 HitBlock EmbreeAccel::State::nearest(const RayBlock& rays, LaneMask lanes,
@@ -182,10 +187,16 @@ HitBlock EmbreeAccel::State::nearest(const RayBlock& rays, LaneMask lanes,
   FaceList::BlockAnswer answer = few.faces.intersect(rays, lanes);
   for_each_lane(answer.open,
                 [&](std::uint32_t i) { answer.hits.set(i, intersect(world.get(), rays[i])); });
-  if (!rest) return answer.hits;
+  if (!rest && few.spheres.is_empty()) return answer.hits;
+  const LaneMask known = lanes & ~answer.open;
   RayBlock before = rays;
   before.t_max = nearer(rays.t_max, answer.hits.t);
-  const LaneMask entering = few.boxes.entered(before, lanes & ~answer.open);
+  if (!few.spheres.is_empty()) {
+    few.spheres.intersect(before, known, answer.hits);
+    if (!rest) return answer.hits;
+    before.t_max = nearer(rays.t_max, answer.hits.t);
+  }
+  const LaneMask entering = few.boxes.entered(before, known);
   const auto take = [&](std::uint32_t i, const Hit& hit) {
     if (hit.is_hit()) answer.hits.set(i, hit);
   };
@@ -203,10 +214,12 @@ LaneMask EmbreeAccel::State::are_occluded(const RayBlock& rays, LaneMask lanes) 
   FaceList::BlockOcclusion answer = few.faces.occluded(rays, lanes);
   answer.occluded |=
       lanes_where(answer.open, [&](std::uint32_t i) { return occluded(world.get(), rays[i]); });
+  const auto left = [&] { return lanes & ~answer.open & ~answer.occluded; };
+  if (!few.spheres.is_empty()) answer.occluded |= few.spheres.occluded(rays, left());
   if (!rest) return answer.occluded;
-  return answer.occluded |
-         lanes_where(few.boxes.entered(rays, lanes & ~answer.open & ~answer.occluded),
-                     [&](std::uint32_t i) { return occluded(rest.get(), rays[i]); });
+  return answer.occluded | lanes_where(few.boxes.entered(rays, left()), [&](std::uint32_t i) {
+           return occluded(rest.get(), rays[i]);
+         });
 }
 
 Hit EmbreeAccel::intersect(const Ray& ray) const {
@@ -243,6 +256,10 @@ bool EmbreeAccel::occluded_by_tree(const Ray& ray) const {
 
 std::size_t EmbreeAccel::face_count() const {
   return state_->few.faces.size();
+}
+
+std::size_t EmbreeAccel::sphere_count() const {
+  return state_->few.spheres.size();
 }
 
 std::size_t EmbreeAccel::box_count() const {

@@ -46,9 +46,10 @@ class EmbreeAccel {
   // By Embree alone, whatever the options say.
   [[nodiscard]] Hit intersect_by_tree(const Ray& ray) const;
   [[nodiscard]] bool occluded_by_tree(const Ray& ray) const;
-  // How many faces are looked at one by one, 0 where there is no list of them; and how many boxes
-  // there are around the rest, 0 where there is none.
+  // How many faces and spheres are looked at one by one, 0 where there is no list of them; and how
+  // many boxes there are around the rest, 0 where there is none.
   [[nodiscard]] std::size_t face_count() const;
+  [[nodiscard]] std::size_t sphere_count() const;
   [[nodiscard]] std::size_t box_count() const;
   // What Embree has allocated; the scene's own arrays are not counted.
   [[nodiscard]] std::size_t memory_bytes() const;

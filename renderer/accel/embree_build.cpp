@@ -180,7 +180,8 @@ void EmbreeAccel::State::build() {
   rtcCommitScene(world.get());
   throw_if_failed();
   if (few.boxes.is_empty()) return;
-  if (!options.faces_always && !pays(few.faces.size(), share_of_entering_rays())) {
+  if (!options.faces_always &&
+      !pays(few.faces.size() + few.spheres.size(), share_of_entering_rays())) {
     few = {};
     return;
   }
@@ -200,9 +201,10 @@ double EmbreeAccel::State::share_of_entering_rays() const {
   double rays = 0;
   double entering = 0;
   probe_walks(*scene, [&](const Ray& ray) {
-    const Hit listed = few.faces.intersect(ray).value_or(Hit{});
+    const float to_face = few.faces.intersect(ray).value_or(Hit{}).t;
+    const float to_sphere = few.spheres.intersect(ray).t;
     ++rays;
-    if (few.boxes.is_entered({ray.origin, ray.direction, listed.t})) ++entering;
+    if (few.boxes.is_entered({ray.origin, ray.direction, std::min(to_face, to_sphere)})) ++entering;
     return intersect(world.get(), ray);
   });
   return rays > 0 ? entering / rays : 1;

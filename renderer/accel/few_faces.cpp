@@ -33,6 +33,18 @@ double mean_area(const Geometry& geometry) {
   return geometry.triangles.empty() ? 0 : sum / static_cast<double>(geometry.triangles.size());
 }
 
+// Those of the rest, where they and the faces are few enough for a list.
+void list_spheres(const Scene& scene, FewFaces& few) {
+  const auto others = std::ranges::stable_partition(few.rest, [&](GeometryHandle handle) {
+    const Geometry& geometry = scene.geometries[handle.index];
+    return !geometry.spheres.empty() && !geometry.has_cutouts;
+  });
+  const SphereList spheres(scene, {few.rest.begin(), others.begin()});
+  if (spheres.is_empty() || few.faces.size() + spheres.size() > FaceList::most_faces) return;
+  few.spheres = spheres;
+  few.rest.erase(few.rest.begin(), others.begin());
+}
+
 }  // namespace
 
 FewFaces find_few_faces(const Scene& scene) {
@@ -65,6 +77,7 @@ FewFaces find_few_faces(const Scene& scene) {
   }
   few.faces = FaceList(scene, listed);
   if (few.faces.is_empty() || dense > most_dense) return {};
+  list_spheres(scene, few);
   few.boxes = BoxList(scene, few.rest);
   return few;
 }

@@ -14,9 +14,28 @@ struct SphereHit {
   [[nodiscard]] bool is_hit() const { return t < std::numeric_limits<float>::infinity(); }
 };
 
-// The nearest hit with 0 < t <= t_max that `is_there(u, v)` says is no hole. The ray's direction
-// need not be unit. Of the origin's distance the part along the ray is taken off first, which
-// leaves the discriminant exact to the radius, however far away it is [Haines19]. The square of an
+// What of a ray's line is in a sphere, in the ray's t. Of the origin's distance the part along the
+// ray is taken off first, which leaves the discriminant exact to the radius, however far away it is
+// [Haines19]. The ray's direction need not be unit.
+struct SphereChord {
+  double middle;
+  double half2;  // half of its length, squared; not 0 or more: the line passes by
+};
+[[nodiscard]] inline SphereChord chord_of(const Vec3d& from_centre, const Vec3d& direction,
+                                          double radius) {
+  const double length2 = length_squared(direction);
+  const double middle = -dot(from_centre, direction) / length2;
+  const Vec3d beside = from_centre + direction * middle;
+  return {middle, (radius * radius - length_squared(beside)) / length2};
+}
+
+// Whether a ray meets the sphere's surface at an end of its chord.
+[[nodiscard]] inline bool is_on_ray(double t, double t_max) {
+  const double rounded = static_cast<float>(t);
+  return (t > 0) & (rounded > 0) & (rounded <= t_max);
+}
+
+// The nearest hit with 0 < t <= t_max that `is_there(u, v)` says is no hole. The square of an
 // origin that was moved off the surface by its error bound is told from that of the radius, so that
 // the side on which a ray starts is never in doubt.
 template <class IsThere>
@@ -24,18 +43,13 @@ template <class IsThere>
                                          const IsThere& is_there) {
   const Vec3d direction(ray.direction);
   const Vec3d from_centre = Vec3d(ray.origin) - Vec3d(sphere.centre);
-  const double radius = sphere.radius;
-  const double length2 = length_squared(direction);
-  const double closest = -dot(from_centre, direction) / length2;
-  const Vec3d beside = from_centre + direction * closest;
-  const double half_chord2 = (radius * radius - length_squared(beside)) / length2;
-  if (!(half_chord2 >= 0)) return {};
-  const double half_chord = std::sqrt(half_chord2);
-  for (const double t : {closest - half_chord, closest + half_chord}) {
-    const auto rounded = static_cast<float>(t);
-    if (!(t > 0) || !(rounded > 0) || !(rounded <= t_max)) continue;
+  const SphereChord chord = chord_of(from_centre, direction, sphere.radius);
+  if (!(chord.half2 >= 0)) return {};
+  const double half = std::sqrt(chord.half2);
+  for (const double t : {chord.middle - half, chord.middle + half}) {
+    if (!is_on_ray(t, t_max)) continue;
     const Vec2f place = to_octahedron(from_centre + direction * t);
-    if (is_there(place.x, place.y)) return {rounded, place.x, place.y};
+    if (is_there(place.x, place.y)) return {static_cast<float>(t), place.x, place.y};
   }
   return {};
 }

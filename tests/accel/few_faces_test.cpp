@@ -48,6 +48,18 @@ Scene room_with(const Soup& things) {
   return scene;
 }
 
+// A geometry of so many.
+void add_spheres(Scene& scene, std::size_t count, bool has_cutouts = false) {
+  Geometry geometry;
+  geometry.material = MaterialHandle(0);
+  geometry.has_cutouts = has_cutouts;
+  test::RayRandom random(static_cast<std::uint32_t>(count));
+  for (std::size_t i = 0; i < count; ++i) geometry.spheres.push_back(test::random_sphere(random));
+  scene.world.geometries.emplace_back(scene.geometries.size());
+  scene.geometries.push_back(std::move(geometry));
+  scene.plain_models.push_back(PlainModel::Diffuse);
+}
+
 Soup scaled_soup(float factor) {
   return test::scaled(test::random_soup(200, 0.3f, 1), factor);
 }
@@ -88,6 +100,26 @@ TEST(Unit_FewFaces, CutoutsAreOfTheRest) {
   EXPECT_EQ(few.rest.size(), 2u);
 }
 
+TEST(Unit_FewFaces, SpheresAreListedWhereTheyAreFew) {
+  const auto few_of = [](std::size_t spheres, bool has_cutouts) {
+    Scene scene = test::scene_of(walls());
+    add_spheres(scene, spheres, has_cutouts);
+    return find_few_faces(scene);
+  };
+  EXPECT_EQ(few_of(16, false).spheres.size(), 16u);
+  EXPECT_TRUE(few_of(16, false).rest.empty());
+  EXPECT_EQ(few_of(17, false).rest.size(), 1u);
+  EXPECT_TRUE(few_of(17, false).spheres.is_empty());
+  EXPECT_EQ(few_of(1, true).rest.size(), 1u) << "with holes";
+  // Of faces and spheres together there are as many as of faces alone.
+  Soup faces = test::random_soup(20, 0.2f, 1);
+  for (const std::size_t spheres : {12u, 13u}) {
+    Scene scene = test::scene_of(faces);
+    add_spheres(scene, spheres);
+    EXPECT_EQ(find_few_faces(scene).spheres.is_empty(), spheres > 12);
+  }
+}
+
 // Things in the middle that few rays come near, and things that fill the room.
 TEST(Unit_FewFaces, AreUsedWhereFewRaysEnterABox) {
   const auto boxes = [](const Scene& scene) {
@@ -109,13 +141,24 @@ struct Case {
   std::string name;
   Scene scene;
   Soup soup;
+  std::size_t boxes;  // around the rest, at least
+
+  [[nodiscard]] std::vector<Ray> rays(std::size_t count) const {
+    std::vector<Ray> made = test::rays_of_all_sets(soup, count);
+    for (const Geometry& geometry : scene.geometries) {
+      if (geometry.spheres.empty()) continue;
+      const std::vector<Ray> more = test::sphere_rays(geometry.spheres, 4 * count, 1);
+      made.insert(made.end(), more.begin(), more.end());
+    }
+    return made;
+  }
 };
 std::vector<Case> cases() {
   std::vector<Case> made;
   const auto add = [&](const std::string& name, const Soup& things) {
     Soup all = things;
     for (const test::Triangle& triangle : walls()) all.push_back(triangle);
-    made.push_back({name, room_with(things), all});
+    made.push_back({name, room_with(things), all, 1});
   };
   add("small", scaled_soup(0.2f));
   add("full", scaled_soup(1.3f));
@@ -126,17 +169,38 @@ std::vector<Case> cases() {
   return made;
 }
 
+// Beside things, alone with the walls, and too many for a list.
+std::vector<Case> cases_with_spheres() {
+  std::vector<Case> made;
+  const auto add = [&](const std::string& name, Scene scene, std::size_t spheres,
+                       std::size_t boxes) {
+    add_spheres(scene, spheres);
+    made.push_back({name, std::move(scene), walls(), boxes});
+  };
+  add("spheres and things", room_with(scaled_soup(0.5f)), 9, 1);
+  add("spheres", test::scene_of(walls()), 16, 0);
+  add("many spheres", test::scene_of(walls()), 60, 1);
+  return made;
+}
+
+void expect_reference_answers(const Case& c) {
+  const EmbreeAccel faces(c.scene, {.faces = true, .faces_always = true});
+  ASSERT_GT(faces.face_count(), 0u) << c.name;
+  ASSERT_GE(faces.box_count(), c.boxes) << c.name;
+  const BvhAccel bvh(c.scene);
+  const std::vector<Ray> rays = c.rays(4000);
+  with_threads(0, [&] {
+    EXPECT_EQ(count_agreement(c.scene, faces, bvh, rays, false).disagreeing, 0u) << c.name;
+    EXPECT_EQ(count_agreement(c.scene, faces, bvh, rays, true).disagreeing, 0u) << c.name;
+  });
+}
+
 TEST(Agreement_FewFaces, SayWhatTheReferenceTreeSays) {
-  for (const Case& c : cases()) {
-    const EmbreeAccel faces(c.scene, {.faces = true, .faces_always = true});
-    ASSERT_GT(faces.box_count(), 0u) << c.name;
-    const BvhAccel bvh(c.scene);
-    const std::vector<Ray> rays = test::rays_of_all_sets(c.soup, 4000);
-    with_threads(0, [&] {
-      EXPECT_EQ(count_agreement(c.scene, faces, bvh, rays, false).disagreeing, 0u) << c.name;
-      EXPECT_EQ(count_agreement(c.scene, faces, bvh, rays, true).disagreeing, 0u) << c.name;
-    });
-  }
+  for (const Case& c : cases()) expect_reference_answers(c);
+}
+
+TEST(Agreement_FewFaces, SoTheyDoWithSpheres) {
+  for (const Case& c : cases_with_spheres()) expect_reference_answers(c);
 }
 
 TEST(Agreement_FewFaces, SayWhatBruteForceSays) {
@@ -149,12 +213,14 @@ TEST(Agreement_FewFaces, SayWhatBruteForceSays) {
 
 // Incoherent ones, in any lane and beside any others: so that blocks may share them.
 TEST(Agreement_FewFaces, BlocksAreToldWhatRaysAre) {
-  for (const Case& c : cases()) {
+  std::vector<Case> all = cases();
+  for (Case& c : cases_with_spheres()) all.push_back(std::move(c));
+  for (const Case& c : all) {
     const EmbreeAccel faces(c.scene, {.faces = true, .faces_always = true});
     EXPECT_TRUE(faces.allows_any_company());
     EXPECT_FALSE(EmbreeAccel(c.scene).allows_any_company());
     const std::size_t hits = test::expect_blocks_told_as_rays(
-        faces, test::rays_of_all_sets(c.soup, 1600), {all_lanes, 0b0110100110010110u}, c.name);
+        faces, c.rays(1600), {all_lanes, 0b0110100110010110u}, c.name);
     EXPECT_GT(hits, 100u) << c.name;
   }
 }

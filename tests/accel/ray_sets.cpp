@@ -119,4 +119,31 @@ std::vector<Ray> rays_of_all_sets(const Soup& soup, std::size_t count) {
   return rays;
 }
 
+Sphere random_sphere(RayRandom& random) {
+  Sphere sphere;
+  sphere.centre = random.in_cube();
+  sphere.radius = std::pow(10.0f, -5 * random.uniform());
+  return sphere;
+}
+
+std::vector<Ray> sphere_rays(const std::vector<Sphere>& spheres, std::size_t count,
+                             std::uint32_t seed) {
+  RayRandom random(seed);
+  std::vector<Ray> rays;
+  while (rays.size() < count) {
+    const Sphere& sphere = spheres[random.bits() % spheres.size()];
+    const Vec3f side(random.direction());
+    const float graze = std::pow(10.0f, -6 * random.uniform()) * (random.bits() % 2 ? 1.0f : -1.0f);
+    const Vec3f limb = sphere.centre + side * (sphere.radius * (1 + graze));
+    const Vec3f along = cross(side, Vec3f(random.direction()));
+    const Vec3f origin = rays.size() % 3 == 0   ? sphere.centre + side * (0.5f * sphere.radius)
+                         : rays.size() % 3 == 1 ? limb - along * (random.uniform() * 2)
+                                                : random.in_cube() * 2.0f;
+    const Vec3f direction = rays.size() % 3 == 2 ? limb - origin : along;
+    const Ray ray{origin, direction, random.bits() % 2 ? infinity : 1.5f};
+    if (is_traceable(ray)) rays.push_back(ray);
+  }
+  return rays;
+}
+
 }  // namespace candela::test

@@ -3,8 +3,10 @@
 
 #include <vector>
 
+#include "renderer/geometry/sphere.h"
 #include "renderer/math/ray.h"
 #include "tests/scenes/soups.h"
+#include "tests/stress/ray_random.h"
 
 namespace candela::test {
 
@@ -28,5 +30,12 @@ namespace candela::test {
 
 // `count` rays of each.
 [[nodiscard]] std::vector<Ray> rays_of_all_sets(const Soup& soup, std::size_t count);
+
+// With radii from 10^-5 to 1.
+[[nodiscard]] Sphere random_sphere(RayRandom& random);
+
+// At spheres, from around and within them, and along their limbs to 10^-6.
+[[nodiscard]] std::vector<Ray> sphere_rays(const std::vector<Sphere>& spheres, std::size_t count,
+                                           std::uint32_t seed);
 
 }  // namespace candela::test

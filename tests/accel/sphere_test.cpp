@@ -7,22 +7,17 @@
 #include "renderer/base/parallel.h"
 #include "renderer/geometry/surface_point.h"
 #include "renderer/scene/instance_errors.h"
+#include "tests/accel/ray_sets.h"
 #include "tests/scenes/soups.h"
 #include "tests/stress/ray_random.h"
 
 namespace candela {
 namespace {
 
+using test::random_sphere;
 using test::RayRandom;
 
 const auto always = [](float, float) { return true; };
-
-Sphere random_sphere(RayRandom& random) {
-  Sphere sphere;
-  sphere.centre = random.in_cube();
-  sphere.radius = std::pow(10.0f, -5 * random.uniform());
-  return sphere;
-}
 
 // The nearer root in long double; negative where there is none.
 long double nearest_root(const Sphere& sphere, const Ray& ray) {
@@ -134,27 +129,11 @@ void add_placed_spheres(Scene& scene) {
   place(test::placement({0, 0.2f, 0}, {0.2f, 0, 0}, {0, 0, 0.2f}, {-0.5f, 0, 0.6f}));  // mirrored
 }
 
-// At spheres, from around and within them, and along their limbs to 10^-6.
 std::vector<Ray> rays_about(const Scene& scene, std::size_t count, std::uint32_t seed) {
-  std::vector<const Sphere*> spheres;
+  std::vector<Sphere> spheres;
   for (const Geometry& geometry : scene.geometries)
-    for (const Sphere& sphere : geometry.spheres) spheres.push_back(&sphere);
-  RayRandom random(seed);
-  std::vector<Ray> rays;
-  while (rays.size() < count) {
-    const Sphere& sphere = *spheres[random.bits() % spheres.size()];
-    const Vec3f side(random.direction());
-    const float graze = std::pow(10.0f, -6 * random.uniform()) * (random.bits() % 2 ? 1.0f : -1.0f);
-    const Vec3f limb = sphere.centre + side * (sphere.radius * (1 + graze));
-    const Vec3f along = cross(side, Vec3f(random.direction()));
-    const Vec3f origin = rays.size() % 3 == 0   ? sphere.centre + side * (0.5f * sphere.radius)
-                         : rays.size() % 3 == 1 ? limb - along * (random.uniform() * 2)
-                                                : random.in_cube() * 2.0f;
-    const Vec3f direction = rays.size() % 3 == 2 ? limb - origin : along;
-    const Ray ray{origin, direction, random.bits() % 2 ? infinity : 1.5f};
-    if (is_traceable(ray)) rays.push_back(ray);
-  }
-  return rays;
+    spheres.insert(spheres.end(), geometry.spheres.begin(), geometry.spheres.end());
+  return test::sphere_rays(spheres, count, seed);
 }
 
 void expect_agreement(const Scene& scene) {

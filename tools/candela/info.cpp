@@ -23,6 +23,7 @@ ExitCode run_info(const InfoArguments& arguments) {
   if (!find_few_faces(*read.scene).faces.is_empty()) {
     const EmbreeAccel accelerator(*read.scene, {.faces = true});
     info.faces = accelerator.face_count();
+    info.listed_spheres = accelerator.sphere_count();
     info.boxes = accelerator.box_count();
   }
   if (arguments.accelerator) {

@@ -211,6 +211,7 @@ std::string to_json(const SceneInfo& info) {
     json["dropped"].push_back({{"what", dropped.what}, {"count", dropped.count}});
   json["kernel"] = info.kernel;
   json["faces"] = info.faces;
+  json["listed_spheres"] = info.listed_spheres;
   json["boxes"] = info.boxes;
   return text_of(json);
 }

@@ -114,6 +114,15 @@ std::string texture_text(const TextureRow& row) {
                      row.channels, bytes_text(row.bytes), row.is_decoded ? ", decoded" : "");
 }
 
+std::string rays_text(const SceneInfo& info) {
+  const std::string spheres =
+      info.listed_spheres > 0 ? fmt::format(" and {} spheres", info.listed_spheres) : "";
+  const std::string rest = info.boxes > 0
+                               ? fmt::format("and down a tree behind {} boxes", info.boxes)
+                               : "without a tree";
+  return fmt::format("against all of {} faces{}, {}", info.faces, spheres, rest);
+}
+
 }  // namespace
 
 SceneInfo describe_scene(const description::SceneDescription& description, const Scene& scene) {
@@ -160,11 +169,7 @@ std::string to_text(const SceneInfo& info) {
   if (info.accelerator_bytes)
     line("", fmt::format("{} {}", info.accelerator, bytes_text(*info.accelerator_bytes)));
   line("kernel", info.kernel);
-  if (info.faces > 0)
-    line("rays",
-         fmt::format("against all of {} faces, {}", info.faces,
-                     info.boxes == 0 ? "without a tree"
-                                     : fmt::format("and down a tree behind {} boxes", info.boxes)));
+  if (info.faces > 0) line("rays", rays_text(info));
   line("materials", fmt::format("{}", info.materials.size()));
   for (const std::string& name : info.materials) text += fmt::format("    {}\n", name);
   line("media", fmt::format("{}", info.media.size()));

@@ -52,7 +52,9 @@ struct SceneInfo {
   std::string accelerator;
   std::vector<Dropped> dropped;
   std::string kernel;
-  std::size_t faces = 0;  // that rays are tested against one by one; 0: they go down a tree
+  // That rays are tested against one by one; no faces: they go down a tree.
+  std::size_t faces = 0;
+  std::size_t listed_spheres = 0;
   std::size_t boxes = 0;  // around the rest, which has a tree; 0: there is no rest
 };
 
