@@ -136,19 +136,18 @@ class Convoy {
   }
 
   void step_together() {
-    std::array<PlainMasks, capacity> plain;
     PlainModelSet met = 0;
     for (std::size_t i = 0; i < size_; ++i) {
       BlockTrip<A>& trip = *trips_[i];
-      plain[i] = plain_lanes_of(trip.context.scene, trip.block.hits,
-                                lanes_without_medium<F>(trip.block, trip.alive));
-      step_alone(trip, trip.alive & ~plain[i].all());
-      met |= plain[i].models();
+      plain_[i] = plain_lanes_of(trip.context.scene, trip.block.hits,
+                                 lanes_without_medium<F>(trip.block, trip.alive));
+      step_alone(trip, trip.alive & ~plain_[i].all());
+      met |= plain_[i].models();
     }
     PlainSteps<F, A> steps(lanes_);
     for (const PlainModel model : plain_models) {
       if ((met & bit_of(model)) == 0) continue;
-      for (std::size_t i = 0; i < size_; ++i) steps.add(*trips_[i], plain[i].of(model), model);
+      for (std::size_t i = 0; i < size_; ++i) steps.add(*trips_[i], plain_[i].of(model), model);
       steps.end(model);
     }
   }
@@ -159,6 +158,7 @@ class Convoy {
   std::size_t most_;
   std::size_t bounces_ = 0;  // on the way
   PlainLanes lanes_;
+  std::array<PlainMasks, capacity> plain_;  // by trip
   TripRays<F, A> rays_;
   // Made with the first group: to set it up takes time that tiles without any need not spend.
   std::optional<PathReuse<A, F.reuses_paths() ? capacity : 1>> reuse_;

@@ -19,20 +19,18 @@ class PlainMasks {
   void set(PlainModel model, LaneMask lanes) {
     lanes_[static_cast<std::size_t>(model)] = static_cast<std::uint16_t>(lanes);
     models_ |= bit_of(model);
+    all_ |= lanes;
   }
   [[nodiscard]] PlainModelSet models() const { return models_; }
   [[nodiscard]] LaneMask of(PlainModel model) const {
     return lanes_[static_cast<std::size_t>(model)];
   }
-  [[nodiscard]] LaneMask all() const {
-    LaneMask lanes = 0;
-    for (const PlainModel model : plain_models) lanes |= of(model);
-    return lanes;
-  }
+  [[nodiscard]] LaneMask all() const { return all_; }
 
  private:
-  std::array<std::uint16_t, plain_models.size() + 1> lanes_{};  // by model, None among them
+  std::array<std::uint16_t, plain_models.size() + 1> lanes_{};  // by model; of None none
   PlainModelSet models_ = 0;                                    // that there are any of
+  LaneMask all_ = 0;
 };
 
 // Of the hits those on plain surfaces. Model by model, of which a block mostly meets one or two:
@@ -45,7 +43,7 @@ class PlainMasks {
     const PlainModel model = model_of(static_cast<std::uint32_t>(std::countr_zero(left)));
     LaneMask same = 0;
     for_each_lane(left, [&](std::uint32_t i) { same |= flag(model_of(i) == model) << i; });
-    plain.set(model, same);
+    if (model != PlainModel::None) plain.set(model, same);
     left &= ~same;
   }
   return plain;
