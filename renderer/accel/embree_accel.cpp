@@ -156,7 +156,7 @@ LaneMask EmbreeAccel::State::occluded(RTCScene in, const RayBlock& rays, LaneMas
 }
 
 // What the list of faces does not know for certain the tree of everything is asked for. Else the
-// rest is, where a ray enters one of its boxes before it meets a face.
+// rest is, where a ray enters one of its boxes before it meets a face or a sphere.
 Hit EmbreeAccel::State::nearest(const Ray& ray) const {
   if (few.faces.is_empty()) return intersect(world.get(), ray);
   const std::optional<Hit> known = few.faces.intersect(ray);

@@ -1,6 +1,7 @@
 #include "renderer/accel/sphere_list.h"
 
 #include <cmath>
+#include <limits>
 
 #include "renderer/accel/sphere_hit.h"
 #include "renderer/base/floating_point_traps.h"
@@ -19,19 +20,22 @@ float sum_of_sizes(const Vec3f& v) {
   return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
 
-// What all spheres ask of a ray.
+// What all spheres ask of a ray. Where floats lose the direction's square, all of it but the doubt
+// is NaN, of which nothing follows.
 struct RayBounds {
   float length, inverse_length2;
   float doubt;  // of places on it
   float end;    // t_max times the direction's square, and more than that is wrong by
 };
 RayBounds bounds_of(const Vec3f& origin, const Vec3f& direction, float t_max) {
-  const float length2 = dot(direction, direction);
+  constexpr float least = 1e-30f;
+  const float square = dot(direction, direction);
+  const float length2 = square > least ? square : std::numeric_limits<float>::quiet_NaN();
   return {std::sqrt(length2), 1 / length2, doubt * sum_of_sizes(origin),
           t_max * length2 * (1 + doubt)};
 }
 
-// Whether a ray may meet a sphere before it ends.
+// Whether nothing says that a ray does not meet a sphere before it ends.
 std::uint32_t may_meet(const Vec3f& centre, float reach, const Vec3f& origin,
                        const Vec3f& direction, const RayBounds& ray) {
   Vec3f from_centre = origin - centre;
@@ -39,8 +43,8 @@ std::uint32_t may_meet(const Vec3f& centre, float reach, const Vec3f& origin,
   Vec3f beside = from_centre + direction * (along * ray.inverse_length2);
   const float limit = reach + ray.doubt;
   const float half = limit * ray.length;
-  return flag(dot(beside, beside) <= limit * limit) & flag(along >= -half) &
-         flag(along <= ray.end + half);
+  return flag(!(dot(beside, beside) > limit * limit)) & flag(!(along < -half)) &
+         flag(!(along > ray.end + half));
 }
 
 // By sphere the lanes whose rays may meet it.

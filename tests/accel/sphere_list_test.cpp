@@ -45,7 +45,7 @@ std::vector<Ray> rays_at(const std::vector<Sphere>& spheres, std::size_t count) 
   std::vector<Ray> rays = test::sphere_rays(spheres, count, 2);
   test::RayRandom random(3);
   for (Ray& ray : rays) {
-    const float scale = std::pow(10.0f, 6 * random.uniform() - 3);
+    const float scale = std::pow(10.0f, 28 * random.uniform() - 25);
     ray.direction *= scale;
     ray.t_max /= scale;
     if (random.bits() % 4 == 0) ray.origin -= ray.direction * (1000 * random.uniform() / scale);
