@@ -35,6 +35,7 @@ TEST(Unit_Info, TellsWhatIsInTheCornellBox) {
   EXPECT_FALSE(info["memory_bytes"].contains("bvh"));
   EXPECT_FALSE(info["kernel"].get<std::string>().empty());
   EXPECT_EQ(info["faces"], 17);
+  EXPECT_EQ(info["listed_spheres"], 0);
   EXPECT_EQ(info["boxes"], 0);
   EXPECT_EQ(info["textures"].size(), 0u);
 }
@@ -69,6 +70,19 @@ TEST(Unit_Info, TheTextNamesEveryPart) {
   for (const char* part : {"hash", "triangles", "instances", "cameras", "lights", "bounds",
                            "memory", "kernel", "rays", "materials", "textures", "dropped"})
     EXPECT_NE(result.output.find(fmt::format("\n  {} ", part)), std::string::npos) << part;
+}
+
+TEST(Unit_Info, TellsWhatIsLookedAtWithoutATree) {
+  const std::string scene =
+      CANDELA_SOURCE_DIR "/assets/pbrt_textured_lights/pbrt_textured_lights.pbrt";
+  Json info = json_of({"info", scene, "--json"});
+  EXPECT_EQ(info["faces"], 3);
+  EXPECT_EQ(info["listed_spheres"], 2);
+  EXPECT_EQ(info["boxes"], 0);
+  const ProgramResult text = run_candela({"info", scene});
+  EXPECT_NE(text.output.find("against all of 3 faces and 2 spheres, without a tree\n"),
+            std::string::npos)
+      << text.output;
 }
 
 TEST(Unit_Check, CountsWhatIsWrong) {
