@@ -29,7 +29,8 @@ struct SphereChord {
   return {middle, (radius * radius - length_squared(beside)) / length2};
 }
 
-// Whether a ray meets the sphere's surface at an end of its chord.
+// Whether a ray meets the sphere's surface at an end of its chord. Without branches, for loops over
+// lanes; not where that is NaN.
 [[nodiscard]] inline bool is_on_ray(double t, double t_max) {
   const double rounded = static_cast<float>(t);
   return (t > 0) & (rounded > 0) & (rounded <= t_max);

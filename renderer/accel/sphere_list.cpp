@@ -13,7 +13,7 @@ namespace candela {
 namespace {
 
 // Bounds what floats are wrong by where they tell how far a ray passes a sphere's centre, over how
-// far both are from the scene's: fourteen roundings of three coordinates each.
+// far both are from the scene's: sixteen roundings of three coordinates each.
 constexpr float doubt = gamma_bound(48);
 
 float sum_of_sizes(const Vec3f& v) {
