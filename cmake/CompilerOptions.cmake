@@ -6,6 +6,18 @@ add_library(candela_options INTERFACE)
 target_compile_features(candela_options INTERFACE cxx_std_20)
 target_compile_options(candela_options INTERFACE -ffp-contract=off -fno-math-errno)
 
+# Techniques of the innermost loops, which have no option to turn them off: built without one, a
+# program is what `tools/bench before` compares with (docs/performance.md).
+set(CANDELA_WITHOUT "" CACHE STRING "Techniques to build without: ggx_bounds, vector_ray_setup")
+foreach(technique IN LISTS CANDELA_WITHOUT)
+  if(NOT technique MATCHES "^(ggx_bounds|vector_ray_setup)$")
+    message(FATAL_ERROR "CANDELA_WITHOUT has '${technique}', where ggx_bounds or vector_ray_setup "
+                        "was expected")
+  endif()
+  string(TOUPPER ${technique} technique)
+  target_compile_definitions(candela_options INTERFACE CANDELA_WITHOUT_${technique})
+endforeach()
+
 add_library(candela_warnings INTERFACE)
 target_compile_options(candela_warnings INTERFACE
   -Wall -Wextra -Wconversion -Wshadow -Werror=switch $<$<BOOL:${CANDELA_WERROR}>:-Werror>)

@@ -29,9 +29,6 @@ concept Accelerator = requires(const A& accelerator, const Ray& ray, const RayBl
 // abort the process. Every ray passes here first. A path whose ray fails is counted as invalid; a
 // shadow ray that does brings nothing.
 [[nodiscard]] inline bool is_traceable(const Ray& ray) {
-  const auto sum_of_absolutes = [](const Vec3f& v) {
-    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-  };
   const float direction = sum_of_absolutes(ray.direction);
   return direction > 0 && direction + sum_of_absolutes(ray.origin) < 1e15f && ray.t_max > 0;
 }

@@ -14,8 +14,16 @@ using embree::none;
 // Four floats at once: Embree loads origin and direction as vectors, and a vector load cannot be
 // forwarded from four narrower stores that are still under way.
 void store_four(float* target, const Vec3f& v, float last) {
+#ifndef CANDELA_WITHOUT_VECTOR_RAY_SETUP
   typedef float Float4 __attribute__((vector_size(16), may_alias));
   *reinterpret_cast<Float4*>(target) = Float4{v.x, v.y, v.z, last};
+#else
+  volatile float* numbers = target;  // else the compiler would make one store of them
+  numbers[0] = v.x;
+  numbers[1] = v.y;
+  numbers[2] = v.z;
+  numbers[3] = last;
+#endif
 }
 
 void set_ray(RTCRay& target, const Ray& ray) {

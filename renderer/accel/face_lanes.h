@@ -34,9 +34,8 @@ struct RayDoubt {
   float of_distance;  // times how far the ray goes while it comes nearer to the plane by 1
 };
 [[nodiscard]] inline RayDoubt doubt_of(const Vec3f& origin, const Vec3f& direction, float reach) {
-  const auto sum = [](const Vec3f& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
-  const float of_place = gamma_bound(16) * (sum(origin) + reach);
-  return {of_place, of_place * sum(direction)};
+  const float of_place = gamma_bound(16) * (sum_of_absolutes(origin) + reach);
+  return {of_place, of_place * sum_of_absolutes(direction)};
 }
 
 // Where a ray meets a face's plane.

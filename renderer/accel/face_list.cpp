@@ -103,8 +103,7 @@ void put_face(std::span<const Vec3d> corners, const Vec3d& normal, FaceGroups& f
     group.distance[i][lane] = static_cast<float>(dot(inward, corners[0] - from));
   }
   for (const Vec3d& corner : corners)
-    faces.reach = std::max(faces.reach, static_cast<float>(std::abs(corner.x) + std::abs(corner.y) +
-                                                           std::abs(corner.z)));
+    faces.reach = std::max(faces.reach, static_cast<float>(sum_of_absolutes(corner)));
   ++faces.size;
 }
 

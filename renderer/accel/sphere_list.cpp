@@ -16,10 +16,6 @@ namespace {
 // far both are from the scene's: sixteen roundings of three coordinates each.
 constexpr float doubt = gamma_bound(48);
 
-float sum_of_sizes(const Vec3f& v) {
-  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
-
 // What all spheres ask of a ray. Where floats lose the direction's square, all of it but the doubt
 // is NaN, of which nothing follows.
 struct RayBounds {
@@ -31,7 +27,7 @@ RayBounds bounds_of(const Vec3f& origin, const Vec3f& direction, float t_max) {
   constexpr float least = 1e-30f;
   const float square = dot(direction, direction);
   const float length2 = square > least ? square : std::numeric_limits<float>::quiet_NaN();
-  return {std::sqrt(length2), 1 / length2, doubt * sum_of_sizes(origin),
+  return {std::sqrt(length2), 1 / length2, doubt * sum_of_absolutes(origin),
           t_max * length2 * (1 + doubt)};
 }
 
@@ -116,7 +112,7 @@ SphereList::SphereList(const Scene& scene, std::span<const GeometryHandle> geome
   for (std::size_t k = 0; k < size(); ++k) {
     const Sphere& sphere = spheres_[k].sphere;
     lanes_.centre.set(k, sphere.centre);
-    lanes_.reach[k] = sphere.radius * (1 + doubt) + doubt * sum_of_sizes(sphere.centre);
+    lanes_.reach[k] = sphere.radius * (1 + doubt) + doubt * sum_of_absolutes(sphere.centre);
   }
 }
 

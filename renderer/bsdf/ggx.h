@@ -67,9 +67,16 @@ inline constexpr float smallest_ggx_width = 1e-4f;
   return 2 * distribution * cos_half / (cos_theta_o + smith_root(cos_theta_o, a));
 }
 
+#ifdef CANDELA_WITHOUT_GGX_BOUNDS
+inline constexpr bool bounds_ggx_caps = false;
+#else
+inline constexpr bool bounds_ggx_caps = true;
+#endif
+
 // The bounded cap leaves out most normals whose reflections go below the surface: k of
 // [Eto23, eq. 6] for isotropic a.
 [[nodiscard]] inline float ggx_reflection_bound(const Vec3f& wo, float a) {
+  if constexpr (!bounds_ggx_caps) return 1;
   const float a2 = a * a;
   const float s2 = square(1 + std::sqrt(wo.x * wo.x + wo.y * wo.y));
   return (1 - a2) * s2 / (s2 + a2 * wo.z * wo.z);

@@ -18,7 +18,7 @@ struct Sphere {
 // A direction of any length as a point of [-1, 1]^2: the octahedron, unfolded [Cigolle14]. Errors
 // of a rounding of the numbers move the direction by less than 2^-22.
 [[nodiscard]] inline Vec2f to_octahedron(const Vec3d& d) {
-  const double size = std::abs(d.x) + std::abs(d.y) + std::abs(d.z);
+  const double size = sum_of_absolutes(d);
   const double u = d.x / size;
   const double v = d.y / size;
   if (d.z >= 0) return {static_cast<float>(u), static_cast<float>(v)};

@@ -51,6 +51,13 @@ using glm::normalize;
 [[nodiscard]] inline double sum_of_components(const Vec3d& v) {
   return v.x + v.y + v.z;
 }
+// A length by another norm: never less than the usual one, at most 1.74 times it, and no squares.
+[[nodiscard]] inline float sum_of_absolutes(const Vec3f& v) {
+  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+[[nodiscard]] inline double sum_of_absolutes(const Vec3d& v) {
+  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
 
 [[nodiscard]] inline bool is_finite(const Vec3f& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
