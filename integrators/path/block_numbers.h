@@ -93,14 +93,19 @@ inline void draw_hit(const Scene& scene, const Sampler& sampler, std::uint32_t b
   if (F.media && scene.features.scattering_media)
     numbers.free_flight = sampler.sample_1d_bits(bounce, Dimension::FreeFlight);
 }
+// Of surfaces that scatter into single directions alone, which no light sample reaches.
+inline void draw_delta(const Scene& scene, Roulette roulette, const Sampler& sampler,
+                       std::uint32_t bounce, StepNumbers& numbers) {
+  if (needs_lobes(scene)) numbers.lobe = sampler.sample_1d(bounce, Dimension::LobeChoice);
+  if (bounce >= roulette.first_bounce)
+    numbers.roulette = sampler.sample_1d(bounce, Dimension::Roulette);
+}
 template <FeatureSet F>
 inline void draw_direction(const Scene& scene, Roulette roulette, const Sampler& sampler,
                            std::uint32_t bounce, StepNumbers& numbers) {
-  if (needs_lobes(scene)) numbers.lobe = sampler.sample_1d(bounce, Dimension::LobeChoice);
+  draw_delta(scene, roulette, sampler, bounce, numbers);
   numbers.direction = sampler.sample_2d(bounce, Dimension::Direction);
   if constexpr (F.guided) numbers.guide_choice = sampler.sample_1d(bounce, Dimension::GuideChoice);
-  if (bounce >= roulette.first_bounce)
-    numbers.roulette = sampler.sample_1d(bounce, Dimension::Roulette);
 }
 
 }  // namespace candela

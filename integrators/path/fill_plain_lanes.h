@@ -132,17 +132,31 @@ inline void put_light(const Light& light, std::uint32_t slot, LampLanes& lamps) 
   lamps.near_distance2[slot] = light.near_distance2;
 }
 
-// Deals a light sample to the path. Where lights are few, its lane often has the light already.
+inline void prefetch(const Light& light) {
+  constexpr std::size_t line = 64;
+  const char* begin = reinterpret_cast<const char*>(&light);
+  for (std::size_t i = 0; i < sizeof(Light); i += line) __builtin_prefetch(begin + i);
+}
+
+// Deals a light sample to the path. Where lights are few, its lane often has the light already;
+// where they are many, the memory is asked for it long before it is put.
 inline void put_lamp(const Scene& scene, std::uint32_t cell, std::uint32_t choice, Vec2f u,
                      std::uint32_t slot, LampLanes& lamps) {
   const LightPick pick = pick_light(scene.light_sampler, cell, choice, u);
   lamps.probability[slot] = pick.probability;
   if (lamps.light[slot] != pick.light) {
     lamps.light[slot] = pick.light;
-    put_light(scene.lights[pick.light], slot, lamps);
+    lamps.awaited |= 1u << slot;
+    prefetch(scene.lights[pick.light]);
   }
   lamps.u_x[slot] = u.x;
   lamps.u_y[slot] = u.y;
+}
+inline void put_lights(const Scene& scene, LampLanes& lamps) {
+  for_each_lane(lamps.awaited, [&](std::uint32_t slot) {
+    put_light(scene.lights[lamps.light[slot]], slot, lamps);
+  });
+  lamps.awaited = 0;
 }
 
 // The path in lane i of the block goes on.

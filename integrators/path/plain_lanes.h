@@ -48,6 +48,7 @@ struct LampLanes {
 
   Lanes<std::uint32_t> light;
   Lanes<float> probability{};  // with which it was picked
+  LaneMask awaited = 0;        // whose light is not yet put into what follows (put_lights)
   // Neither a triangle, a quad nor a plain sphere, of which alone there is more:
   LaneFlags is_other{};
   LaneFlags is_triangle{}, is_sphere{}, emits_both_sides{}, faces_inwards{};

@@ -40,12 +40,12 @@ class PlainSteps {
 
   void step_block(BlockTrip<A>& trip, LaneMask of_block, PlainModel model) {
     block_ = &trip;
-    fill_from_block(of_block);
+    fill_from_block(of_block, model);
     step(model);
     block_ = nullptr;
   }
   void step_waiting(PlainModel model) {
-    fill_from_waiting();
+    fill_from_waiting(model);
     size_ = 0;
     step(model);
   }
@@ -71,23 +71,27 @@ class PlainSteps {
   [[nodiscard]] const LightSampler& lights() const { return scene().light_sampler; }
 
   // Those that are as deep as paths may be end here.
-  void fill_from_waiting() {
+  void fill_from_waiting(PlainModel model) {
     lanes_.clear();
+    const bool is_delta = is_only_delta(model);
     std::uint32_t slot = 0;
     for (std::uint32_t k = 0; k < size_; ++k) {
       BlockTrip<A>& trip = *waiting_[k].trip;
       const std::uint32_t lane = waiting_[k].lane;
       meet_surface(trip, lane, geometry_met(trip, lane));
       if (trip.bounce >= trip.context.max_depth) continue;
-      const StepNumbers numbers = numbers_of<F>(trip, lane);
+      const StepNumbers numbers =
+          is_delta ? numbers_of_delta<F>(trip, lane) : numbers_of<F>(trip, lane);
       put_path(trip.context.scene, numbers, trip.bounce, trip.block.hits[lane],
                trip.block.rays[lane], trip.block.paths[lane], slot, lanes_);
-      put_lamp_where_any(trip, lane, numbers.light_choice, numbers.light_point, slot);
+      if (!is_delta)
+        put_lamp_where_any(trip, lane, numbers.light_choice, numbers.light_point, slot);
       places_[slot++] = waiting_[k];
     }
   }
-  void fill_from_block(LaneMask of_block) {
+  void fill_from_block(LaneMask of_block, PlainModel model) {
     lanes_.clear();
+    const bool is_delta = is_only_delta(model);
     BlockTrip<A>& trip = *block_;
     const Scene& scene = trip.context.scene;
     const HitBlock& hits = trip.block.hits;
@@ -98,8 +102,9 @@ class PlainSteps {
       meet_surface(trip, lane, geometry);
       if (!goes_on) return;
       put_surface(scene, geometry, hits[lane], coherence_of(trip.bounce), lane, lanes_);
-      put_lamp_where_any(trip, lane, trip.numbers.light_choice(lane),
-                         trip.numbers.light_point(lane), lane);
+      if (!is_delta)
+        put_lamp_where_any(trip, lane, trip.numbers.light_choice(lane),
+                           trip.numbers.light_point(lane), lane);
     });
   }
 
@@ -174,6 +179,7 @@ class PlainSteps {
   }
 
   void add_picked_light(PlainModel model) {
+    put_lights(scene(), lanes_.lamps);
     const LampLanes& lamps = lanes_.lamps;
     const LightSampleLanes& samples = lanes_.light_samples;
     const LaneMask others = sample_lamps(lanes_);

@@ -42,6 +42,16 @@ template <FeatureSet F, class A>
   return own;
 }
 
+// The same on a surface of a delta model.
+template <FeatureSet F, class A>
+[[nodiscard]] inline StepNumbers numbers_of_delta(const BlockTrip<A>& trip, std::uint32_t i) {
+  if (trip.is_drawn_together) return trip.numbers.template lane<F>(i);
+  StepNumbers own;
+  draw_delta(trip.context.scene, trip.context.roulette, trip.path_samplers().lane(i), trip.bounce,
+             own);
+  return own;
+}
+
 // Lanes for which numbers are drawn side by side.
 inline constexpr std::uint32_t fewest_drawn_together = 4;
 
