@@ -59,15 +59,11 @@ LaneMask lanes_where(LaneMask lanes, const auto& holds) {
   return found;
 }
 
-// From Embree's IDs to the scene's.
-Hit in_tables_of_instance(const Scene& scene, Hit hit) {
-  hit.instance = instance_of_id(scene, hit.instance);
-  const Object& object = scene.objects[scene.instances[hit.instance].object.index];
-  hit.geometry = object.geometries[hit.geometry].index;
-  return hit;
-}
-inline Hit in_tables(const Scene& scene, const Hit& hit) {
-  return hit.is_instanced() ? in_tables_of_instance(scene, hit) : hit;
+// Of what is met in an instance, from Embree's IDs to the scene's.
+inline void find_in_tables(const Scene& scene, std::uint32_t& geometry, std::uint32_t& instance) {
+  instance = instance_of_id(scene, instance);
+  const Object& object = scene.objects[scene.instances[instance].object.index];
+  geometry = object.geometries[geometry].index;
 }
 
 }  // namespace
@@ -94,8 +90,9 @@ Hit EmbreeAccel::State::intersect(RTCScene in, const Ray& ray) const {
 
   const RTCHit& found = ray_hit.hit;
   if (found.geomID == none) return {};
-  return in_tables(
-      *scene, {ray_hit.ray.tfar, found.u, found.v, found.geomID, found.primID, found.instID[0]});
+  Hit hit{ray_hit.ray.tfar, found.u, found.v, found.geomID, found.primID, found.instID[0]};
+  if (hit.is_instanced()) find_in_tables(*scene, hit.geometry, hit.instance);
+  return hit;
 }
 
 bool EmbreeAccel::State::occluded(RTCScene in, const Ray& ray) const {
@@ -119,8 +116,9 @@ void EmbreeAccel::State::intersect_packet(RTCScene in, const RayBlock& rays, Lan
   std::fill_n(ray_hits.hit.instID[0], size, none);
   embree::intersect_packet<size>(in, valid.lanes.data(), ray_hits, query, coherence);
   set_hits(ray_hits, first, hits);
-  for_each_lane(hits.instanced & lanes,
-                [&](std::uint32_t i) { hits.set(i, in_tables_of_instance(*scene, hits[i])); });
+  for_each_lane(hits.instanced & lanes, [&](std::uint32_t i) {
+    find_in_tables(*scene, hits.geometry[i], hits.instance[i]);
+  });
 }
 
 template <std::size_t size>
