@@ -132,6 +132,7 @@ inline void put_light(const Light& light, std::uint32_t slot, LampLanes& lamps) 
   lamps.near_distance2[slot] = light.near_distance2;
 }
 
+// Asks the memory for what put_light() reads.
 inline void prefetch(const Light& light) {
   constexpr std::size_t line = 64;
   const char* begin = reinterpret_cast<const char*>(&light);
@@ -152,6 +153,7 @@ inline void put_lamp(const Scene& scene, std::uint32_t cell, std::uint32_t choic
   lamps.u_x[slot] = u.x;
   lamps.u_y[slot] = u.y;
 }
+// All that were dealt since the last call; not before they are looked at.
 inline void put_lights(const Scene& scene, LampLanes& lamps) {
   for_each_lane(lamps.awaited, [&](std::uint32_t slot) {
     put_light(scene.lights[lamps.light[slot]], slot, lamps);

@@ -67,6 +67,7 @@ inline constexpr float smallest_ggx_width = 1e-4f;
   return 2 * distribution * cos_half / (cos_theta_o + smith_root(cos_theta_o, a));
 }
 
+// False in programs that measure what the bound is worth (cmake/CompilerOptions.cmake).
 #ifdef CANDELA_WITHOUT_GGX_BOUNDS
 inline constexpr bool bounds_ggx_caps = false;
 #else

@@ -1,8 +1,8 @@
 """Embree's tutorial path tracer (Debian: embree-tools): CPU seconds a sample at equal samples.
 
 candela sends as many camera rays, but for one in 400 that chooses the roulette: it does not adapt,
-states no error, looks for no lamps' edges, and no pixels share paths. What a picture costs once is taken off on both
-sides, by one of fewer samples.
+states no error, looks for no lamps' edges, and no pixels share paths. What a picture costs once is
+taken off on both sides, by one of fewer samples.
 """
 
 import pathlib
