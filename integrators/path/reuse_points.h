@@ -66,7 +66,7 @@ inline void reset_points(SharedPointLanes& y) {
 }
 
 // The share of light from a direction that a surface sends back by its diffuse lobe, over what the
-// lobe lets out.
+// lobe lets out. Unit directions.
 [[nodiscard]] inline Rgb diffuse_share(const SurfaceMet& met, const Vec3f& wo, const Vec3f& wi) {
   const Frame& frame = met.point.shading;
   const Vec3f wi_local = frame.to_local(wi);
@@ -99,8 +99,10 @@ inline void leave_point(const Scene& scene, std::uint32_t i, const LanesAfterSte
         sample_light_or_sky<general_features>(scene, light, met.point, Vec2f(0));
     direct += always * diffuse_share(met, wo, sample.light.wi);
   }
-  if ((after.arriving >> i & 1) != 0)
-    direct += block.unshadowed[i] * diffuse_share(met, wo, block.shadow_rays.direction[i]);
+  if ((after.arriving >> i & 1) != 0) {
+    const Vec3f wi = normalize(block.shadow_rays.direction[i]);  // a finite light's is not unit
+    direct += block.unshadowed[i] * diffuse_share(met, wo, wi);
+  }
   y.direct.set(i, direct);
   y.direct_glossy.set(i, glm::max(block.paths.radiance[i] - met.lobe.crossing_o * direct, Rgb(0)));
   block.paths.radiance.set(i, Rgb(0));

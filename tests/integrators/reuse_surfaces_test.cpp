@@ -79,6 +79,18 @@ TEST(Statistical_ReuseSurfaces, GlossyOnesKeepTheMeanUnderALampAndASky) {
                           [](RenderOptions& options) { options.samples_constant_sky = true; });
 }
 
+// Lights of which one is picked at each hit, whose shadow rays' directions are as long as it is far.
+TEST(Statistical_ReuseSurfaces, GlossyOnesKeepTheMeanUnderLightsThatArePicked) {
+  SceneDescription points = glossy_room();
+  for (int i = 0; i < 6; ++i)
+    add_light(points, description::PointLight{{0.1, 0.2, 0.3}, Vec3d(1.0 / 6)});
+  SceneDescription low_lamp = glossy_room();
+  const auto lamp = add_material(low_lamp, diffuse(Vec3d(0)), {40, 40, 30});
+  add_mesh(low_lamp, quad({-0.1, -0.7, 0.6}, {0.2, 0, 0}, {0, 0, 0.2}), lamp);
+  for (const SceneDescription& scene : {points, low_lamp})
+    expect_same_mean_shared(scene, 256, [](RenderOptions& options) { options.max_depth = 2; });
+}
+
 // None of the room's surfaces but the ceiling is Lambert's.
 TEST(Statistical_ReuseSurfaces, GlossyOnesHaveLessError) {
   expect_less_error_shared(glossy_room_of_a_point(), 0.9);
