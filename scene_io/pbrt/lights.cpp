@@ -76,7 +76,7 @@ class LightReader {
 
   // The light's colour times `scale`, as the film sees it.
   Vec3d colour(std::string_view name) {
-    const auto given = light_colour(arguments_, name, context_.scene.path);
+    const auto given = light_colour(arguments_, name, context_.scene);
     return given.value_or(Vec3d(1.0)) * (scale() * context_.imaging_ratio);
   }
   double scale() {
@@ -271,7 +271,7 @@ Emission read_emission(Context& context, Statement& statement) {
     context.report.error(statement.place, fmt::format("{} is no area light, expected diffuse",
                                                       text::quoted(statement.type)));
   Emission emission;
-  emission.radiance = light_colour(arguments, "L", context.scene.path).value_or(Vec3d(1.0));
+  emission.radiance = light_colour(arguments, "L", context.scene).value_or(Vec3d(1.0));
   emission.emits_both_sides = arguments.flag("twosided", false);
   arguments.accept({"samples", "nsamples"});
   if (const Parameter* file = arguments.find("filename", {ParameterType::String})) {

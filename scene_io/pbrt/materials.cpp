@@ -82,7 +82,7 @@ double MaterialReader::scalar(std::string_view name, double otherwise) {
   if (parameter->type == ParameterType::Spectrum)
     context.warn_once("dispersion", parameter->place,
                       "a spectrum here counts by its mean: light is not dispersed");
-  return mean_value(*parameter, context.scene.path, context.report).value_or(otherwise);
+  return mean_value(*parameter, context.scene, context.report).value_or(otherwise);
 }
 
 Widths read_widths(MaterialReader& reader, std::string_view prefix) {

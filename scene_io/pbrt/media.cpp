@@ -17,18 +17,18 @@ using description::MediumHandle;
 constexpr std::string_view default_preset = "Wholemilk";
 
 Vec3d coefficient(Arguments& arguments, std::string_view name, const Vec3d& otherwise,
-                  const std::string& scene_path) {
+                  description::SceneDescription& scene) {
   const Parameter* parameter =
       arguments.find(name, {ParameterType::Rgb, ParameterType::Xyz, ParameterType::Spectrum});
   if (!parameter) return otherwise;
-  return factor_colour(*parameter, scene_path, arguments.report()).value_or(otherwise);
+  return factor_colour(*parameter, scene, arguments.report()).value_or(otherwise);
 }
 
 // A preset counts for more than coefficients, as in pbrt.
-void set_coefficients(Arguments& arguments, const std::string& scene_path, Medium& medium) {
+void set_coefficients(Arguments& arguments, description::SceneDescription& scene, Medium& medium) {
   const MediumPreset defaults = *medium_preset(default_preset);
-  medium.absorption = coefficient(arguments, "sigma_a", defaults.absorption, scene_path);
-  medium.scattering = coefficient(arguments, "sigma_s", defaults.scattering, scene_path);
+  medium.absorption = coefficient(arguments, "sigma_a", defaults.absorption, scene);
+  medium.scattering = coefficient(arguments, "sigma_s", defaults.scattering, scene);
   const auto name = arguments.string("preset");
   if (!name || name->empty()) return;
   if (const auto preset = medium_preset(*name)) {
@@ -85,7 +85,7 @@ MediumHandle Media::read(Statement& statement, const std::string& name) {
   Medium medium;
   medium.name = name;
   medium.span = statement.place.span();
-  set_coefficients(arguments, context_.scene.path, medium);
+  set_coefficients(arguments, context_.scene, medium);
   const double scale = arguments.number("scale").value_or(1);
   medium.absorption *= scale;
   medium.scattering *= scale;

@@ -75,7 +75,7 @@ class OwnModelReader {
   std::optional<Vec3d> colour(std::string_view name) {
     const Parameter* parameter = reader_.arguments.find(name, {ParameterType::Rgb});
     if (!parameter) return std::nullopt;
-    return factor_colour(*parameter, reader_.context.scene.path, reader_.arguments.report());
+    return factor_colour(*parameter, reader_.context.scene, reader_.arguments.report());
   }
 
   MaterialReader& reader_;
@@ -109,7 +109,7 @@ void add_own_parameters(MaterialReader& reader, Material& material) {
   auto* glass = std::get_if<description::DielectricMaterial>(&material.model);
   if (!glass) return;
   if (const Parameter* colour = arguments.find("transmittance", {ParameterType::Rgb}))
-    glass->transmittance = factor_colour(*colour, reader.context.scene.path, arguments.report())
+    glass->transmittance = factor_colour(*colour, reader.context.scene, arguments.report())
                                .value_or(glass->transmittance);
 }
 

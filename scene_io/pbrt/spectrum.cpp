@@ -48,9 +48,9 @@ std::optional<SampledSpectrum> spectrum_of_pairs(const std::vector<double>& numb
 
 // A .spd file: pairs line by line, comments from '#'.
 std::optional<SampledSpectrum> spectrum_of_file(const Parameter& parameter,
-                                                const std::string& scene_path,
+                                                description::SceneDescription& scene,
                                                 const Report& report) {
-  const std::string path = resolve_file(scene_path, parameter.place, parameter.strings[0], report);
+  const std::string path = resolve_file(scene.path, parameter.place, parameter.strings[0], report);
   const auto bytes = text::read_file(path, {.bytes = 1 << 24, .inflated_bytes = 1 << 24});
   if (!bytes) {
     error(parameter, report,
@@ -60,6 +60,7 @@ std::optional<SampledSpectrum> spectrum_of_file(const Parameter& parameter,
                                    spectrum_names())));
     return std::nullopt;
   }
+  scene.files.push_back(path);
   std::vector<double> numbers;
   Tokenizer tokens(*bytes);
   for (Token token = tokens.next(); token.kind == TokenKind::Word; token = tokens.next()) {
@@ -75,10 +76,10 @@ std::optional<SampledSpectrum> spectrum_of_file(const Parameter& parameter,
   return spectrum_of_pairs(numbers, parameter, report);
 }
 
-std::optional<SampledSpectrum> sampled(const Parameter& parameter, const std::string& scene_path,
-                                       const Report& report) {
+std::optional<SampledSpectrum> sampled(const Parameter& parameter,
+                                       description::SceneDescription& scene, const Report& report) {
   if (parameter.strings.empty()) return spectrum_of_pairs(parameter.numbers, parameter, report);
-  return spectrum_of_file(parameter, scene_path, report);
+  return spectrum_of_file(parameter, scene, report);
 }
 
 template <class Table>
@@ -111,12 +112,12 @@ std::optional<Vec3d> black_body_colour(const Parameter& parameter, const Report&
   return scale * colour_of_light([&](double nm) { return black_body(nm, kelvin); });
 }
 
-std::optional<Vec3d> spectrum_light(const Parameter& parameter, const std::string& scene_path,
-                                    const Report& report) {
+std::optional<Vec3d> spectrum_light(const Parameter& parameter,
+                                    description::SceneDescription& scene, const Report& report) {
   if (!parameter.strings.empty())
     if (const auto* illuminant = find_named(named_illuminants(), parameter.strings[0]))
       return colour_of_chromaticity(illuminant->x, illuminant->y);
-  const auto spectrum = sampled(parameter, scene_path, report);
+  const auto spectrum = sampled(parameter, scene, report);
   if (!spectrum) return std::nullopt;
   return colour_of_light(*spectrum);
 }
@@ -130,14 +131,14 @@ std::optional<Vec3d> metal_part(std::string_view name) {
   return std::nullopt;
 }
 
-std::optional<Vec3d> spectrum_factor(const Parameter& parameter, const std::string& scene_path,
-                                     const Report& report) {
+std::optional<Vec3d> spectrum_factor(const Parameter& parameter,
+                                     description::SceneDescription& scene, const Report& report) {
   if (!parameter.strings.empty()) {
     if (const auto part = metal_part(parameter.strings[0])) return part;
     if (const auto* glass = find_named(named_glasses(), parameter.strings[0]))
       return Vec3d(glass->ior);
   }
-  const auto spectrum = sampled(parameter, scene_path, report);
+  const auto spectrum = sampled(parameter, scene, report);
   if (!spectrum) return std::nullopt;
   return colour_of_factor(*spectrum);
 }
@@ -145,22 +146,20 @@ std::optional<Vec3d> spectrum_factor(const Parameter& parameter, const std::stri
 }  // namespace
 
 std::optional<Vec3d> light_colour(Arguments& arguments, std::string_view name,
-                                  const std::string& scene_path) {
+                                  description::SceneDescription& scene) {
   const Parameter* parameter = arguments.find(
       name,
       {ParameterType::Rgb, ParameterType::Xyz, ParameterType::Blackbody, ParameterType::Spectrum});
   if (!parameter) return std::nullopt;
   const Report& report = arguments.report();
   if (parameter->type == ParameterType::Blackbody) return black_body_colour(*parameter, report);
-  if (parameter->type == ParameterType::Spectrum)
-    return spectrum_light(*parameter, scene_path, report);
+  if (parameter->type == ParameterType::Spectrum) return spectrum_light(*parameter, scene, report);
   return triple(*parameter, report);
 }
 
-std::optional<Vec3d> factor_colour(const Parameter& parameter, const std::string& scene_path,
+std::optional<Vec3d> factor_colour(const Parameter& parameter, description::SceneDescription& scene,
                                    const Report& report) {
-  if (parameter.type == ParameterType::Spectrum)
-    return spectrum_factor(parameter, scene_path, report);
+  if (parameter.type == ParameterType::Spectrum) return spectrum_factor(parameter, scene, report);
   if (parameter.type == ParameterType::Blackbody) return black_body_colour(parameter, report);
   if (parameter.type == ParameterType::Float || parameter.type == ParameterType::Integer) {
     if (parameter.numbers.size() == 1 && parameter.numbers[0] >= 0)
@@ -171,7 +170,7 @@ std::optional<Vec3d> factor_colour(const Parameter& parameter, const std::string
   return triple(parameter, report);
 }
 
-std::optional<double> mean_value(const Parameter& parameter, const std::string& scene_path,
+std::optional<double> mean_value(const Parameter& parameter, description::SceneDescription& scene,
                                  const Report& report) {
   if (parameter.type == ParameterType::Float || parameter.type == ParameterType::Integer) {
     if (parameter.numbers.size() == 1) return parameter.numbers[0];
@@ -182,7 +181,7 @@ std::optional<double> mean_value(const Parameter& parameter, const std::string& 
     if (const auto* glass = find_named(named_glasses(), parameter.strings[0])) return glass->ior;
     if (const auto part = metal_part(parameter.strings[0])) return part->y;
   }
-  const auto spectrum = sampled(parameter, scene_path, report);
+  const auto spectrum = sampled(parameter, scene, report);
   if (!spectrum) return std::nullopt;
   return luminous_mean(*spectrum);
 }

@@ -55,7 +55,7 @@ std::optional<ColourInput> Textures::colour(Arguments& arguments, std::string_vi
              ParameterType::Blackbody, ParameterType::Texture, ParameterType::Float});
   if (!parameter) return std::nullopt;
   if (parameter->type == ParameterType::Texture) return named(Kind::Spectrum, *parameter);
-  const auto constant = factor_colour(*parameter, context_.scene.path, context_.report);
+  const auto constant = factor_colour(*parameter, context_.scene, context_.report);
   if (!constant) return std::nullopt;
   return ColourInput{*constant, {}, {}};
 }

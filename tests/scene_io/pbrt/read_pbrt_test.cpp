@@ -1,4 +1,6 @@
 // pbrt scenes as files: through load(), gzip'ed or not.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "scene_io/load.h"
@@ -26,6 +28,26 @@ TEST(Unit_PbrtFiles, MayBeGziped) {
     EXPECT_EQ(scene->files.size(), 3u);
     EXPECT_EQ(scene->path, path);
   }
+}
+
+// So that no output overwrites them.
+TEST(Unit_PbrtFiles, SpectraCount) {
+  const TemporaryFolder folder;
+  std::vector<std::string> files;
+  for (const char* name : {"light.spd", "surface.spd", "index.spd", "medium.spd"})
+    files.push_back(folder.put(name, std::string("400 1\n700 1\n")));
+  const std::string text = R"(WorldBegin
+    LightSource "infinite" "spectrum L" "light.spd"
+    Material "diffuse" "spectrum reflectance" "surface.spd"
+    Shape "disk"
+    Material "dielectric" "spectrum eta" "index.spd"
+    MakeNamedMedium "m" "string type" "homogeneous" "spectrum sigma_a" "medium.spd"
+    MediumInterface "m" ""
+    Shape "sphere")";
+  const auto scene = load(folder.put("a.pbrt", text), {});
+  ASSERT_TRUE(scene);
+  for (const std::string& file : files)
+    EXPECT_EQ(std::count(scene->files.begin(), scene->files.end(), file), 1) << file;
 }
 
 TEST(Unit_PbrtFiles, MeshesComeInTheOrderOfTheText) {
