@@ -2,6 +2,7 @@
 // the light of their diffuse lobes, while what their highlights send stays each path's own.
 #include <gtest/gtest.h>
 
+#include "integrators/path/reuse_points.h"
 #include "integrators/path/shared_surfaces.h"
 #include "tests/integrators/reused_paths.h"
 #include "tests/integrators/sample_ranges.h"
@@ -79,16 +80,38 @@ TEST(Statistical_ReuseSurfaces, GlossyOnesKeepTheMeanUnderALampAndASky) {
                           [](RenderOptions& options) { options.samples_constant_sky = true; });
 }
 
-// Lights of which one is picked at each hit, whose shadow rays' directions are as long as it is far.
-TEST(Statistical_ReuseSurfaces, GlossyOnesKeepTheMeanUnderLightsThatArePicked) {
-  SceneDescription points = glossy_room();
-  for (int i = 0; i < 6; ++i)
-    add_light(points, description::PointLight{{0.1, 0.2, 0.3}, Vec3d(1.0 / 6)});
-  SceneDescription low_lamp = glossy_room();
-  const auto lamp = add_material(low_lamp, diffuse(Vec3d(0)), {40, 40, 30});
-  add_mesh(low_lamp, quad({-0.1, -0.7, 0.6}, {0.2, 0, 0}, {0, 0, 0.2}), lamp);
-  for (const SceneDescription& scene : {points, low_lamp})
-    expect_same_mean_shared(scene, 256, [](RenderOptions& options) { options.max_depth = 2; });
+// What comes straight from lights to a glossy point that a path leaves is parted into what its
+// diffuse lobe sends back and the rest. The rays to finite lights are as long as these are far.
+TEST(Unit_ReusePoints, HowFarALightIsDoesNotChangeHowItsLightIsParted) {
+  SceneDescription floors = empty_scene();
+  for (const auto material :
+       {add_material(floors, lab(0.3, 0.7, 20)), add_material(floors, coated(0.9)),
+        add_material(floors, cook_torrance(0.2, 0.8, description::GeometryModel::Smith))})
+    add_mesh(floors, quad({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}), material);
+  set_camera(floors, {0, 1, 0}, {0, 0, 0.1}, 45);
+  const Scene scene = compiled(floors, settings_of(16, 16).options);
+  const Vec3f wo = normalize(Vec3f(0.3f, 1, 0.2f)), wi = normalize(Vec3f(-0.4f, 1, 0.1f));
+  PathBlock block{};
+  SharedPointLanes y;
+  const auto light_by_diffuse_lobe = [&](std::uint32_t geometry, float distance) {
+    block.hits.set(0, Hit{.u = 0.3f, .v = 0.4f, .geometry = geometry, .triangle = 0});
+    block.shadow_rays.set(0, Ray{.direction = wi * distance});
+    block.unshadowed.set(0, Rgb(1));
+    block.paths.radiance.set(0, Rgb(1));
+    reset_points(y);
+    y.wo.set(0, wo);
+    y.always.set(0, Rgb(0));
+    leave_point(scene, 0, {.arriving = 1}, block, y);
+    EXPECT_GT(y.direct_glossy[0].x, 0);
+    return y.direct[0].x;
+  };
+  for (std::uint32_t geometry = 0; geometry < 3; ++geometry) {
+    const float near = light_by_diffuse_lobe(geometry, 1);
+    EXPECT_GT(near, 0.01f);
+    EXPECT_LT(near, 0.99f);
+    for (const float distance : {0.2f, 5.0f, 40.0f})
+      EXPECT_NEAR(light_by_diffuse_lobe(geometry, distance) / near, 1, 1e-5) << geometry;
+  }
 }
 
 // None of the room's surfaces but the ceiling is Lambert's.
