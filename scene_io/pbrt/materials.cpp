@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "scene_io/pbrt/own_materials.h"
+#include "scene_io/pbrt/source_files.h"
 #include "scene_io/pbrt/spectrum.h"
 
 namespace candela::pbrt {
@@ -149,15 +150,29 @@ std::size_t Materials::first_equal(std::size_t index) {
   if (index == grey) return grey;
   const auto known = first_equal_.find(index);
   if (known != first_equal_.end()) return known->second;
-  const Statement& statement = context_.program.materials[index].statement;
+  const std::string text = text_of(context_.program.materials[index].statement);
+  return first_equal_[index] = index_of_text_.try_emplace(text, index).first->second;
+}
+
+// With the paths of the files that it names, which equal names in files of two folders need not
+// share.
+std::string Materials::text_of(const Statement& statement) const {
+  Diagnostics unsaid;  // what there is to say of a file is said as it is read
+  const Report report(unsaid);
   std::string text = statement.type;
   for (const Parameter& parameter : statement.parameters) {
     text += fmt::format("\n{} {}", name_of(parameter.type), parameter.name);
     for (const double number : parameter.numbers) text += fmt::format(" {}", number);
-    for (const std::string& string : parameter.strings)
-      text += fmt::format(" {}:{}", string.size(), string);
+    const bool may_name_file =
+        parameter.type == ParameterType::Spectrum || parameter.name == "normalmap";
+    for (const std::string& string : parameter.strings) {
+      const std::string meant =
+          may_name_file ? resolve_file(context_.scene.path, parameter.place, string, report)
+                        : string;
+      text += fmt::format(" {}:{}", meant.size(), meant);
+    }
   }
-  return first_equal_[index] = index_of_text_.try_emplace(text, index).first->second;
+  return text;
 }
 
 const Material& Materials::of(const MaterialUse& use) {

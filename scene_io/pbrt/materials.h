@@ -36,6 +36,7 @@ class Materials {
 
   [[nodiscard]] std::size_t index_of(const MaterialUse& use);
   [[nodiscard]] std::size_t first_equal(std::size_t index);
+  [[nodiscard]] std::string text_of(const Statement& statement) const;
   [[nodiscard]] const description::Material& at(std::size_t index);
   struct Made {
     description::Material material;

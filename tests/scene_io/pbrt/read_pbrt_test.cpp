@@ -1,5 +1,6 @@
 // pbrt scenes as files: through load(), gzip'ed or not.
 #include <algorithm>
+#include <filesystem>
 
 #include <gtest/gtest.h>
 
@@ -48,6 +49,34 @@ TEST(Unit_PbrtFiles, SpectraCount) {
   ASSERT_TRUE(scene);
   for (const std::string& file : files)
     EXPECT_EQ(std::count(scene->files.begin(), scene->files.end(), file), 1) << file;
+}
+
+// Names are relative to the file that they stand in.
+TEST(Unit_PbrtFiles, EqualMaterialsOfTwoFoldersNameTwoFiles) {
+  const TemporaryFolder folder;
+  std::string text = "WorldBegin\n";
+  for (const char* name : {"a", "b"}) {
+    std::filesystem::create_directory(folder.file(name));
+    const std::string inside = std::string(name) + "/";
+    folder.put(inside + "s.spd", std::string(name[0] == 'a' ? "300 1\n900 1\n" : "300 0\n900 0"));
+    folder.put(inside + "n.png", std::string("not looked into by the reader"));
+    folder.put(inside + "part.pbrt",
+               std::string("Material \"diffuse\" \"spectrum reflectance\" \"s.spd\"\n"
+                           "Shape \"disk\"\n"
+                           "Material \"diffuse\" \"string normalmap\" \"n.png\"\n"
+                           "Shape \"disk\"\n"));
+    text += "Include \"" + inside + "part.pbrt\"\n";
+  }
+  text += "Include \"a/part.pbrt\"\n";  // whose materials are there
+  const auto scene = load(folder.put("scene.pbrt", text), {});
+  ASSERT_TRUE(scene);
+  ASSERT_EQ(scene->materials.size(), 4u);
+  const auto reflectance = [&](std::size_t i) {
+    return std::get<description::DiffuseMaterial>(scene->materials[i].model).reflectance.factor.y;
+  };
+  EXPECT_NEAR(reflectance(0), 1, 1e-9);
+  EXPECT_NEAR(reflectance(2), 0, 1e-9);
+  EXPECT_NE(scene->materials[1].normal_map, scene->materials[3].normal_map);
 }
 
 TEST(Unit_PbrtFiles, MeshesComeInTheOrderOfTheText) {
