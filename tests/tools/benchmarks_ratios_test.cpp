@@ -111,6 +111,15 @@ TEST_F(Unit_BenchmarksRatios, ErrorsFallAsAPowerOfTheTime) {
   EXPECT_TRUE(ask({"error_rate", "[[0.8, 1, 1]]", "[[0, 4, 4]]"}).is_null());
 }
 
+// Errors of 1 and 1/4 that scatter by a tenth a seed: of 16 seeds' rate, the logarithm of their
+// ratio over log 2, the deviation is .1 sqrt(2 / 16) / log 2, and by that log(4) / rate is off by
+// .0177. The pairs alone would say that nothing is.
+TEST_F(Unit_BenchmarksRatios, WhatATimeMayBeOffByHoldsTheRatesOwnError) {
+  const Json found = ask({"noise_of_a_rate", "16", "0.1"});
+  EXPECT_NEAR(found[0], 2 * 0.0177, 0.003);
+  EXPECT_NEAR(found[1], 2 * 0.0177, 0.005);
+}
+
 // Half of the time and twice the error, by a rate of 2: 1 / 2 * sqrt(2); both ways of two pairs.
 TEST_F(Unit_BenchmarksRatios, AdaptiveSamplingsGainIsThatOfPairs) {
   const Json row = ask({"adaptive_gain", "[[0.4, 1, 1], [0.4, 1, 1]]", "[[0.2, 2, 2], [0.2, 2, 2]]",
@@ -307,7 +316,7 @@ TEST_F(Unit_BenchmarksRatios, EarlierBuildsAreHeldAgainstThisOne) {
   const Json row =
       ask({"before_and_now",
            "[[[0.2, 3, 2], [0.1, 1, 1]], [[0.4, 6, 4], [0.1, 2, 4]], [[0.4, 8, 8], [0.1, 2, 2]]]",
-           "1"});
+           "[[0.1, 1, 1], [0.1, 2, 2], [0.1, 2, 2]]"});
   EXPECT_NEAR(row["relmse_ratio"], 4, 1e-12);
   EXPECT_NEAR(row["cpu_low"], 6, 1e-12);
   EXPECT_NEAR(row["cpu_ratio"], 12, 1e-12);

@@ -2,9 +2,10 @@
 
 A scene's picture is rendered with everything on and with one technique off, in pairs of one seed
 that take turns; above 1 the technique pays. relMSE falls as a power of the time, which pictures of
-half the samples tell; so the time to the same error follows from both ratios. On by default stays
-what gains 5 % in the geometric mean and, beyond noise, anything at all, and of which no scene says
-beyond noise that it loses more than 3 %. low and high: twice the standard error of the logarithm.
+as many and of twice the samples tell, without adaptive sampling; so the time to the same error
+follows from both ratios. On by default stays what gains 5 % in the geometric mean and, beyond
+noise, anything at all, and of which no scene says beyond noise that it loses more than 3 %. low and
+high: twice the standard error of the logarithm, in which the power's own error is.
 cpu_with_making: CPU time with what the scene and its trees took to make.
 """
 
@@ -15,8 +16,7 @@ from collections.abc import Callable
 import chosen_scenes
 import truth
 from arguments import at_least
-from fits import (geometric_mean, mean_with_factor, ratio_of_errors, spread, times_to_same_error,
-                  with_factor)
+from fits import geometric_mean, mean_with_factor, ratio_of_errors, spread, with_factor
 from processes import ProgramFailed
 from references import square
 from renders import CandelaFailed
@@ -110,7 +110,8 @@ TECHNIQUES = (  # a row is a line
               is_used=lambda seen: seen.info["light_cells"] > 0),
     Technique("near lamps by area (off: by solid angle)", {"light_sampling": "solid_angle"},
               is_used=has_other_pictures),
-    Technique("four replicates (off: one, no stated error)", {"replicates": 1}),
+    Technique("four replicates (off: one, no stated error)",
+              {"replicates": 1, "adaptive": "on"}),  # which one by itself would not be
     Technique("light and BSDF samples (off: light alone)", {"sampling": "light"},
               timed_on=SAME_KERNEL, both=PLAIN_PATHS),
     Technique("light and BSDF samples (off: BSDF alone)", {"sampling": "bsdf"},
@@ -124,11 +125,11 @@ GAIN, LOSS = 1.05, .97
 
 
 def add_arguments(parser):
-    chosen_scenes.add_argument(parser, "the shipped and the generated ones")
+    chosen_scenes.add_argument(parser, "the shipped YAML files and the generated ones")
     parser.add_argument("--quick", action="store_true", help="48x48, 16 spp, 3 pairs")
     parser.add_argument("--pairs", type=at_least(1), help="pictures with and without (8)")
     parser.add_argument("--size", type=at_least(1), metavar="N", help="pixels a side (96)")
-    parser.add_argument("--spp", type=at_least(2),
+    parser.add_argument("--spp", type=at_least(1),
                         help="samples of a picture (128; adaptive sampling begins at 64)")
     parser.add_argument("--technique", action="append", metavar="WORDS",
                         help="only rows whose name has these words; may be given several times")
@@ -192,30 +193,33 @@ class Plan:
 
 
 def rows_of(candela, name, scene, techniques, plan, note):
-    right = rate = None
+    right = None
     info = candela.info(scene)
     if not all(technique.same_picture for technique in techniques):
         right = truth.reference(candela, name, scene, plan.size, 16 * plan.spp)
-        rate = rate_of(candela, scene, right, plan)
-    rows = []
+    rows, ladders = [], {}  # by what holds on both sides
     for technique in techniques:
         try:
             on, off = pictures(candela, scene, right, technique, plan)
+            both = tuple(technique.both.items())
+            if not technique.same_picture and both not in ladders:
+                ladders[both] = ladder_of(candela, scene, right, plan, technique.both)
         except ProgramFailed as reason:
             note(f"{name}, {technique.name}: left out. {first_line(reason)}")
             continue
         rows.append({"technique": technique.name, "scene": name}
-                    | compared(on, off, technique.same_picture, rate)
+                    | compared(on, off, None if technique.same_picture else ladders[both])
                     | {"reference": reference_word(right, technique, on, off),
                        "used": used_word(technique, on, off, info)})
     return rows
 
 
-def rate_of(candela, scene, right, plan):
-    """With everything on."""
-    fewer, more = ([truth.measured(candela, scene, right, **plan.options(seed, spp))
-                    for seed in plan.seeds()] for spp in (plan.spp // 2, plan.spp))
-    return truth.rate_of_runs(fewer, more)
+def ladder_of(candela, scene, right, plan, both):
+    """Runs by seed, of as many samples and of twice as many. Adaptive sampling, which begins at
+    some number of them, would look as if error fell the faster there."""
+    return [[truth.measured(candela, scene, right,
+                            **plan.options(seed, spp) | both | {"adaptive": "off"})
+             for seed in plan.seeds()] for spp in (plan.spp, 2 * plan.spp)]
 
 
 def pictures(candela, scene, right, technique, plan):
@@ -248,21 +252,23 @@ def used_word(technique, on, off, info):
     return "yes" if any(technique.is_used(one) for one in seen) else "no"
 
 
-def compared(on, off, same_picture, rate):
+def compared(on, off, ladder):
     """Ratios off / on: of CPU time by pairs, of error by medians, and of both together by pairs:
     the geometric mean, with twice its standard error; nan where an error is lost in the
-    reference's noise."""
+    reference's noise. `ladder`: of ladder_of(); None where pictures are the same."""
     cpu, built, wall = (spread(getattr(b, key) / getattr(a, key) for a, b in zip(on, off))
                         for key in ("cpu_seconds", "built_cpu_seconds", "seconds"))
     times = [b.cpu_seconds / a.cpu_seconds for a, b in zip(on, off)]
-    if not same_picture:
-        times = [times_to_same_error(time, ratio_of_errors(b.relmse, a.relmse), rate)
-                 for time, a, b in zip(times, on, off)]
-    mean, factor = with_factor(times)
+    if ladder is None:
+        mean, factor = with_factor(times)
+    else:
+        errors = [ratio_of_errors(b.relmse, a.relmse) for a, b in zip(on, off)]
+        mean, factor = truth.time_to_same_error(times, errors, *ladder)
     medians = (spread(run.relmse for run in runs).median for runs in (off, on))
     return {"cpu": cpu.median, "cpu_low": cpu.low, "cpu_high": cpu.high,
             "cpu_with_making": built.median, "wall": wall.median,
-            "relmse": 1.0 if same_picture else ratio_of_errors(*medians), "rate": rate,
+            "relmse": 1.0 if ladder is None else ratio_of_errors(*medians),
+            "rate": None if ladder is None else truth.rate_of_runs(*ladder),
             "time_to_error": mean, "low": mean / factor, "high": mean * factor}
 
 

@@ -38,7 +38,8 @@ def run(options):
     results = Results(out, "Embree and the reference BVH", __doc__, candela.version())
     seconds = options.seconds or (.05 if options.quick else .5)
     most = options.most or (4 if options.quick else 7)
-    scenes = chosen_scenes.chosen(candela, out, options.scenes, chosen_scenes.names())
+    scenes = chosen_scenes.chosen(candela, out, options.scenes, chosen_scenes.names(),
+                                  results.note)
     rows = []
     for name, scene in scenes.items():
         with results.attempt(name):

@@ -3,7 +3,7 @@
 error_gain is the ratio of relMSE, off over on; efficiency the time to the same error without over
 with, by the rate at which the error falls from as many samples to twice as many: what adaptive
 sampling gains lies there. Each seed tells such ratios of its own: of them the geometric mean, with
-twice the standard error of its logarithm (plus_minus, low and high).
+twice the standard error of its logarithm (plus_minus, low and high), in which the rate's own is.
 """
 
 import math
@@ -12,7 +12,7 @@ import statistics
 import chosen_scenes
 import truth
 from arguments import at_least, numbers
-from fits import geometric_mean, ratio_of_errors, times_to_same_error, with_factor
+from fits import geometric_mean, ratio_of_errors, with_factor
 from references import square
 from turns import in_turn
 
@@ -48,12 +48,11 @@ def compared(off, on, twice):
     """Runs by seed."""
     gains = [ratio_of_errors(a.relmse, b.relmse) for a, b in zip(off, on)]
     times = [a.cpu_seconds / b.cpu_seconds for a, b in zip(off, on)]
-    rate = truth.rate_of_runs(off, twice)
-    (gain, gain_factor), (time, _), (efficiency, factor) = map(with_factor, (gains, times, [
-        times_to_same_error(time, gain, rate) for time, gain in zip(times, gains)]))
+    (gain, gain_factor), (time, _) = map(with_factor, (gains, times))
+    efficiency, factor = truth.time_to_same_error(times, gains, off, twice)
     return {"error_gain": gain, "plus_minus": math.log(gain_factor), "time_ratio": 1 / time,
-            "rate": rate, "efficiency": efficiency, "low": efficiency / factor,
-            "high": efficiency * factor}
+            "rate": truth.rate_of_runs(off, twice), "efficiency": efficiency,
+            "low": efficiency / factor, "high": efficiency * factor}
 
 
 def stated_over_true(runs):

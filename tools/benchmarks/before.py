@@ -2,7 +2,8 @@
 
 Both render every scene with what they do by default, in pairs of one seed that take turns, and are
 held against one reference. Each pair tells ratios of its own: of them median, range and geometric
-mean, with twice the standard error of the mean's logarithm (plus_minus). Where one of the two does
+mean, with twice the standard error of the mean's logarithm (plus_minus), in which that of the rate
+is with which error falls over time; the range is without it. Where one of the two does
 not tell its CPU time of rendering, that of both is the whole process's, less the median of what a
 picture of one sample takes (start-up, reading, building, writing), in proportion to the other
 samples. Wall time is of rendering alone. What one of them cannot read is left out with a sentence.
@@ -26,11 +27,11 @@ SAME_MEANS = .03  # by how much the two pictures' means may differ before that i
 
 def add_arguments(parser):
     parser.add_argument("before", type=pathlib.Path, metavar="PROGRAM", help="the other candela")
-    chosen_scenes.add_argument(parser, "all")
+    chosen_scenes.add_argument(parser, "all but the shipped pbrt files")
     parser.add_argument("--quick", action="store_true", help="64x64, 64 spp, 2 pairs")
     parser.add_argument("--pairs", type=at_least(1), help="pictures of each program (5)")
     parser.add_argument("--size", type=at_least(1), metavar="N", help="pixels a side (128)")
-    parser.add_argument("--spp", type=at_least(2), help="samples of a picture (128)")
+    parser.add_argument("--spp", type=at_least(4), help="samples of a picture (128)")
     parser.add_argument("--threads", type=at_least(1), default=len(os.sched_getaffinity(0)),
                         help="of both (all processors)")
 
@@ -80,7 +81,7 @@ def row(programs, right, spp, seeds):
     told = programs[0].told & programs[1].told
     pairs = [[program.measured(spp, seed, right, told) for program in programs] for seed in seeds]
     fewer = [programs[1].measured(spp // 2, seed, right, told) for seed in seeds]
-    return (compared(pairs, truth.rate_of_runs(fewer, [now for _, now in pairs]))
+    return (compared(pairs, fewer)
             | {"reference": truth.judged(right, *([run.relmse for run in runs]
                                                   for runs in zip(*pairs)))})
 
@@ -110,14 +111,20 @@ class Program:
         return truth.run_of(read_exr(self.exr), right, cpu, stats["seconds"]["render"], spp)
 
 
-def compared(pairs, rate):
+def compared(pairs, fewer):
     """`pairs`: [before, now] each. Ratios before / now, pair by pair, so that ranges have the
-    errors' noise. `rate`: with which the error falls over time, now."""
+    errors' noise. `fewer`: runs of half the samples now, of the same seeds."""
     errors = [ratio_of_errors(before.relmse, now.relmse) for before, now in pairs]
-    cpu, wall = ([times_to_same_error(getattr(before, seconds) / getattr(now, seconds), error, rate)
-                  for error, (before, now) in zip(errors, pairs)]
-                 for seconds in ("cpu_seconds", "seconds"))
+    more = [now for _, now in pairs]
+    rate = truth.rate_of_runs(fewer, more)
+
+    def columns(key, seconds):
+        times = [getattr(before, seconds) / getattr(now, seconds) for before, now in pairs]
+        _, factor = truth.time_to_same_error(times, errors, fewer, more)
+        return ratio_columns(key, [times_to_same_error(time, error, rate)
+                                   for time, error in zip(times, errors)], factor)
+
     means = spread(before.mean_ratio / now.mean_ratio for before, now in pairs)
     return ({"relmse_ratio": ratio_columns("relmse", errors)["relmse_ratio"], "rate": rate}
-            | ratio_columns("cpu", cpu) | ratio_columns("wall", wall)
+            | columns("cpu", "cpu_seconds") | columns("wall", "seconds")
             | {"means_before_over_now": means.median})

@@ -12,12 +12,13 @@ import sys
 import analytic_scenes
 import calibration_goals as goals
 from arguments import at_least, numbers
-from chosen_scenes import safe
+from chosen_scenes import present, safe, tell_absent
 from fits import spread
 from references import (SEEDS, layers, reference, rendered_once, side_by_side, square,
                         with_weight)
 from renders import Candela, CandelaFailed
 from results import FAILED, Results
+from scenes import shipped_pbrt_scenes
 
 ABOUT = "the stated error against the true one"
 
@@ -64,8 +65,7 @@ class Scene:
 
 
 def all_scenes(options):
-    from scenes import pbrt_scenes, scenes_by_name
-    found = scenes_by_name(ROOT) | pbrt_scenes(ROOT)
+    found = present() | (shipped_pbrt_scenes(ROOT) if options.scenes else {})
     scenes = [Scene(name, path) for name, path in found.items()]
     for name, path, radiance in analytic_scenes.write(options.out / "scenes"):
         scenes.append(Scene(name, path, radiance))
@@ -97,7 +97,7 @@ def truth_of(candela, scene, size, spp):
         image = numpy.full((size, size, 3), scene.radiance)
         return with_weight(image, numpy.zeros_like(image))
     return reference(candela, f"reference_{safe(scene.name)}_{size}_{spp}", scene.path,
-                     integrator="path", size=square(size), spp=spp, replicates=16)
+                     size=square(size), spp=spp, replicates=16)
 
 
 def with_heavy_pixels(candela, scene, size, renders, truth):
@@ -111,7 +111,7 @@ def with_heavy_pixels(candela, scene, size, renders, truth):
     def closely(at):
         y, x = at
         return rendered_once(candela, f"reference_{safe(scene.name)}_{size}_pixel_{x}_{y}",
-                             scene.path, integrator="path", size=square(size),
+                             scene.path, size=square(size),
                              crop=f"{x},{y},{x + 1},{y + 1}", spp=HEAVY_PIXEL_SPP, seed=SEEDS[0],
                              replicates=16)
 
@@ -340,6 +340,8 @@ def run(options):
     candela = Candela(options.program, options.out / "renders")
     results = Results(options.out, "Calibration", __doc__, candela.version())
     counts = options.spp or ((4, 16, 64) if options.quick else (4, 16, 64, 256, 1024))
+    if not options.scenes:
+        tell_absent(results.note)
     rows, stop_rows = [], []
     if not options.no_cases:
         rows = cases(results, candela, options, counts)

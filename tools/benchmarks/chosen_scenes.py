@@ -1,13 +1,15 @@
-"""Which scenes to measure with: all that are present, generated ones among them."""
+"""Which scenes to measure with: of the shipped ones, those from elsewhere that are present, and
+generated ones."""
 
 import pathlib
 
 from generated import generated
 from renders import CandelaFailed
-from scenes import pbrt_scenes, scenes_by_name
+from scenes import (absent_scenes, pbrt_scenes, scenes_by_name, shared_folder,
+                    shipped_pbrt_scenes)
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-# Of closed forms (cycles.py): measured where they are asked for.
+# Of closed forms (cycles.py): measured where they are asked for. So are the shipped pbrt files.
 ANALYTIC = {name: ROOT / f"tools/benchmarks/blender/scenes/{name}.yaml"
             for name in ("point_lit", "sun_lit", "environment_lit")}
 GENERATED = ("attic", "door_ajar", "forest", "glass_and_mirrors", "lamps", "mis_plates", "white_room",
@@ -19,7 +21,7 @@ def present():
 
 
 def all_names():
-    return [*names(), *ANALYTIC]
+    return [*names(), *ANALYTIC, *shipped_pbrt_scenes(ROOT)]
 
 
 def names():
@@ -31,17 +33,19 @@ def own_names():
     return [name for name in names() if not name.startswith(("lab3/", "pbrt/"))]
 
 
-def add_argument(parser, default="all but " + ", ".join(ANALYTIC)):
+def add_argument(parser, default="all but " + ", ".join([*ANALYTIC, "shipped pbrt files"])):
     parser.add_argument("scenes", nargs="*", metavar="SCENE",
                         help=f"names ({default}); gen/NAME is what tools/scene_gen NAME writes: "
                         + ", ".join(all_names()).replace("%", "%%"))
 
 
 def chosen(candela, out, wanted, default, tell=print):
-    """Name -> file. Of the default names those that are absent are left out, and all that candela
-    cannot read with a word."""
-    found = present() | ANALYTIC
+    """Name -> file. What is absent of all scenes, and what candela cannot read, is left out with a
+    word."""
+    found = present() | ANALYTIC | shipped_pbrt_scenes(ROOT)
     files = {}
+    if not wanted and set(names()) <= set(default):
+        tell_absent(tell)
     for name in wanted or default:
         if name.startswith("gen/") and name[4:] in GENERATED:
             files[name] = generated(out, name[4:])
@@ -50,6 +54,12 @@ def chosen(candela, out, wanted, default, tell=print):
         elif wanted:
             raise CandelaFailed(f"no scene '{name}'; expected one of " + ", ".join(all_names()))
     return {name: file for name, file in files.items() if is_read(candela, name, file, tell)}
+
+
+def tell_absent(tell):
+    absent = absent_scenes(ROOT)
+    if absent:
+        tell(f"not in {shared_folder(ROOT)}, and left out: {', '.join(absent)}")
 
 
 def is_read(candela, name, file, tell):

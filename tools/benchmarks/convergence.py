@@ -28,7 +28,7 @@ CURVES = {
     "path, split by four": PLAIN_PATHS | {"splitting": 4},
     "path, guided": PLAIN_PATHS | {"guiding": "on"},
     "path, guided by a trial": PLAIN_PATHS | {"guiding": "auto"},
-    "path, 1 replicate": {"replicates": 1},
+    "path, 1 replicate": {"replicates": 1, "adaptive": "on"},
     "path, plain random numbers": {"sampler": "independent"},
     "path, padded points": {"sampler": "padded"},
     "path, no rays at lamps' edges": {"lamp_rays": 0},
@@ -45,7 +45,7 @@ GOALS = (1e-2, 1e-3)
 
 
 def add_arguments(parser):
-    chosen_scenes.add_argument(parser, "the shipped and the generated ones")
+    chosen_scenes.add_argument(parser, "the shipped YAML files and the generated ones")
     parser.add_argument("--quick", action="store_true", help="48x48, 4 and 16 spp, 2 seeds")
     parser.add_argument("--seeds", type=at_least(1), help="pictures a point (5)")
     parser.add_argument("--size", type=at_least(1), metavar="N", help="pixels a side (96)")
@@ -68,7 +68,8 @@ def run(options):
     seeds = range(1, 1 + (options.seeds or (2 if options.quick else 5)))
     counts = [4 ** power for power in range(1, 10) if 4 ** power <= most]
     curves = {name: CURVES[name] for name in options.curve or CURVES}
-    scenes = chosen_scenes.chosen(candela, out, options.scenes, chosen_scenes.own_names())
+    scenes = chosen_scenes.chosen(candela, out, options.scenes, chosen_scenes.own_names(),
+                                  results.note)
     rows, ends = [], []
     for name, scene in scenes.items():
         with results.attempt(name):

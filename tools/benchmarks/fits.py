@@ -95,21 +95,37 @@ def with_factor(ratios):
     return math.exp(statistics.fmean(logs)), math.exp(2 * error)
 
 
+def jackknifed(log_of, count):
+    """exp of log_of(seeds) by seeds 0 to `count`, and the factor by which it may be off: twice the
+    standard error that leaving out each seed in turn tells, nan of a single one. Both are nan where
+    the logarithm is without any of them."""
+    seeds = range(count)
+    if count == 1:
+        return math.exp(log_of(seeds)), math.nan
+    without = [log_of([seed for seed in seeds if seed != left]) for left in seeds]
+    if any(map(math.isnan, without)):
+        return math.nan, math.nan
+    mean = statistics.fmean(without)
+    error = math.sqrt((count - 1) / count * sum((log - mean) ** 2 for log in without))
+    return math.exp(log_of(seeds)), math.exp(2 * error)
+
+
 def mean_with_factor(means, factors):
     """Geometric mean of several, and the factor by which it may be off, from theirs."""
     means, logs = list(means), [math.log(factor) for factor in factors]
     return geometric_mean(means), math.exp(math.hypot(*logs) / len(means))
 
 
-def ratio_columns(key, ratios):
+def ratio_columns(key, ratios, factor=None):
     """Of a table: median, range and geometric mean of ratios, one a pair, with twice the standard
-    error of the mean's logarithm. Empty where there are no ratios, or one is nan."""
+    error of the mean's logarithm, that of `factor` where more than the pairs' is known. Empty where
+    there are no ratios, or one is nan."""
     names = [f"{key}_{part}" for part in ("ratio", "low", "high", "mean", "plus_minus")]
     ratios = list(ratios)
     if not ratios or any(map(math.isnan, ratios)):
         return dict.fromkeys(names)
-    of, (mean, factor) = spread(ratios), with_factor(ratios)
-    return dict(zip(names, (of.median, of.low, of.high, mean, math.log(factor))))
+    of, (mean, own_factor) = spread(ratios), with_factor(ratios)
+    return dict(zip(names, (of.median, of.low, of.high, mean, math.log(factor or own_factor))))
 
 
 def x_where(y_wanted, x, y):

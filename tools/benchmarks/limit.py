@@ -50,7 +50,8 @@ def run(options):
     # Every 17th tile of 16 x 16 is measured: in small pictures too few to stand for the
     # whole. Samples are traced in blocks of 16.
     size, spp = ("256x256", 16) if options.quick else ("512x512", 32)
-    scenes = chosen_scenes.chosen(candela, out, options.scenes, chosen_scenes.names())
+    scenes = chosen_scenes.chosen(candela, out, options.scenes, chosen_scenes.names(),
+                                  results.note)
     rows = []
     for name, scene in scenes.items():
         with results.attempt(name):

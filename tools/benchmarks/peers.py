@@ -1,7 +1,8 @@
 """The same scenes by candela and by Blender's Cycles, in pairs that take turns: time to an error.
 
 Box filter, no denoising, no clamping, no adaptive sampling, depth without limit against 100;
-candela with each pixel's paths its own or shared, by what does better. Each renderer is measured
+candela with each pixel's paths its own, shared, or as its trial says, by what does best in the very
+pairs that are told, which flatters it by some of their noise. Each renderer is measured
 against a long reference of its own, of other seeds, so that no difference between the two counts as
 an error of either; how far the references' means are apart is told beside. Neither states an error
 (`--replicates 1`). Each pair tells ratios of its own: of them median, range and geometric mean,
@@ -18,7 +19,7 @@ by scene.
 With --all each has the best of its settings: candela, which then adapts, four replicates and two,
 by which it states its error, and one; Cycles a fixed number of samples and its noise threshold. Of
 Cycles' that is the one to whose last error candela takes the longer, over Cycles' own time; of
-candela's the one that does better against that.
+candela's the one that does best against that.
 """
 
 import dataclasses
@@ -41,10 +42,10 @@ RENDERERS = ("candela", "Cycles")
 MEASURES = (("cpu", "relmse", "cpu_seconds"), ("wall", "relmse", "seconds"),
             ("trimmed_cpu", "trimmed", "cpu_seconds"))  # column, error, time
 # Name -> candela's options.
-OUR_SETTINGS = {f"candela, {words}{', paths shared' if reuse == 'on' else ''}":
-                {"replicates": replicates, "reuse": reuse}
+OUR_SETTINGS = {f"candela, {words}{shared}": {"replicates": replicates, "reuse": reuse}
                 for replicates, words in ((4, "four replicates"), (2, "two"), (1, "one"))
-                for reuse in ("off", "on")}
+                for reuse, shared in (("off", ""), ("on", ", paths shared"),
+                                      ("auto", ", paths shared by a trial"))}
 PILOTS = 64  # samples a pixel from which on candela's sampling adapts
 THRESHOLD = .4  # of Cycles' noise, over the root of the samples that it should about take
 MOST_ADAPTIVE = 4096

@@ -1,4 +1,7 @@
-"""What stating an error costs: relMSE with 2, 4 and 8 replicates over that with one."""
+"""What stating an error costs: relMSE with 2, 4 and 8 replicates over that with one.
+
+Without adaptive sampling, which one replicate does not have by default.
+"""
 
 import math
 import pathlib
@@ -24,7 +27,7 @@ def relmse(candela, path, right, spp, replicates, seeds):
     """Mean over the seeds, and its standard error."""
     def one(seed):
         render = candela.render(f"picture_{seed}", path, png=False, size=square(SIZE), spp=spp,
-                                seed=seed, threads=1, replicates=replicates,
+                                seed=seed, threads=1, replicates=replicates, adaptive="off",
                                 aov="variance,heavy_tail")
         return right.relmse(layers(render)[0])
 

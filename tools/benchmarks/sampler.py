@@ -1,6 +1,7 @@
 """Scrambled Sobol points against plain random numbers: by how much relMSE is lower.
 
-Without splitting and adaptive sampling, box filter. Ratios are those of pictures in pairs of one
+Box filter, each pixel's paths its own, roulette from 1/2 on, without splitting and adaptive
+sampling, so that both take the same ways. Ratios are those of pictures in pairs of one
 seed: median, range and geometric mean, with twice the standard error of the mean's logarithm
 (plus_minus); none where an error is lost in the reference's noise. cpu: the CPU time with Sobol
 points over that without. Last, what such points take by themselves.
@@ -10,6 +11,7 @@ import math
 
 import chosen_scenes
 import truth
+from ablation import PLAIN_PATHS
 from arguments import at_least
 from fits import ratio_columns, ratio_of_errors, spread
 
@@ -74,7 +76,7 @@ def checker_of(squares_a_pixel, size, out):
 
 def gain(candela, scene, right, seeds, **options):
     plain, sobol = zip(*([truth.measured(candela, scene, right, seed=seed, threads=1,
-                                         adaptive="off", splitting=1, sampler=sampler, **options)
+                                         adaptive="off", sampler=sampler, **PLAIN_PATHS, **options)
                           for sampler in ("independent", "sobol")] for seed in seeds))
     errors = [[run.relmse for run in runs] for runs in (plain, sobol)]
     cpu = spread(s.cpu_seconds / p.cpu_seconds for p, s in zip(plain, sobol))

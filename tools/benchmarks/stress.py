@@ -117,5 +117,7 @@ def run(options):
     results = Results(options.out, "The stress bench", __doc__,
                       Candela(options.program, options.out).version())
     tell(results, rows, verdicts)
+    if not verdicts:
+        results.note(f"no case ran; expected one that '{options.filter or all_cases()}' matches")
     results.finish()
-    return 0 if passed else FAILED
+    return 0 if passed and verdicts else FAILED

@@ -20,7 +20,7 @@ ABOUT = "against another build of candela: CPU time of the same samples"
 
 def add_arguments(parser):
     parser.add_argument("before", type=pathlib.Path, metavar="PROGRAM", help="the other candela")
-    chosen_scenes.add_argument(parser, "all")
+    chosen_scenes.add_argument(parser, "all but the shipped pbrt files")
     parser.add_argument("--quick", action="store_true", help="64x64, 16 spp, 2 pairs")
     parser.add_argument("--pairs", type=at_least(1), help="pictures of each program (5)")
     parser.add_argument("--size", type=at_least(1), metavar="N", help="pixels a side (160)")
@@ -37,8 +37,9 @@ def run(options):
     pairs = options.pairs or (2 if options.quick else 5)
     results = Results(out, "CPU time before and now", __doc__, candela.version())
     rows = []
-    wanted = options.scenes or (*chosen_scenes.ANALYTIC, *chosen_scenes.names())
-    for name, scene in chosen_scenes.chosen(candela, out, wanted, ()).items():
+    default = [*chosen_scenes.ANALYTIC, *chosen_scenes.names()]
+    for name, scene in chosen_scenes.chosen(candela, out, options.scenes, default,
+                                            results.note).items():
         words = [scene, "--size", f"{size}x{size}", "--spp", spp]
         with results.attempt(name):
             measured = [cpu_seconds(*(

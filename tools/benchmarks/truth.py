@@ -6,18 +6,18 @@ own noise, which its replicates tell; it should be below 1/20 of what is claimed
 
 import dataclasses
 import statistics
-from math import nan
+from math import log, nan
 
 import references
 from chosen_scenes import safe
-from fits import error_rate, ratio_of_errors, spread
+from fits import error_rate, jackknifed, ratio_of_errors, spread, times_to_same_error
 
 TRIMMED = 1e-3  # of the pixels, the worst
 NOISE_ALLOWED = 1 / 20
 
 
 def reference(candela, name, scene, size, spp, **options):
-    return references.reference(candela, f"reference_{safe(name)}_{size}", scene, integrator="path",
+    return references.reference(candela, f"reference_{safe(name)}_{size}", scene,
                                 size=references.square(size), spp=spp, replicates=16, filter="box",
                                 **options)
 
@@ -61,6 +61,18 @@ def rate_of_runs(fewer, more):
     mean = statistics.fmean
     return error_rate(ratio_of_errors(*(mean(r.relmse for r in runs) for runs in (fewer, more))),
                       mean(r.cpu_seconds for r in more) / mean(r.cpu_seconds for r in fewer))
+
+
+def time_to_same_error(times, errors, fewer, more):
+    """Geometric mean of times_to_same_error() over seeds, and the factor by which it may be off.
+    `times`, `errors`: ratios by seed; `fewer`, `more`: the same seeds' runs, which tell the rate.
+    Its own error is in the factor, since each seed is left out of both."""
+    def mean_log(seeds):
+        rate = rate_of_runs(*([runs[seed] for seed in seeds] for runs in (fewer, more)))
+        ratios = [times_to_same_error(times[seed], errors[seed], rate) for seed in seeds]
+        return statistics.fmean(map(log, ratios)) if all(ratio > 0 for ratio in ratios) else nan
+
+    return jackknifed(mean_log, len(times))
 
 
 def judged(truth, *errors):

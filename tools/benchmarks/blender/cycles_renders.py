@@ -9,12 +9,13 @@ import shutil
 import subprocess
 
 from exr import read_channels, stacked
+from processes import ProgramFailed
 
 SCRIPT = pathlib.Path(__file__).with_name("render_in_cycles.py")
 BESIDE = ("cycles_materials.py", "equal_area.py")  # what it imports
 
 
-class CyclesFailed(OSError):
+class CyclesFailed(ProgramFailed):
     """Blender is not there or gave up; the text says which."""
 
 

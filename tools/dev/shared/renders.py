@@ -1,6 +1,8 @@
 """Runs candela: pictures with their statistics, and comparisons."""
 
 import dataclasses
+import functools
+import hashlib
 import json
 import pathlib
 import subprocess
@@ -83,10 +85,9 @@ class Candela:
 
     def cached(self, name, scene, **options):
         """The same without PNG, once: what stays the same over many runs, such as references.
-        Another version, content of the scene's files or option makes it anew; after a change of the
-        program itself the folder is to be deleted."""
+        Another program, content of the scene's files or option makes it anew."""
         asked = self.folder / f"{name}.asked.json"
-        key = json.dumps([self.version(), self.info(scene)["scene_hash"],
+        key = json.dumps([self.made_by, self.info(scene)["scene_hash"],
                           {k: str(v) for k, v in options.items()}])
         exr, stats = self.folder / f"{name}.exr", self.folder / f"{name}.json"
         if asked.exists() and asked.read_text() == key and exr.exists():
@@ -95,6 +96,11 @@ class Candela:
         render = self.render(name, scene, png=False, **options)
         asked.write_text(key)
         return render
+
+    @functools.cached_property
+    def made_by(self):
+        """Of the program's file: commits share a version."""
+        return hashlib.sha256(self.program.read_bytes()).hexdigest()
 
     def info(self, scene, **options):
         """What `candela info --json` says; `options` as for render()."""

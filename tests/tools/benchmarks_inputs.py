@@ -1,0 +1,154 @@
+"""What benchmarks_inputs_test.cpp asks of tools/benchmarks, printed as JSON.
+
+    benchmarks_inputs.py SOURCE_FOLDER QUESTION [arguments]
+"""
+
+import argparse
+import contextlib
+import json
+import pathlib
+import sys
+import types
+
+ROOT = pathlib.Path(sys.argv[1])
+sys.path += [str(ROOT / "tools" / "benchmarks"), str(ROOT / "tools" / "dev" / "shared")]
+
+import ablation  # noqa: E402
+import before  # noqa: E402
+import chosen_scenes  # noqa: E402
+import memory  # noqa: E402
+import processes  # noqa: E402
+import renders  # noqa: E402
+import replicates  # noqa: E402
+import results  # noqa: E402
+import sampler  # noqa: E402
+import stress  # noqa: E402
+import truth  # noqa: E402
+
+
+class AsksForRenders(renders.Candela):
+    """Stands for candela: keeps the options of what it is asked for, and reads every scene."""
+
+    def __init__(self):
+        self.asked = []
+
+    def info(self, scene, **_):
+        return {"memory_bytes": {"meshes": 4e6, "textures": 0, "embree": 0}}
+
+    def render(self, name, scene, png, **options):
+        self.asked.append(options)
+        if png is False and "spp" in options and options["spp"] == 1:
+            return types.SimpleNamespace(stats={"peak_memory_bytes": 9e6})
+        raise renders.CandelaFailed("nothing is rendered")
+
+    def cached(self, name, scene, **options):
+        return self.render(name, scene, False, **options)
+
+
+def asked_by(measure):
+    """The options of each picture, up to the first that is needed."""
+    candela = AsksForRenders()
+    with contextlib.suppress(processes.ProgramFailed):
+        measure(candela)
+    return candela.asked
+
+
+def reference_options():
+    return asked_by(lambda candela: truth.reference(candela, "box", "box.yaml", 4, 16))[0]
+
+
+def rate_options(technique):
+    """What both sides have, and the options of the first run that tells the rate."""
+    both = next(t for t in ablation.TECHNIQUES if t.name == technique).both
+    plan = ablation.Plan(4, 64, 1, 1)
+    return both, asked_by(lambda of: ablation.ladder_of(of, "box.yaml", None, plan, both))[0]
+
+
+def replicates_options():
+    return asked_by(lambda of: replicates.relmse(of, "box.yaml", None, 64, 4, 2))[0]
+
+
+def sampler_options():
+    return asked_by(lambda of: sampler.gain(of, "box.yaml", None, [1], spp=64))[0]
+
+
+def memory_sizes(folder):
+    """Of the pictures that a scene's peak is told by."""
+    out = types.SimpleNamespace(out=pathlib.Path(folder))
+
+    def measure(candela):
+        memory.row(candela, "box", "box.yaml", memory.baseline(out, candela))
+    return [options["size"] for options in asked_by(measure)]
+
+
+def scene_names():
+    """Of the defaults, and of all that can be asked for."""
+    return chosen_scenes.names(), chosen_scenes.all_names()
+
+
+def told_of_absent(wanted):
+    """Of the defaults where nothing is asked for."""
+    notes, wanted = [], json.loads(wanted)
+    default = chosen_scenes.names() if not wanted else []
+    chosen_scenes.GENERATED = ()  # these take seconds to make
+    chosen_scenes.chosen(AsksForRenders(), None, wanted, default, notes.append)
+    return notes
+
+
+def ended_by_cycles(folder):
+    """What a measurement goes on with where Blender fails."""
+    from blender.cycles_renders import CyclesFailed
+    made = results.Results(pathlib.Path(folder), "Some", "", "")
+    with made.attempt("box"):
+        raise CyclesFailed("Blender ended with 11")
+    return made.parts[-1]
+
+
+def remade_with_another_program(folder):
+    """Whether a picture that is kept is rendered again, first by the same program."""
+    program, made = pathlib.Path(folder) / "candela", []
+
+    class Renders(renders.Candela):
+        def info(self, _):
+            return {"scene_hash": "a"}
+
+        def render(self, name, scene, png, **options):
+            made.append(name)
+            (self.folder / f"{name}.exr").write_text("")
+            (self.folder / f"{name}.json").write_text("{}")
+
+    for text in ("one", "one", "another"):
+        program.write_text(text)
+        Renders(program, folder).cached("r", "scene")
+        made.append("|")
+    return "".join(made)
+
+
+def stress_status(folder, report):
+    """With a program for the tests that passes and reports this."""
+    tests = pathlib.Path(folder) / "tests"
+    tests.write_text("#!/bin/sh\nfor word; do case $word in --gtest_output=json:*)\n"
+                     f"echo '{report}' > \"${{word#--gtest_output=json:}}\";; esac; done\n")
+    tests.chmod(0o755)
+    renders.Candela.version = lambda self: "1"
+    return stress.run(types.SimpleNamespace(out=pathlib.Path(folder), filter="X.*", light=True,
+                                            tests=tests, program="candela"))
+
+
+def before_allows(spp):
+    parser = argparse.ArgumentParser()
+    before.add_arguments(parser)
+    try:
+        return parser.parse_args(["candela", "--spp", spp]).spp
+    except SystemExit:
+        return None
+
+
+def answer():
+    """What else is printed is not the answer."""
+    question, *arguments = sys.argv[2:]
+    with contextlib.redirect_stdout(sys.stderr):
+        return globals()[question](*arguments)
+
+
+print(json.dumps(answer()))

@@ -1,0 +1,120 @@
+// tools/bench: what is measured, with which settings, and what is said of what is not.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/benchmarks_questions.h"
+
+namespace candela::cli_test {
+namespace {
+
+using Json = nlohmann::json;
+
+class Unit_BenchmarksInputs : public BenchmarksQuestions {
+ protected:
+  static Json ask(const std::vector<std::string>& question) {
+    return Json::parse(answer_of("benchmarks_inputs.py", question));
+  }
+};
+
+bool contains(const Json& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// What is wrong with sharing, walks' roulette or a kernel would else be in picture and truth alike.
+TEST_F(Unit_BenchmarksInputs, ReferencesAreMadeInThePlainestWay) {
+  const Json options = ask({"reference_options"});
+  EXPECT_EQ(options["integrator"], "path");
+  EXPECT_EQ(options["adaptive"], "off");
+  EXPECT_EQ(options["reuse"], "off");
+  EXPECT_EQ(options["roulette"], 0.5);
+  EXPECT_EQ(options["lamp_rays"], 0);
+  EXPECT_EQ(options["kernel"], "general");
+}
+
+TEST_F(Unit_BenchmarksInputs, ReferencesAreRemadeByAnotherProgram) {
+  EXPECT_EQ(ask({"remade_with_another_program", fresh_folder("another_program")}), "r||r|");
+}
+
+// One replicate by itself does not adapt, and trials to share paths ask for many samples.
+TEST_F(Unit_BenchmarksInputs, NothingElseIsMixedIntoWhatIsCompared) {
+  EXPECT_EQ(ask({"replicates_options"})["adaptive"], "off");
+  const Json sampler = ask({"sampler_options"});
+  EXPECT_EQ(sampler["adaptive"], "off");
+  EXPECT_EQ(sampler["reuse"], "off");
+  EXPECT_EQ(sampler["roulette"], 0.5);
+}
+
+// Adaptive sampling begins at 64 samples: from 32 to 64 error would seem to fall the faster.
+TEST_F(Unit_BenchmarksInputs, RatesAreThoseWithoutAdaptiveSampling) {
+  for (const char* name : {"adaptive sampling", "no splitting (off: by two)"}) {
+    const Json found = ask({"rate_options", name});
+    EXPECT_EQ(found[1]["adaptive"], "off") << name;
+    EXPECT_EQ(found[1]["spp"], 64) << name;
+    for (const auto& [key, value] : found[0].items()) EXPECT_EQ(found[1][key], value) << name;
+  }
+}
+
+// A scene of one triangle peaks when its picture is written, a large one before there is a picture.
+TEST_F(Unit_BenchmarksInputs, PeaksAreThoseOfSmallPictures) {
+  EXPECT_EQ(ask({"memory_sizes", fresh_folder("memory")}), (Json{"64x64", "64x64"}));
+}
+
+TEST_F(Unit_BenchmarksInputs, ShippedPbrtScenesCanBeNamedAndAreNoDefaults) {
+  const Json names = ask({"scene_names"});
+  EXPECT_TRUE(contains(names[0], "cutouts"));
+  for (const char* name : {"pbrt_lights", "pbrt_media", "sun_lit"}) {
+    EXPECT_FALSE(contains(names[0], name)) << name;
+    EXPECT_TRUE(contains(names[1], name)) << name;
+  }
+  EXPECT_EQ(ask({"told_of_absent", R"(["pbrt_lights"])"}), Json::array());
+}
+
+TEST_F(Unit_BenchmarksInputs, ScenesThatAreNotThereAreNamed) {
+  const char* kept = std::getenv("CANDELA_SCENES");
+  const std::string before = kept ? kept : "", folder = fresh_folder("no_scenes");
+  setenv("CANDELA_SCENES", folder.c_str(), 1);
+  const Json told = ask({"told_of_absent", "[]"});
+  kept ? setenv("CANDELA_SCENES", before.c_str(), 1) : unsetenv("CANDELA_SCENES");
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_TRUE(told[0].get<std::string>().starts_with("not in " + folder +
+                                                     ", and left out: "
+                                                     "lab3/breakfast_room, "))
+      << told;
+}
+
+TEST_F(Unit_BenchmarksInputs, WhereBlenderFailsTheRestGoesOn) {
+  EXPECT_EQ(ask({"ended_by_cycles", fresh_folder("ended_by_cycles")}),
+            "<p>box is left out: Blender ended with 11</p>");
+}
+
+TEST_F(Unit_BenchmarksInputs, AStressFilterThatMatchesNothingFails) {
+  const std::string folder = fresh_folder("stress");
+  EXPECT_EQ(ask({"stress_status", folder, R"({"testsuites": []})"}), 6);
+  EXPECT_EQ(ask({"stress_status", folder, R"({"testsuites": [{"name": "X", "testsuite": [
+                {"name": "A", "status": "RUN", "result": "COMPLETED"}]}]})"}),
+            0);
+}
+
+// Half of them tell the rate, and one sample's time is taken off.
+TEST_F(Unit_BenchmarksInputs, EarlierBuildsAreComparedByFourSamplesAtLeast) {
+  EXPECT_TRUE(ask({"before_allows", "3"}).is_null());
+  EXPECT_EQ(ask({"before_allows", "4"}), 4);
+}
+
+// What the lists of packages are, asked together or apart.
+TEST(Unit_Setup, ListsThePackagesOfAllSetsThatAreAskedFor) {
+  const auto listed = [](std::vector<std::string> words) {
+    words.insert(words.begin(), {CANDELA_SOURCE_DIR "/tools/setup", "--list"});
+    return Program(words, ErrorStream::File).finish().output;
+  };
+  for (const auto& words : {std::vector<std::string>{"--figures", "--fuzz"},
+                            std::vector<std::string>{"--fuzz", "--figures"}}) {
+    const std::string names = listed(words);
+    for (const char* name : {"g++\n", "clang\n", "python3-numpy\n"})
+      EXPECT_NE(names.find(name), std::string::npos) << name;
+  }
+}
+
+}  // namespace
+}  // namespace candela::cli_test
