@@ -23,6 +23,10 @@ def arguments(generate):
         for parameter, (default, meaning) in module.PARAMETERS.items():
             scene.add_argument("--" + parameter.replace("_", "-"), type=type(default),
                                default=default, help=f"{meaning} ({default})")
+    if len(sys.argv) == 1:
+        for scene in scenes.choices.values():
+            print(scene.format_help())
+        sys.exit()
     return vars(parser.parse_args())
 
 
