@@ -1,5 +1,5 @@
-// What both accelerators take in: triangles whose vertices are finite, instances that have an
-// inverse. The rest can not be hit.
+// What both accelerators take in: triangles whose vertices are finite, instances that floats can
+// invert. The rest can not be hit.
 #pragma once
 
 #include <optional>
@@ -29,10 +29,23 @@ struct WorldToObject {
   }
 };
 
-// None for an instance that is flat or not finite.
+// Embree inverts in floats: the determinant must be one, and more than what rounding leaves of
+// columns that are nearly in a plane.
+[[nodiscard]] inline bool is_invertible_in_floats(const Instance& instance, double determinant) {
+  constexpr float shortest = 1e-12f, longest = 1e12f;
+  for (const Vec3f& column : {instance.x, instance.y, instance.z}) {
+    const float size = max_component(glm::abs(column));
+    if (!(size >= shortest && size <= longest)) return false;
+  }
+  const float rounded = dot(instance.x, cross(instance.y, instance.z));
+  return std::abs(double{rounded} - determinant) < 0.1 * std::abs(determinant);
+}
+
+// None for an instance that is flat, too small, too large or not finite.
 [[nodiscard]] inline std::optional<WorldToObject> world_to_object(const Instance& instance) {
   const FloatingPointTraps traps(Traps::Off);  // a flat one's inverse is infinite
   const Mat3d linear(Vec3d(instance.x), Vec3d(instance.y), Vec3d(instance.z));
+  if (!is_invertible_in_floats(instance, glm::determinant(linear))) return std::nullopt;
   const Mat3d inverse = glm::inverse(linear);
   const WorldToObject map{Vec3f(inverse[0]), Vec3f(inverse[1]), Vec3f(inverse[2]),
                           Vec3f(-(inverse * Vec3d(instance.translation)))};

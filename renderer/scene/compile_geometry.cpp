@@ -9,6 +9,7 @@
 #include "renderer/geometry/geometry_bounds.h"
 #include "renderer/scene/compile_spheres.h"
 #include "renderer/scene/instance_errors.h"
+#include "renderer/scene/instance_range.h"
 #include "renderer/scene/normalise.h"
 #include "renderer/scene/pick_triangles.h"
 #include "renderer/scene/split_triangles.h"
@@ -141,6 +142,15 @@ Instance compile_instance(const Transform& t, ObjectHandle object) {
 struct Plan {
   std::vector<Placement> placements;
   std::vector<ObjectHandle> object_of;  // by placement; invalid: the world
+  std::vector<std::size_t> described;   // by instance of the scene: which of the description's
+  std::size_t compiled = 0;             // placements
+  std::size_t flattened_triangles = 0;  // of instances that can not be placed as such
+
+  void place_in_world(const description::Instance& instance, const Transform& to_world) {
+    placements.push_back(
+        {instance.mesh, instance.material_override, to_world * instance.object_to_world, {}, {}});
+    object_of.emplace_back();
+  }
 };
 
 struct SharedObject {
@@ -164,15 +174,14 @@ Plan plan_placements(const SceneDescription& description, Scene& scene, DropCoun
   Plan plan;
   std::map<MeshUse, SharedObject> objects;
   const Transform to_world = normalising(scene.normalisation);
-  for (const description::Instance& instance : description.instances) {
+  for (std::size_t i = 0; i < description.instances.size(); ++i) {
+    const description::Instance& instance = description.instances[i];
     const MeshUse use = use_of(instance);
     const bool is_single = uses[use] == 1;
     if (is_single || is_emissive(description, scene, instance)) {
       ++dropped[is_single ? "instances that are the only one of their mesh"
                           : "instances that are lamps"];
-      plan.placements.push_back(
-          {instance.mesh, instance.material_override, to_world * instance.object_to_world, {}, {}});
-      plan.object_of.emplace_back();
+      plan.place_in_world(instance, to_world);
       continue;
     }
     const auto [at, is_new] = objects.try_emplace(use);
@@ -186,6 +195,7 @@ Plan plan_placements(const SceneDescription& description, Scene& scene, DropCoun
     }
     scene.instances.push_back(
         compile_instance(to_world * instance.object_to_world * object.to_mesh, object.handle));
+    plan.described.push_back(i);
   }
   scene.objects.resize(objects.size());
   return plan;
@@ -202,6 +212,92 @@ std::vector<Bounds3f> bounds_of_objects(const Scene& scene) {
   std::vector<Bounds3f> objects;
   for (const Object& object : scene.objects) objects.push_back(bounds_of(scene, object));
   return objects;
+}
+
+void compile_placements(const SceneDescription& description, const CompileOptions& options,
+                        const Scene& scene, Plan& plan) {
+  const std::size_t first = plan.compiled;
+  parallel_for(plan.placements.size() - first, [&](std::size_t i) {
+    compile_placement(description, options, scene, plan.placements[first + i]);
+  });
+  plan.compiled = plan.placements.size();
+}
+
+Bounds3f bounds_of(const std::vector<Geometry>& geometries) {
+  Bounds3f bounds;
+  for (const Geometry& geometry : geometries) bounds.include(bounds_of(geometry));
+  return bounds;
+}
+
+// By object; of the world, too.
+std::vector<Bounds3f> bounds_of_objects(const Plan& plan, std::size_t objects, Bounds3f& world) {
+  std::vector<Bounds3f> bounds(objects);
+  for (std::size_t i = 0; i < plan.placements.size(); ++i)
+    (plan.object_of[i] ? bounds[plan.object_of[i].index] : world)
+        .include(bounds_of(plan.placements[i].geometries));
+  return bounds;
+}
+
+// Of those instances that do not fit, makes triangles of the world, as of single uses; past so many
+// of them they are left out.
+void flatten_instances(const SceneDescription& description, const auto& fits, Scene& scene,
+                       Plan& plan, DropCounts& dropped) {
+  constexpr std::size_t most_triangles = std::size_t{1} << 20;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const std::size_t described = plan.described[i];
+    if (fits(scene.instances[i])) {
+      scene.instances[kept] = scene.instances[i];
+      plan.described[kept++] = described;
+      continue;
+    }
+    const description::Instance& instance = description.instances[described];
+    const std::size_t triangles = description.meshes[instance.mesh.index].triangles.size();
+    if (plan.flattened_triangles + triangles > most_triangles) {
+      ++dropped[instances_out_of_range];
+      continue;
+    }
+    plan.flattened_triangles += triangles;
+    ++dropped["instances that only their triangles can be placed of"];
+    plan.place_in_world(instance, normalising(scene.normalisation));
+  }
+  scene.instances.resize(kept);
+  plan.described.resize(kept);
+}
+
+// First those that no ray could be brought to, then those that rays from as far as the scene goes
+// could not.
+void flatten_instances_out_of_range(const SceneDescription& description,
+                                    const CompileOptions& options, Scene& scene, Plan& plan,
+                                    DropCounts& dropped) {
+  if (scene.instances.empty()) return;
+  Bounds3f world;
+  const std::vector<Bounds3f> objects = bounds_of_objects(plan, scene.objects.size(), world);
+  const auto can_be_placed = [&](const Instance& instance) {
+    return is_placeable(instance, objects[instance.object.index]);
+  };
+  flatten_instances(description, can_be_placed, scene, plan, dropped);
+  const std::size_t first = plan.compiled;
+  compile_placements(description, options, scene, plan);
+  for (std::size_t i = first; i < plan.compiled; ++i)
+    world.include(bounds_of(plan.placements[i].geometries));
+  const double reach = reach_of_rays(scene, world, objects);
+  const auto takes_rays = [&](const Instance& instance) {
+    return reach <= farthest_origin(instance) || objects[instance.object.index].is_empty();
+  };
+  flatten_instances(description, takes_rays, scene, plan, dropped);
+  compile_placements(description, options, scene, plan);
+}
+
+// Objects of which no instance is left.
+void drop_unplaced_objects(const Scene& scene, Plan& plan) {
+  std::vector<bool> is_placed(scene.objects.size(), false);
+  for (const Instance& instance : scene.instances) is_placed[instance.object.index] = true;
+  for (std::size_t i = 0; i < plan.placements.size(); ++i) {
+    if (!plan.object_of[i] || is_placed[plan.object_of[i].index]) continue;
+    plan.placements[i].geometries.clear();
+    plan.placements[i].dropped.clear();
+  }
 }
 
 // The world's spheres of one material and visibility are one geometry.
@@ -227,9 +323,9 @@ class SpheresByKind {
 void compile_geometry(const SceneDescription& description, const CompileOptions& options,
                       Scene& scene, DropCounts& dropped) {
   Plan plan = plan_placements(description, scene, dropped);
-  parallel_for(plan.placements.size(), [&](std::size_t i) {
-    compile_placement(description, options, scene, plan.placements[i]);
-  });
+  compile_placements(description, options, scene, plan);
+  flatten_instances_out_of_range(description, options, scene, plan, dropped);
+  drop_unplaced_objects(scene, plan);
   SpheresByKind worlds_spheres;
   for (std::size_t i = 0; i < plan.placements.size(); ++i) {
     Placement& placement = plan.placements[i];

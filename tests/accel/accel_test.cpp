@@ -242,6 +242,19 @@ TEST(Unit_Accel, InstancesWithoutInverseAreLeftOut) {
   expect_nothing_to_hit(scene);
 }
 
+// Embree's own inverses would be infinite, or 0, and its assertions abort the process.
+TEST(Unit_Accel, InstancesThatFloatsCannotInvertAreLeftOut) {
+  Scene scene;
+  scene.materials.emplace_back();
+  test::add_instances(
+      scene, test::random_soup(50, 3, 29),
+      {test::placement({1e-13f, 0, 0}, {0, 1e-13f, 0}, {0, 0, 1e-13f}, {0, 0, 0}),
+       test::placement({1e13f, 0, 0}, {0, 1e13f, 0}, {0, 0, 1e13f}, {0, 0, 0}),
+       test::placement({1, 0, 0}, {0, 1, 0}, {0, 0, 1e-19f}, {0, 0, 0}),
+       test::placement({0.7f, 0.3f, 0}, {0.7f, 0.3f, 1e-9f}, {0.1f, 0.2f, 0.3f}, {0, 0, 0})});
+  expect_nothing_to_hit(scene);
+}
+
 TEST(Unit_Accel, PositionsThatLackPaddingAreCopied) {
   Soup soup = test::random_soup(300, 0.4f, 30);
   Scene shared = test::scene_of(soup);

@@ -179,6 +179,58 @@ TEST(Unit_Compile, InstancesLieWhereTheyShould) {
   EXPECT_GT(mean_of(a), 0.01);
 }
 
+// Two uses of a ball in the unit sphere, which a far triangle does not make smaller.
+description::SceneDescription two_balls(const Mat3d& linear) {
+  description::SceneDescription scene;
+  const auto material = add_material(scene, diffuse(Vec3d(0.5)));
+  add_mesh(scene, sphere({0, 0, 0}, 1, 4), material);
+  const auto ball = add_mesh(scene, sphere({0, 0, 0}, 1, 1), material, {linear, {0, 2, 0}});
+  add_instance(scene, ball, {2.0 * linear, {0, 0, 0}});
+  add_light(scene, description::ConstantEnvironment{Vec3d(1.0), true});
+  set_camera(scene, {0, 0, 5}, {0, 0, 0}, 60);
+  return scene;
+}
+
+// Else one accelerator aborts the process, or the two disagree.
+TEST(Unit_Compile, InstancesBeyondFloatsAreFlattened) {
+  const std::size_t triangles = sphere({0, 0, 0}, 1, 1).triangles.size();
+  EXPECT_EQ(compiled(two_balls(Mat3d(1e-3)), {}).instances.size(), 2u);
+  for (const Vec3d& size : {Vec3d(1, 1, 1e-19), Vec3d(1, 1e-13, 1e-13)}) {
+    const auto description = two_balls(Mat3d({size.x, 0, 0}, {0, size.y, 0}, {0, 0, size.z}));
+    const Scene scene = compiled(description, {});
+    EXPECT_TRUE(scene.instances.empty());
+    EXPECT_EQ(dropped_count(scene, "instances that only their triangles can be placed of"), 2u);
+    RenderSettings settings = settings_of(16, 4);
+    settings.accelerator = AcceleratorKind::Embree;
+    const Image a = rendered(description, settings).film.to_image(true);
+    settings.accelerator = AcceleratorKind::Bvh;
+    const Image b = rendered(description, settings).film.to_image(true);
+    EXPECT_NEAR(mean_of(a), mean_of(b), 2e-3) << "a sample or two at edges";
+  }
+  // Rays that start on the far triangle would leave floats in the small balls' own space.
+  description::SceneDescription far = two_balls(Mat3d(1e-5));
+  EXPECT_EQ(compiled(far, {}).instances.size(), 2u);
+  add_mesh(far, triangle({1e14, 0, 0}, {1e14, 1e10, 0}, {1e14, 0, 1e10}),
+           description::MaterialHandle(0));
+  const Scene scene = compiled(far, {});
+  EXPECT_TRUE(scene.instances.empty());
+  ASSERT_EQ(scene.world.geometries.size(), 4u);
+  EXPECT_EQ(scene.geometries[2].triangles.size(), triangles);
+}
+
+TEST(Unit_Compile, TooManyTrianglesOfInstancesBeyondFloatsAreLeftOutAndSaid) {
+  description::SceneDescription scene = one_quad();
+  add_light(scene, description::PointLight{{0, 0, 1}, Vec3d(1.0)});
+  scene.meshes.push_back(scene.meshes[0]);
+  scene.meshes[1].triangles.resize(std::size_t{1} << 20, {0, 1, 2});
+  const Transform thin{Mat3d({1, 0, 0}, {0, 1, 0}, {0, 0, 1e-19}), {0, 0, 0}};
+  scene.instances.push_back(scene.instances[0]);
+  scene.instances[1].mesh = description::MeshHandle(1);
+  scene.instances[1].object_to_world = thin;
+  scene.instances.push_back(scene.instances[1]);
+  EXPECT_EQ(only_warning(scene), "1 instances that are too small or too large are left out");
+}
+
 TEST(Unit_Compile, EmissiveInstancesAreFlattenedIntoLights) {
   description::SceneDescription description = one_quad();
   description.materials[0].emission = Vec3d(2.0);

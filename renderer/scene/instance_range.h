@@ -1,0 +1,24 @@
+// Which instances rays can be brought to in floats.
+#pragma once
+
+#include <span>
+
+#include "renderer/scene/scene.h"
+
+namespace candela {
+
+// The reason under which instances are counted that are meant to be seen and can not be.
+inline constexpr char instances_out_of_range[] = "instances that are too small or too large";
+
+// Whether both accelerators take the instance in. `object`: the bounds of what is placed.
+[[nodiscard]] bool is_placeable(const Instance& instance, const Bounds3f& object);
+
+// How far from the scene's centre a ray may start for its numbers to stay within Embree's when it
+// is moved into the space of the instance's object. `instance` is placeable.
+[[nodiscard]] double farthest_origin(const Instance& instance);
+
+// How far from the scene's centre rays start. `world`: the bounds of what is no instance.
+[[nodiscard]] double reach_of_rays(const Scene& scene, const Bounds3f& world,
+                                   std::span<const Bounds3f> objects);
+
+}  // namespace candela
