@@ -57,9 +57,10 @@ void EmbreeAccel::State::record_error(void* state, RTCError code, const char* te
   self.callbacks.enter();
   const std::lock_guard lock(self.error_mutex);
   // A failed allocation explains what fails after it.
-  if (self.error != RTC_ERROR_NONE && code != RTC_ERROR_OUT_OF_MEMORY) return;
-  self.error = code;
-  self.error_text = text ? text : "";
+  if (self.error == RTC_ERROR_NONE || code == RTC_ERROR_OUT_OF_MEMORY) {
+    self.error = code;
+    self.error_text = text ? text : "";
+  }
   self.callbacks.leave();
 }
 
