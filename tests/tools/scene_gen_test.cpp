@@ -110,6 +110,17 @@ TEST_F(Unit_SceneGen, TheForestShowsTenMillionTrianglesAndStoresFew) {
   EXPECT_LT(info["triangles"], 50'000);
 }
 
+TEST_F(Unit_SceneGen, WithoutArgumentsTheCommandNamesAllScenesAndTheirParameters) {
+  const ProgramResult told =
+      Program({python, "-B", CANDELA_SOURCE_DIR "/tools/dev/scene_gen/main.py"}, ErrorStream::File)
+          .finish();
+  EXPECT_EQ(told.exit_code, 0) << told.error;
+  for (const GeneratedScene& scene : generated_scenes())
+    EXPECT_NE(told.output.find("tools/scene_gen " + scene.name + " "), std::string::npos)
+        << scene.name;
+  EXPECT_NE(told.output.find("--albedo"), std::string::npos);
+}
+
 TEST_F(Unit_SceneGen, TheCommandWritesWhatItSaysAndRefusesInASentence) {
   const std::string folder = fresh_folder("command");
   const auto run = [&](const std::string& albedo) {
