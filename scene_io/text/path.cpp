@@ -1,7 +1,10 @@
 #include "scene_io/text/path.h"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <system_error>
 #include <vector>
@@ -34,15 +37,56 @@ bool exists(const std::string& path) {
   return path.find('\0') == std::string::npos && std::filesystem::exists(path, error);
 }
 
-std::optional<std::string> entry_ignoring_case(const std::string& folder, std::string_view part) {
-  std::error_code error;
-  std::optional<std::string> best;
-  std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, error);
-  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-    std::string name = entry->path().filename().string();
-    if (equal_ignoring_case(name, part) && (!best || name < *best)) best = std::move(name);
+std::string lower(std::string_view text) {
+  std::string small(text);
+  std::transform(small.begin(), small.end(), small.begin(), to_lower);
+  return small;
+}
+
+// What folders hold, read once each: scenes may name thousands of files that are not there.
+class Listings {
+ public:
+  // The first entry, by name, that is `part` but for letter case.
+  std::optional<std::string> find(const std::string& folder, std::string_view part) {
+    const std::lock_guard lock(mutex_);
+    Listing& listing = listings_[folder];
+    const std::filesystem::path path = folder.empty() ? "." : folder;
+    std::error_code error;
+    const auto changed = std::filesystem::last_write_time(path, error);
+    if (error || !listing.is_settled || changed != listing.changed) read(path, changed, listing);
+    const auto found = listing.by_lower_case.find(lower(part));
+    if (found == listing.by_lower_case.end()) return std::nullopt;
+    return found->second;
   }
-  return best;
+
+ private:
+  struct Listing {
+    std::map<std::string, std::string> by_lower_case;
+    std::filesystem::file_time_type changed;
+    bool is_settled = false;
+  };
+
+  // A folder that has just changed may change again within one tick of the clock.
+  static void read(const std::filesystem::path& path, std::filesystem::file_time_type changed,
+                   Listing& listing) {
+    constexpr std::chrono::seconds tick(2);
+    listing = {{}, changed, changed + tick < std::filesystem::file_time_type::clock::now()};
+    std::error_code error;
+    std::filesystem::directory_iterator entry(path, error);
+    for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+      std::string name = entry->path().filename().string();
+      const auto [at, is_new] = listing.by_lower_case.try_emplace(lower(name), name);
+      if (!is_new && name < at->second) at->second = std::move(name);
+    }
+  }
+
+  std::mutex mutex_;
+  std::map<std::string, Listing> listings_;
+};
+
+std::optional<std::string> entry_ignoring_case(const std::string& folder, std::string_view part) {
+  static Listings listings;
+  return listings.find(folder, part);
 }
 
 // Goes down part by part; where a part is not there, takes the entry of another letter case.

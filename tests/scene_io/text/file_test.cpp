@@ -4,7 +4,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
 
 #include "scene_io/text/path.h"
 #include "tests/image/temporary_folder.h"
@@ -160,6 +164,26 @@ TEST_F(Unit_ResolvePath, SaysWhereAMissingFileWasExpected) {
   EXPECT_FALSE(resolve("").is_found);
   EXPECT_FALSE(resolve(std::string_view("a b.png\0x", 9)).is_found);
   EXPECT_FALSE(resolve("both.png/x").is_found);
+}
+
+TEST_F(Unit_ResolvePath, KnowsOfFilesThatComeLater) {
+  EXPECT_FALSE(resolve("LATER.png").is_found);
+  folder_.put("later.png", std::string("x"));
+  EXPECT_EQ(resolve("LATER.png").path, folder_.file("later.png"));
+  std::filesystem::remove(folder_.file("later.png"));
+  EXPECT_FALSE(resolve("LATER.png").is_found);
+}
+
+// One listing of the folder each took a minute.
+TEST_F(Unit_ResolvePath, ThousandsOfMissingFilesTakeNoTime) {
+  constexpr int count = 10000;
+  for (int i = 0; i < count; ++i) std::ofstream(folder_.file(fmt::format("{}.ply", i)));
+  std::filesystem::last_write_time(
+      folder_.path(), std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < count; ++i) EXPECT_FALSE(resolve(fmt::format("{}.png", i)).is_found);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  EXPECT_EQ(resolve("7.PLY").path, folder_.file("7.ply"));
 }
 
 TEST(Unit_FolderOf, EndsWithItsSlash) {
