@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -24,6 +25,7 @@ namespace candela {
 struct TextureStore::Files {
   std::map<std::string, std::unique_ptr<TextureFile>> by_path;
   std::vector<std::unique_ptr<TextureFile>> calculated;
+  std::map<std::tuple<const TextureFile*, Encoding, Wrap>, TextureHandle> handle_of;
 };
 
 // One way to look into one file, or a procedural texture.
@@ -39,9 +41,6 @@ class Texture {
     info_ = {file.width(), file.height(), file.channels(), file.channels() % 2 == 0, file.bytes()};
   }
 
-  [[nodiscard]] bool is(const TextureFile& file, Encoding encoding, Wrap wrap) const {
-    return file_ == &file && encoding_ == encoding && wrap_ == wrap;
-  }
   [[nodiscard]] bool is_image() const { return file_ != nullptr; }
   [[nodiscard]] TextureFile& file() const { return *file_; }
   [[nodiscard]] Wrap wrap() const { return wrap_; }
@@ -186,10 +185,10 @@ TextureHandle TextureStore::add(const description::Image& image, Diagnostics& di
     if (!missing.has_errors()) warn_of(header, image.span, diagnostics);
     file = std::make_unique<TextureFile>(image.path, image.span, header);
   }
-  for (std::size_t i = 0; i < textures_.size(); ++i)
-    if (textures_[i]->is(*file, image.encoding, image.wrap)) return TextureHandle(i);
-  textures_.push_back(std::make_unique<Texture>(*file, image.encoding, image.wrap));
-  return TextureHandle(textures_.size() - 1);
+  const auto [at, is_new] = files_->handle_of.try_emplace({file.get(), image.encoding, image.wrap},
+                                                          TextureHandle(textures_.size()));
+  if (is_new) textures_.push_back(std::make_unique<Texture>(*file, image.encoding, image.wrap));
+  return at->second;
 }
 
 TextureHandle TextureStore::add(const std::string& name, TexelArray texels, Wrap wrap) {
@@ -326,8 +325,8 @@ TextureStore::RangeGrid TextureStore::range_grid(TextureHandle texture, int chan
 TextureStore::ScalarKind TextureStore::scalar_kind(TextureHandle texture) const {
   const Texture& used = *textures_[texture.index];
   if (!used.is_image() || used.info().channels == 1) return ScalarKind::First;
+  const TexelArray& texels = used.file().texels();        // which may turn out to be broken
   if (used.file().is_broken()) return ScalarKind::Alpha;  // 1: what is opaque stays so
-  const TexelArray& texels = used.file().texels();
   if (texels.has_alpha() && !is_opaque(texels)) return ScalarKind::Alpha;
   return is_grey(texels) ? ScalarKind::First : ScalarKind::Mean;
 }
