@@ -93,7 +93,7 @@ class Parser {
   bool pop(Block::Kind kind);
   [[nodiscard]] bool is_in_object() const { return object_ != nullptr; }
   void include_file(bool is_import);
-  void add_defaults(Statement& statement, AttributeTarget target) const;
+  void add_defaults(Statement& statement, AttributeTarget target);
   MaterialUse add_material(std::string name, Statement statement);
 
   SourceFiles& files_;
@@ -105,6 +105,7 @@ class Parser {
   std::set<std::string> warned_;
   std::deque<ShapeStatement>* object_ = nullptr;  // being defined
   bool is_in_world_ = false;
+  std::size_t default_bytes_ = 0;  // that statements have from Attribute
 
   // Of the directive being read.
   const SourceFile* file_ = nullptr;

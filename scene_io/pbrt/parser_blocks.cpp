@@ -10,6 +10,13 @@ namespace candela::pbrt {
 namespace {
 
 constexpr std::size_t deepest = 4096;  // blocks within blocks: each keeps a state
+// Each statement has a copy of them.
+constexpr std::size_t most_default_bytes = std::size_t{1} << 30;
+
+std::size_t bytes_of(const Parameter& parameter) {
+  return sizeof(Parameter) + parameter.numbers.size() * sizeof(double) +
+         parameter.strings.size() * sizeof(std::string);
+}
 
 }  // namespace
 
@@ -71,9 +78,16 @@ std::optional<Statement> Parser::read_statement(std::optional<AttributeTarget> t
 }
 
 // What Attribute gave for all, after the statement's own.
-void Parser::add_defaults(Statement& statement, AttributeTarget target) const {
+void Parser::add_defaults(Statement& statement, AttributeTarget target) {
   const auto& defaults = state_.defaults[static_cast<std::size_t>(target)];
-  if (defaults) append_missing(*defaults, statement.parameters);
+  if (!defaults || default_bytes_ > most_default_bytes) return;
+  for (const Parameter& parameter : *defaults) default_bytes_ += bytes_of(parameter);
+  if (default_bytes_ > most_default_bytes)
+    return error_here(
+        fmt::format("Attribute gives more than {} bytes of parameters to what "
+                    "follows it",
+                    most_default_bytes));
+  append_missing(*defaults, statement.parameters);
 }
 
 bool Parser::push(Block::Kind kind) {

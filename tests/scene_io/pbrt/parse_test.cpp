@@ -234,6 +234,17 @@ double seconds_of(const std::string& text) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+// Each statement would hold them all.
+TEST(Errors_PbrtParse, DefaultsOfManyNumbers) {
+  std::string text = "Attribute \"shape\" \"float junk\" [";
+  for (int i = 0; i < 100000; ++i) text += " 1";
+  text += " ]\n";
+  for (int i = 0; i < 4000; ++i) text += "Shape \"sphere\"\n";
+  EXPECT_NE(pbrt_world_error(text).find(
+                ":1: Attribute gives more than 1073741824 bytes of parameters to what follows it"),
+            std::string::npos);
+}
+
 // Each ends in an error within a second (ten where sanitizers look on), with little memory.
 TEST(Errors_PbrtParse, WhatIsMadeToExhaustEndsSoon) {
   std::string blocks = "WorldBegin\n";
