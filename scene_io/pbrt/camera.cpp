@@ -69,16 +69,19 @@ void read_perspective(Arguments& arguments, Camera& camera) {
   camera.fov_is_of_shorter_side = false;
 }
 
-// A window in the camera's own unit.
+// A window in the camera's own unit. Without one it follows the aspect of what is rendered; where
+// the unit is not the world's, that of the file's picture.
 void read_orthographic(Arguments& arguments, double scale, const Context& context, Camera& camera) {
   camera.kind = CameraKind::Orthographic;
   camera.fov_is_of_shorter_side = true;
-  ScreenWindow window;
+  const std::optional<ScreenWindow> given = screen_window(arguments);
+  constexpr double rounding = 1e-5;  // of matrices with six digits
+  if (!given && std::abs(scale - 1) < rounding) return;
   const double width = context.scene.defaults.width.value_or(1280);
   const double height = context.scene.defaults.height.value_or(720);
   const double x = std::max(width / height, 1.0);
   const double y = std::max(height / width, 1.0);
-  window = screen_window(arguments).value_or(ScreenWindow{-x, x, -y, y});
+  const ScreenWindow window = given.value_or(ScreenWindow{-x, x, -y, y});
   camera.screen_window = ScreenWindow{window.left * scale, window.right * scale,
                                       window.bottom * scale, window.top * scale};
 }
@@ -110,12 +113,13 @@ void read_camera(Context& context) {
   camera.span = statement.place.span();
   set_frame(world_from_camera, {0, 0, 1}, {0, 1, 0}, determinant > 0, camera);
   arguments.accept({"shutteropen", "shutterclose"});
-  set_lens(arguments, scale, camera);
   if (statement.type == "orthographic") {
+    set_lens(arguments, scale, camera);
     read_orthographic(arguments, scale, context, camera);
   } else if (statement.type == "spherical" || statement.type == "environment") {
     read_spherical(arguments, world_from_camera, determinant > 0, camera);
-    arguments.accept({"screenwindow", "frameaspectratio"});
+    // pbrt reads them and does nothing with them.
+    arguments.accept({"screenwindow", "frameaspectratio", "lensradius", "focaldistance"});
   } else {
     if (statement.type == "realistic")
       context.warn_once("realistic", statement.place,
@@ -126,6 +130,7 @@ void read_camera(Context& context) {
           fmt::format("{} is no camera{}", text::quoted(statement.type),
                       did_you_mean(std::string_view(statement.type).substr(0, 100),
                                    {"perspective", "orthographic", "spherical", "realistic"})));
+    set_lens(arguments, scale, camera);
     read_perspective(arguments, camera);
     if (statement.type == "realistic")
       arguments.accept(

@@ -54,11 +54,10 @@ void add_angle(const Camera& camera, double aspect, Directive& directive) {
   if (camera.screen_window) add_window(*camera.screen_window, directive);
 }
 
+// Without one it is 1 of the shorter side to pbrt, whatever the picture's aspect.
 void add_orthographic_window(const Camera& camera, double aspect, Directive& directive) {
-  const bool is_tall = camera.fov_is_of_shorter_side && aspect < 1;
-  const ScreenWindow otherwise =
-      is_tall ? ScreenWindow{-1, 1, -1 / aspect, 1 / aspect} : ScreenWindow{-aspect, aspect, -1, 1};
-  add_window(camera.screen_window.value_or(otherwise), directive);
+  if (!camera.screen_window && camera.fov_is_of_shorter_side) return;
+  add_window(camera.screen_window.value_or(ScreenWindow{-aspect, aspect, -1, 1}), directive);
 }
 
 void add_lens(const Camera& camera, Directive& directive) {

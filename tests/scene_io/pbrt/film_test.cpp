@@ -55,6 +55,27 @@ TEST(Unit_PbrtCamera, LensesAndWindowsAreInTheCamerasUnit) {
   EXPECT_NEAR(flat.screen_window->top, 2, 1e-9);
 }
 
+// The picture's aspect may be another than the file's.
+TEST(Unit_PbrtCamera, OrthographicOnesFollowThePicture) {
+  const std::string film = "Film \"rgb\" \"integer xresolution\" 200 \"integer yresolution\" 100";
+  const auto camera = [&](const std::string& parameters) {
+    return camera_of("LookAt 1 2 3  0 0 0  0 1 0 Camera \"orthographic\" " + parameters + film);
+  };
+  EXPECT_FALSE(camera("").screen_window);
+  EXPECT_TRUE(camera("").fov_is_of_shorter_side);
+  EXPECT_NEAR(camera("\"float frameaspectratio\" 3 ").screen_window->right, 3, 1e-9);
+  EXPECT_NEAR(camera("\"float screenwindow\" [ -1 2 -3 4 ] ").screen_window->top, 4, 1e-9);
+}
+
+// pbrt reads a lens and has none.
+TEST(Unit_PbrtCamera, SphericalOnesHaveNoLens) {
+  const auto scene = test::parse_pbrt_text(
+      "Camera \"spherical\" \"float lensradius\" .1 \"float focaldistance\" 2\nWorldBegin");
+  ASSERT_TRUE(scene);
+  EXPECT_TRUE(scene.diagnostics.list().empty());
+  EXPECT_EQ(scene->cameras.at(0).lens_radius, 0);
+}
+
 TEST(Unit_PbrtFilm, DefaultsArePbrts) {
   const RenderDefaults defaults = pbrt_world("").defaults;
   EXPECT_EQ(defaults.width, 1280);
