@@ -42,33 +42,6 @@ struct PlacedShape {
   std::size_t job = none;
 };
 
-bool has_texture(const Program& program, const MaterialUse& use) {
-  std::size_t index = use.index;
-  if (!use.name.empty()) {
-    const auto found = program.material_named.find(use.name);
-    index = found == program.material_named.end() ? none : found->second;
-  }
-  if (index == none) return false;
-  const ParameterList& parameters = program.materials[index].statement.parameters;
-  return std::any_of(parameters.begin(), parameters.end(), [](const Parameter& parameter) {
-    return parameter.type == ParameterType::Texture || parameter.name == "materials" ||
-           parameter.name == "normalmap" || parameter.name.ends_with("vroughness");
-  });
-}
-
-bool has_texture(const Program& program, const ShapeStatement& shape) {
-  const auto has = [](const ParameterList& parameters, auto&& is_texture) {
-    return std::any_of(parameters.begin(), parameters.end(), is_texture);
-  };
-  const bool emits_image =
-      shape.area_light != none &&
-      has(program.area_lights[shape.area_light].parameters,
-          [](const Parameter& parameter) { return parameter.name == "filename"; });
-  return emits_image || has_texture(program, shape.material) ||
-         has(shape.statement.parameters,
-             [](const Parameter& parameter) { return parameter.type == ParameterType::Texture; });
-}
-
 using UsesByObject = std::map<std::string_view, std::vector<const ObjectUse*>>;
 
 UsesByObject uses_by_object(const Program& program) {

@@ -24,6 +24,8 @@ inline constexpr std::uint32_t finest_segments = 128;
 [[nodiscard]] std::uint32_t patch_cells_for(std::uint32_t segments);
 // How many such patches it has, as far as can be seen without reading its parameters.
 [[nodiscard]] std::size_t curved_patch_count(const ShapeStatement& shape, bool needs_uvs);
+// Whether what it wears or emits looks at texture coordinates, as far as can be seen likewise.
+[[nodiscard]] bool has_texture(const Program& program, const ShapeStatement& shape);
 [[nodiscard]] bool is_curved(const ShapeStatement& shape);
 // Spheres of which nothing is cut off, as far as can be seen without reading their parameters.
 [[nodiscard]] bool is_whole_sphere(const ShapeStatement& shape);

@@ -74,6 +74,17 @@ TEST(Unit_PbrtMixtures, OfTheThirdVersion) {
   EXPECT_NEAR(mix.amount.factor, 0.2, 1e-12);
 }
 
+// Meshes that have none get pbrt's.
+TEST(Unit_PbrtMixtures, OfTheThirdVersionLookAtCoordinates) {
+  const SceneDescription scene = pbrt_world(
+      parts +
+      "Texture \"board\" \"spectrum\" \"checkerboard\"\n"
+      "MakeNamedMaterial \"board\" \"string type\" \"diffuse\" \"texture reflectance\" \"board\"\n"
+      "Material \"mix\" \"string namedmaterial1\" \"red\" \"string namedmaterial2\" \"board\"\n"
+      "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ]");
+  EXPECT_EQ(scene.meshes.at(0).uvs.size(), 3u);
+}
+
 TEST(Unit_PbrtMixtures, WithAnInterfaceHaveHoles) {
   const SceneDescription first = disk_of(mix_of("nothing", "red", "\"float amount\" .3"));
   EXPECT_TRUE(std::holds_alternative<DiffuseMaterial>(worn_by_disk(first).model));
