@@ -138,10 +138,12 @@ class ShapeMaterials {
     if (shape.area_light != none || is_bumped) {
       const Areas areas = areas_of(mesh, shape.world_from_object);
       if (is_bumped) key.height_scale = height_scale(areas);
-      if (shape.area_light != none)
+      if (shape.area_light != none) {
         read_emission_of(shape, areas.surface / static_cast<double>(count), key);
+        warn_of_uneven_power(shape, mesh, count);
+      }
     }
-    return of(key);
+    return of(key, shape.statement.place);
   }
 
  private:
@@ -159,10 +161,11 @@ class ShapeMaterials {
     auto operator<=>(const Key&) const = default;
   };
 
-  MaterialHandle of(const Key& key) {
+  // `place`: of the first shape that has it.
+  MaterialHandle of(const Key& key, const Place& place) {
     const auto known = made_.find(key);
     if (known != made_.end()) return known->second;
-    return made_[key] = add(key);
+    return made_[key] = add(key, place);
   }
 
   // lab3's material knows of its holes itself.
@@ -194,10 +197,20 @@ class ShapeMaterials {
     key.emission_is_maps_mean = at->second.map && at->second.power;
   }
 
-  MaterialHandle add(const Key& key) {
+  // pbrt gives each triangle the whole power, and so each a radiance of its own.
+  void warn_of_uneven_power(const ShapeStatement& shape, const Mesh& mesh, std::size_t count) {
+    if (!emissions_.at(shape.area_light).power || context_.warned.contains("uneven power")) return;
+    if (!has_equal_parts(mesh, count, shape.world_from_object))
+      context_.warn_once("uneven power", shape.statement.place,
+                         "the power of a lamp is that of each of its triangles or patches, which "
+                         "differ in area: all shine alike here, with as much power in all");
+  }
+
+  MaterialHandle add(const Key& key, const Place& place) {
     Material material = *key.base;
     if (const MixParts* parts = materials_.parts_of(*key.base))
-      material.model = mix_of(*parts, key, std::get<description::MixMaterial>(material.model));
+      material.model =
+          mix_of(*parts, key, std::get<description::MixMaterial>(material.model), place);
     material.emission = {key.emission[0], key.emission[1], key.emission[2]};
     material.emits_both_sides = key.emits_both_sides;
     if (material.height_scale == heights_are_lengths) material.height_scale = key.height_scale;
@@ -205,25 +218,25 @@ class ShapeMaterials {
     material.media.outside.index = key.outside;
     material.emission_map.index = key.emission_map;
     material.emission_is_maps_mean = key.emission_is_maps_mean;
-    set_opacity(key, material);
+    set_opacity(key, material, place);
     context_.scene.materials.push_back(std::move(material));
     return MaterialHandle(context_.scene.materials.size() - 1);
   }
 
   // The parts stand before it in the scene.
   description::MixMaterial mix_of(const MixParts& parts, const Key& key,
-                                  description::MixMaterial mix) {
+                                  description::MixMaterial mix, const Place& place) {
     Key part;
     part.height_scale = key.height_scale;
     part.base = parts.first;
-    mix.first = of(part);
+    mix.first = of(part, place);
     part.base = parts.second;
-    mix.second = of(part);
+    mix.second = of(part, place);
     return mix;
   }
 
   // The shape's alpha, and what a mixture with an interface leaves.
-  void set_opacity(const Key& key, Material& material) {
+  void set_opacity(const Key& key, Material& material, const Place& place) {
     description::ScalarInput alpha;
     alpha.factor = key.opacity;
     alpha.map.index = key.opacity_map;
@@ -237,7 +250,7 @@ class ShapeMaterials {
     else if (is_constant(material.opacity) && material.opacity.factor == 1)
       material.opacity = alpha;
     else if (!is_constant(alpha) || alpha.factor != 1)
-      context_.warn_once("alpha", {},
+      context_.warn_once("alpha", place,
                          "the alpha of shapes whose mixture has an interface is "
                          "ignored");
   }

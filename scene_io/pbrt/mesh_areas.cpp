@@ -1,6 +1,8 @@
 #include "scene_io/pbrt/mesh_areas.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -33,6 +35,24 @@ Areas areas_of(const description::Mesh& mesh, const Transform& world_from_object
   std::vector<std::uint32_t> all(mesh.triangles.size());
   std::iota(all.begin(), all.end(), 0u);
   return areas_of(mesh, all, world_from_object);
+}
+
+bool has_equal_parts(const description::Mesh& mesh, std::size_t count,
+                     const Transform& world_from_object) {
+  if (count <= 1) return true;
+  if (mesh.triangles.size() % count != 0) return false;
+  std::vector<std::uint32_t> part(mesh.triangles.size() / count);
+  std::iota(part.begin(), part.end(), 0u);
+  double smallest = std::numeric_limits<double>::infinity();
+  double largest = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double area = areas_of(mesh, part, world_from_object).surface;
+    smallest = std::min(smallest, area);
+    largest = std::max(largest, area);
+    for (std::uint32_t& triangle : part) triangle += static_cast<std::uint32_t>(part.size());
+  }
+  constexpr double rounding = 1e-3;  // of positions that are floats
+  return largest - smallest <= rounding * largest;
 }
 
 double height_scale(const Areas& areas) {

@@ -21,6 +21,11 @@ struct Areas {
                              const Transform& world_from_object);
 [[nodiscard]] Areas areas_of(const description::Mesh& mesh, const Transform& world_from_object);
 
+// Whether each of `count` parts, of as many triangles that follow each other, has the same area, up
+// to rounding.
+[[nodiscard]] bool has_equal_parts(const description::Mesh& mesh, std::size_t count,
+                                   const Transform& world_from_object);
+
 // candela's height_scale of a length of 1 in the world; 1 where the mesh has no area.
 [[nodiscard]] double height_scale(const Areas& areas);
 

@@ -116,6 +116,12 @@ TEST(Unit_PbrtMixtures, BoundTheShapesMedium) {
 }
 
 TEST(Errors_PbrtMixtures, WhatIsWrongWithThem) {
+  EXPECT_EQ(pbrt_world_warning("MakeNamedMaterial \"red\" \"string type\" \"diffuse\" "
+                               "MakeNamedMaterial \"nothing\" \"string type\" \"interface\"\n" +
+                               mix_of("red", "nothing", "\"float amount\" .5") +
+                               " Texture \"t\" \"float\" \"checkerboard\" "
+                               "Shape \"disk\" \"texture alpha\" \"t\""),
+            "3:114: the alpha of shapes whose mixture has an interface is ignored");
   EXPECT_EQ(pbrt_world_error("Material \"mix\" \"float amount\" .5"),
             "2:10: a mix without its two materials: expected \"string materials\"");
   EXPECT_EQ(pbrt_world_error("MakeNamedMaterial \"red\" \"string type\" \"diffuse\" " +

@@ -81,6 +81,23 @@ TEST(Unit_PbrtLights, AreaLightsOfAPower) {
   expect_near(emission("\"float power\" 10 \"bool twosided\" true "), Vec3d(10 / (4 * pi_double)));
 }
 
+// pbrt's have a radiance each then.
+TEST(Errors_PbrtLights, PowersOfUnequalTriangles) {
+  const auto warning = [](const std::string& points) {
+    return pbrt_world_warning(
+        "AreaLightSource \"diffuse\" \"float power\" 10 Shape \"trianglemesh\" \"point3 P\" [ " +
+        points + " ] \"integer indices\" [ 0 1 2  0 2 3 ]");
+  };
+  EXPECT_EQ(warning("0 0 0  2 0 0  2 2 0  0 3 0"),
+            "2:50: the power of a lamp is that of each of its triangles or patches, which differ "
+            "in area: all shine alike here, with as much power in all");
+  EXPECT_EQ(warning("0 0 0  2 0 0  2 2 0  0 2 0"), "0 of them: ");
+  EXPECT_EQ(
+      pbrt_world_warning("AreaLightSource \"diffuse\" \"float power\" 10 Shape \"cylinder\" "
+                         "Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  2 0 0  0 3 0  2 2 0 ]"),
+      "0 of them: ");
+}
+
 // Of curved shapes it is the whole's, whatever they are made of here: 4 pi^2 r^2, 2 pi^2 r h.
 TEST(Unit_PbrtLights, CurvedShapesOfAPower) {
   const auto emission = [&](const std::string& shape) {
