@@ -156,6 +156,11 @@ void Arguments::ignore(std::string_view name, std::string_view why) {
   if (parameter && !parameter->is_default) warning(*parameter, fmt::format("is ignored: {}", why));
 }
 
+void Arguments::ignore_unless(std::string_view name, double value, std::string_view why) {
+  const Parameter* parameter = find(name);
+  if (parameter && parameter->numbers != std::vector<double>{value}) ignore(name, why);
+}
+
 void Arguments::warn_of_unknown() const {
   const std::vector<std::string_view> names(asked_.begin(), asked_.end());
   for (const Parameter& parameter : statement_.parameters) {

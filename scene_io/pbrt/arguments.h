@@ -50,6 +50,8 @@ class Arguments {
   void accept(std::initializer_list<std::string_view> names);
   // Known in pbrt, but without effect in candela: a warning where it is there.
   void ignore(std::string_view name, std::string_view why);
+  // Only where it is not that number.
+  void ignore_unless(std::string_view name, double value, std::string_view why);
   // Warns of what was never asked for.
   void warn_of_unknown() const;
 

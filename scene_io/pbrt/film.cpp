@@ -63,7 +63,9 @@ void read_white_balance(Context& context, Arguments& film) {
 double read_exposure(Context& context, Arguments& film) {
   double ratio = film.number("iso").value_or(100) / 100;
   ratio *= film.number("exposuretime").value_or(exposure_time(context));
-  film.ignore("maxcomponentvalue", "radiance is not clamped");
+  film.ignore_unless("scale", 1, "it is pbrt-v3's");
+  for (const std::string_view name : {"maxcomponentvalue", "maxsampleluminance"})
+    film.ignore(name, "radiance is not clamped");
   constexpr double most = 1e30;
   if (ratio > 0 && ratio < most) return ratio;
   context.report.error(
@@ -109,7 +111,7 @@ double read_picture(Context& context) {
   context.scene.defaults.width = integer(film, "xresolution", 1, largest_side).value_or(1280);
   context.scene.defaults.height = integer(film, "yresolution", 1, largest_side).value_or(720);
   film.accept({"filename", "diagonal", "savefp16", "coordinatesystem", "nbuckets", "lambdamin",
-               "lambdamax", "scale", "maxsampleluminance"});
+               "lambdamax"});
   read_crop(context, film);
   context.scene.defaults.exposure = film.number("exposure");  // candela's own
   const double ratio = read_exposure(context, film);
@@ -143,7 +145,7 @@ void read_filter(Context& context) {
   });
   const auto x = arguments.number("xradius");
   const auto y = arguments.number("yradius");
-  arguments.accept({"alpha"});
+  expect_filter_number(context, arguments, "gaussian", "alpha", 2);  // pbrt-v3's: a sigma of 0.5
   expect_filter_number(context, arguments, "mitchell", "B", 1.0 / 3);
   expect_filter_number(context, arguments, "mitchell", "C", 1.0 / 3);
   expect_filter_number(context, arguments, "sinc", "tau", 3);

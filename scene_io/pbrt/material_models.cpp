@@ -35,7 +35,7 @@ void set_widths(MaterialReader& reader, std::string_view prefix, Rough& rough) {
 }
 
 DiffuseMaterial diffuse(MaterialReader& reader) {
-  reader.arguments.accept({"sigma"});
+  reader.arguments.ignore_unless("sigma", 0, "diffuse surfaces are Lambert's");
   return {reader.reflectance("reflectance", 0.5)};
 }
 

@@ -108,7 +108,7 @@ description::DiffuseTransmissionMaterial translucent(MaterialReader& reader) {
 
 bool set_v3_model(MaterialReader& reader, std::string_view type, Material& material) {
   if (type == "matte") {
-    reader.arguments.accept({"sigma"});
+    reader.arguments.ignore_unless("sigma", 0, "diffuse surfaces are Lambert's");
     material.model = description::DiffuseMaterial{reader.reflectance("Kd", 0.5)};
   } else if (type == "plastic") {
     material.model = glossy(reader, 0.25, 0.25, 0.1);

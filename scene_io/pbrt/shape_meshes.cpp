@@ -131,7 +131,8 @@ std::optional<IndexedFaces> indexed_faces(Arguments& arguments, std::size_t corn
 }
 
 MaybeMesh triangle_mesh(Arguments& arguments) {
-  arguments.accept({"S", "faceIndices"});  // tangents: the same as uv's for what is rendered here
+  arguments.accept({"faceIndices"});
+  arguments.ignore("S", "tangents are those of the texture coordinates");
   auto faces = indexed_faces(arguments, 3);
   if (!faces) return std::nullopt;
   Mesh mesh;

@@ -186,6 +186,21 @@ TEST(Unit_PbrtFilm, OptionsAreNamesWithAValue) {
   };
   EXPECT_EQ(seed("Option \"seed\" 5"), 5u);
   EXPECT_EQ(seed("Option \"Seed\" [ 6 ]"), 6u);
+// Only where their values would change the picture.
+TEST(Errors_PbrtFilm, WhatIsIgnored) {
+  const std::string begin = "\nWorldBegin";
+  EXPECT_EQ(pbrt_warning("Film \"rgb\" \"float scale\" 2" + begin),
+            "1:12: 'scale' is ignored: it is pbrt-v3's");
+  EXPECT_EQ(pbrt_warning("Film \"rgb\" \"float maxsampleluminance\" 2" + begin),
+            "1:12: 'maxsampleluminance' is ignored: radiance is not clamped");
+  EXPECT_EQ(pbrt_warning("PixelFilter \"gaussian\" \"float alpha\" 3" + begin),
+            "1:13: the gaussian filter's alpha is 2 here");
+  EXPECT_EQ(pbrt_warning("Film \"rgb\" \"float scale\" 1 PixelFilter \"gaussian\" \"float alpha\" "
+                         "2 " +
+                         begin),
+            "0 of them: ");
+}
+
   EXPECT_EQ(seed("Option \"integer seed\" 7"), 7u);
   EXPECT_EQ(seed("Option \"seed\" 5 Sampler \"sobol\" \"integer seed\" 8"), 8u);
   EXPECT_EQ(pbrt_warning("Option \"disablepixeljitter\" true\nWorldBegin"),

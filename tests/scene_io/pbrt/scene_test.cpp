@@ -264,6 +264,15 @@ TEST(Unit_PbrtMaterials, HeightsAreLengthsInTheWorld) {
   EXPECT_NEAR(scale_of("Scale 3 3 3\n"), 1.0 / 6, 1e-12);
 }
 
+TEST(Errors_PbrtMaterials, WhatIsIgnored) {
+  EXPECT_EQ(pbrt_world_warning("Material \"diffuse\" \"float sigma\" 20"),
+            "2:20: 'sigma' is ignored: diffuse surfaces are Lambert's");
+  EXPECT_EQ(pbrt_world_warning("Material \"diffuse\" \"float sigma\" 0"), "0 of them: ");
+  EXPECT_EQ(pbrt_world_warning("Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ] "
+                               "\"vector3 S\" [ 1 0 0  1 0 0  1 0 0 ]"),
+            "2:57: 'S' is ignored: tangents are those of the texture coordinates");
+}
+
 // In the space of their own directive.
 TEST(Errors_PbrtMaterials, WhatIsWrongWithThem) {
   EXPECT_EQ(pbrt_world_error("MakeNamedMaterial \"a\" \"rgb reflectance\" [ 1 1 1 ]"),
