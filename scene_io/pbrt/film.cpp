@@ -204,8 +204,10 @@ void read_sampler(Context& context) {
   const auto count = integer(sampler, "pixelsamples", 1, most_samples);
   const int x = integer(sampler, "xsamples", 1, 32768).value_or(4);
   const int y = integer(sampler, "ysamples", 1, 32768).value_or(4);
-  const bool is_stratified = sampler.statement().type == "stratified";
-  defaults.samples_per_pixel = count.value_or(is_stratified ? x * y : 16);
+  const std::string& type = sampler.statement().type;
+  const bool is_independent = is_one_of(type, {"independent", "random"});
+  const int otherwise = type == "stratified" ? x * y : (is_independent ? 4 : 16);
+  defaults.samples_per_pixel = count.value_or(otherwise);
   const auto seed = sampler.integer("seed");
   if (seed && *seed >= 0) defaults.seed = static_cast<std::uint64_t>(*seed);
   sampler.accept({"randomization", "jitter", "dimensions"});

@@ -92,6 +92,13 @@ TEST(Unit_PbrtFilm, DefaultsArePbrts) {
           "Sampler \"stratified\" \"integer xsamples\" 3\nPixelFilter \"triangle\"\nWorldBegin")
           .defaults;
   EXPECT_EQ(stratified.samples_per_pixel, 12);
+  const auto samples = [](const std::string& sampler) {
+    return pbrt_scene("Sampler " + sampler + "\nWorldBegin").defaults.samples_per_pixel;
+  };
+  EXPECT_EQ(samples("\"independent\""), 4);
+  EXPECT_EQ(samples("\"random\""), 4);
+  EXPECT_EQ(samples("\"halton\""), 16);
+  EXPECT_EQ(samples("\"independent\" \"integer pixelsamples\" 7"), 7);
   EXPECT_EQ(stratified.filter_radius, 2);
 }
 
