@@ -194,7 +194,7 @@ class ShapeMaterials {
     key.emission = {radiance.x, radiance.y, radiance.z};
     key.emits_both_sides = at->second.emits_both_sides;
     key.emission_map = at->second.map.index;
-    key.emission_is_maps_mean = at->second.map && at->second.power;
+    key.emission_is_maps_mean = at->second.is_maps_mean;
   }
 
   // pbrt gives each triangle the whole power, and so each a radiance of its own.

@@ -1,6 +1,7 @@
 // Film, PixelFilter, Sampler and Integrator.
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -194,6 +195,21 @@ constexpr std::string_view integrators[] = {
     "path", "volpath", "simplepath",       "simplevolpath", "lightpath", "randomwalk",     "bdpt",
     "mlt",  "sppm",    "ambientocclusion", "function",      "whitted",   "directlighting", "ao"};
 
+// candela's own is a text where pbrt's integers are too short.
+std::optional<std::uint64_t> read_seed(Arguments& sampler) {
+  const Parameter* own = sampler.find("seed");
+  if (!own || own->type != ParameterType::String) {
+    const auto seed = sampler.integer("seed");
+    return seed && *seed >= 0 ? std::optional<std::uint64_t>(*seed) : std::nullopt;
+  }
+  const std::string text = sampler.string("seed").value_or("");
+  std::uint64_t seed = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (fault == std::errc() && end == text.data() + text.size()) return seed;
+  sampler.error(*own, fmt::format("is {}, expected an integer of at least 0", text::quoted(text)));
+  return std::nullopt;
+}
+
 void read_sampler(Context& context) {
   auto& defaults = context.scene.defaults;
   defaults.samples_per_pixel = 16;
@@ -208,8 +224,7 @@ void read_sampler(Context& context) {
   const bool is_independent = is_one_of(type, {"independent", "random"});
   const int otherwise = type == "stratified" ? x * y : (is_independent ? 4 : 16);
   defaults.samples_per_pixel = count.value_or(otherwise);
-  const auto seed = sampler.integer("seed");
-  if (seed && *seed >= 0) defaults.seed = static_cast<std::uint64_t>(*seed);
+  if (const auto seed = read_seed(sampler)) defaults.seed = seed;
   sampler.accept({"randomization", "jitter", "dimensions"});
   sampler.warn_of_unknown();
 }

@@ -274,17 +274,23 @@ Emission read_emission(Context& context, Statement& statement) {
   emission.radiance = light_colour(arguments, "L", context.scene).value_or(Vec3d(1.0));
   emission.emits_both_sides = arguments.flag("twosided", false);
   arguments.accept({"samples", "nsamples"});
+  bool has_own_radiance = false;  // candela's own beside an image, whatever scale and power say
   if (const Parameter* file = arguments.find("filename", {ParameterType::String})) {
-    if (const Parameter* L = arguments.find("L")) {
+    const Parameter* L = arguments.find("L");
+    has_own_radiance = L && is_own(L->place);
+    if (L && !has_own_radiance) {
       arguments.warning(*L, "is ignored: the image says what is emitted");
       emission.radiance = Vec3d(1.0);
     }
     const std::string name = file->strings.size() == 1 ? file->strings[0] : "";
     emission.map = add_light_image(context, *file, encoding_of_file(name));
   }
-  emission.radiance *= std::max(arguments.number("scale").value_or(1), 0.0) * context.imaging_ratio;
+  const double scale = std::max(arguments.number("scale").value_or(1), 0.0);
+  emission.radiance *= (has_own_radiance ? 1 : scale) * context.imaging_ratio;
   emission.power = arguments.number("power");
   if (emission.power && !(*emission.power > 0)) emission.power.reset();
+  emission.is_maps_mean = emission.map && emission.power;
+  if (has_own_radiance) emission.power.reset();
   arguments.warn_of_unknown();
   if (!is_finite(emission.radiance)) {
     context.report.error(statement.place, "the emission is not finite");

@@ -150,10 +150,12 @@ class ShapeWriter {
                                 material.name));
     const std::string image = material.emission_map ? textures_.file_of(material.emission_map) : "";
     if (image.empty()) return area_light(material.emission, material.emits_both_sides);
-    const double mean = (material.emission.x + material.emission.y + material.emission.z) / 3;
-    if (material.emission != Vec3d(mean))
-      context_.warn(material.span, fmt::format("material '{}': lost: the colour that the image of "
-                                               "what it emits is multiplied by",
+    const Vec3d& colour = material.emission;
+    const bool is_coloured = colour != Vec3d(colour.x);
+    const double mean = is_coloured ? (colour.x + colour.y + colour.z) / 3 : colour.x;
+    if (is_coloured)
+      context_.warn(material.span, fmt::format("material '{}': lost for pbrt: the colour that the "
+                                               "image of what it emits is multiplied by",
                                                material.name));
     Directive out("AreaLightSource", "diffuse");
     out.add("string filename", image);
@@ -166,6 +168,7 @@ class ShapeWriter {
       out.add("float scale", mean);
     }
     if (material.emits_both_sides) out.add("bool twosided", true);
+    if (is_coloured) out.add_own("rgb L", material.emission);
     return out.text();
   }
 

@@ -130,11 +130,10 @@ std::string sampler_text(WriteContext& context) {
   if (defaults.samples_per_pixel) sampler.add("integer pixelsamples", *defaults.samples_per_pixel);
   const std::uint64_t seed = defaults.seed.value_or(0);
   if (seed <= static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
-    sampler.add("integer seed", static_cast<int>(seed));
-  else
-    context.warn(
-        {}, fmt::format("the seed {} is more than pbrt's integers hold: it is left out", seed));
-  return sampler.text();
+    return sampler.add("integer seed", static_cast<int>(seed)).text();
+  context.warn(
+      {}, fmt::format("lost for pbrt: the seed {}, which is more than its integers hold", seed));
+  return sampler.add_own("string seed", std::to_string(seed)).text();
 }
 
 std::string integrator_text(const WriteContext& context, bool has_media) {

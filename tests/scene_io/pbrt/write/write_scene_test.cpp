@@ -85,6 +85,22 @@ TEST(Unit_WriteView, OneOfSeveralCameras) {
   }
 }
 
+TEST(Unit_WriteView, SeedsThatPbrtCannotHold) {
+  SceneDescription scene = room();
+  for (const std::uint64_t seed :
+       {std::uint64_t{1} << 31, std::uint64_t{1} << 32, ~std::uint64_t{0}}) {
+    scene.defaults.seed = seed;
+    EXPECT_EQ(test::round_trip(scene).scene.defaults.seed, seed);
+  }
+}
+
+// The file says nothing of the picture's aspect.
+TEST(Unit_WriteView, OrthographicCamerasThatFollowThePicture) {
+  Camera camera = odd_camera(CameraKind::Orthographic, true);
+  camera.fov_is_of_shorter_side = true;
+  EXPECT_FALSE(camera_back(camera).screen_window);
+}
+
 TEST(Unit_WriteView, AnglesLensesAndWindows) {
   Camera camera = odd_camera(CameraKind::Perspective, false);
   camera.lens_radius = 0.125;

@@ -217,6 +217,26 @@ TEST(Unit_WriteShapes, LampsWithAnImage) {
   }
 }
 
+// pbrt takes no colour beside an image.
+TEST(Unit_WriteShapes, LampsWithAnImageKeepTheirColour) {
+  SceneDescription scene = scene_with_camera();
+  scene.images = {{"glow.exr", Encoding::Linear, Wrap::Clamp, {}}};
+  const Vec3d colour(3, 0.1, 0);
+  const auto lamp = test::add_material(scene, test::diffuse(Vec3d(0.5)), colour);
+  scene.materials[0].emission_map = ImageHandle(0);
+  test::add_mesh(scene, square(), lamp, placed(1, 3));
+  for (const bool is_mean : {false, true}) {
+    scene.materials[0].emission_is_maps_mean = is_mean;
+    const RoundTrip trip = test::round_trip(scene);
+    EXPECT_EQ(trip.diagnostics.warning_count(), 1u);
+    ASSERT_EQ(trip.scene.materials.size(), 1u);
+    EXPECT_EQ(trip.scene.materials[0].emission, colour);
+    EXPECT_EQ(trip.scene.materials[0].emission_is_maps_mean, is_mean);
+  }
+  scene.materials[0].emission = Vec3d(0.1);  // no colour, though its mean may be off by rounding
+  EXPECT_EQ(test::round_trip(scene).diagnostics.warning_count(), 0u);
+}
+
 TEST(Unit_WriteShapes, MixturesWithTheirParts) {
   SceneDescription scene = scene_with_camera();
   const auto red = test::add_material(scene, test::diffuse(Vec3d(0.5, 0, 0)));
