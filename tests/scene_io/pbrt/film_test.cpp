@@ -186,13 +186,6 @@ TEST(Errors_PbrtFilm, WhatCannotBeHonouredIsNamed) {
             "1:8: the shutter closes at 0, expected after it opens at 1");
 }
 
-// A name and one value; the form with a type, which pbrt does not have, counts as well.
-TEST(Unit_PbrtFilm, OptionsAreNamesWithAValue) {
-  const auto seed = [](const std::string& text) {
-    return pbrt_scene(text + "\nWorldBegin").defaults.seed;
-  };
-  EXPECT_EQ(seed("Option \"seed\" 5"), 5u);
-  EXPECT_EQ(seed("Option \"Seed\" [ 6 ]"), 6u);
 // Only where their values would change the picture.
 TEST(Errors_PbrtFilm, WhatIsIgnored) {
   const std::string begin = "\nWorldBegin";
@@ -208,6 +201,13 @@ TEST(Errors_PbrtFilm, WhatIsIgnored) {
             "0 of them: ");
 }
 
+// A name and one value; the form with a type, which pbrt does not have, counts as well.
+TEST(Unit_PbrtFilm, OptionsAreNamesWithAValue) {
+  const auto seed = [](const std::string& text) {
+    return pbrt_scene(text + "\nWorldBegin").defaults.seed;
+  };
+  EXPECT_EQ(seed("Option \"seed\" 5"), 5u);
+  EXPECT_EQ(seed("Option \"Seed\" [ 6 ]"), 6u);
   EXPECT_EQ(seed("Option \"integer seed\" 7"), 7u);
   EXPECT_EQ(seed("Option \"seed\" 5 Sampler \"sobol\" \"integer seed\" 8"), 8u);
   EXPECT_EQ(pbrt_warning("Option \"disablepixeljitter\" true\nWorldBegin"),
