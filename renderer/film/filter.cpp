@@ -90,15 +90,15 @@ Filter::Filter(FilterKind kind, float radius) : kind_(kind), radius_(radius) {
   constexpr int steps = 1 << 14;
   const std::vector<double> sums = cumulative(kind, radius, steps);
   std::size_t cell = 0;
-  for (int i = 0; i <= intervals; ++i) {
-    const double u = static_cast<double>(i) / intervals;
+  for (int i = 0; i < parts; ++i) {
+    const double u = number_at(i);
     while (cell + 1 < steps && sums[cell + 1] < u) ++cell;
     const double within = (u - sums[cell]) / (sums[cell + 1] - sums[cell]);
     const double x = (static_cast<double>(cell) + std::clamp(within, 0.0, 1.0)) / steps;
     inverse_[static_cast<std::size_t>(i)] = static_cast<float>(radius * (2 * x - 1));
   }
   inverse_.front() = -radius;
-  inverse_.back() = radius;
+  inverse_.back() = 0;
   set_signs();
 }
 
@@ -127,10 +127,12 @@ void Filter::set_signs() {
 
 // Of the samples of one axis, below x: what sample_axis() inverts.
 double Filter::share_below(double x) const {
+  if (x > 0) return 1 - share_below(-x);
   const auto above = std::upper_bound(inverse_.begin() + 1, inverse_.end() - 1, x);
   const double low = double{*(above - 1)};
   const double within = std::clamp((x - low) / (double{*above} - low), 0.0, 1.0);
-  return (static_cast<double>(above - inverse_.begin()) - 1 + within) / intervals;
+  const auto part = static_cast<int>(above - inverse_.begin()) - 1;
+  return number_at(part) + (number_at(part + 1) - number_at(part)) * within;
 }
 
 FilterPart Filter::part_within(const Bounds<Vec2d>& places) const {

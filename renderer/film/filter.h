@@ -34,7 +34,8 @@ struct FilterPart {
 };
 
 // Separable, symmetric filters of finite radius (pixels), sampled by a tabulated inverse of each
-// axis' cumulative distribution.
+// axis' cumulative distribution, of which the outermost part has a finer table: there a filter may
+// be wide and next to nothing.
 class Filter {
  public:
   Filter(FilterKind kind, float radius);
@@ -53,13 +54,26 @@ class Filter {
   [[nodiscard]] float radius() const { return radius_; }
 
  private:
+  // The first of `intervals` equal parts of [0, 1] is cut into `tail_parts`, the others of the
+  // lower half are whole.
   static constexpr int intervals = 1024;
+  static constexpr int tail_parts = 1024;
+  static constexpr int parts = tail_parts + intervals / 2 - 1;
+  // The number of which inverse_[k] is the place.
+  [[nodiscard]] static constexpr double number_at(int k) {
+    return k < tail_parts ? k / (double{intervals} * tail_parts)
+                          : (k - tail_parts + 1) / double{intervals};
+  }
   [[nodiscard]] float sample_axis(float u) const {
-    const float x = u * static_cast<float>(intervals);
-    const int i = std::min(static_cast<int>(x), intervals - 1);
-    const float f = x - static_cast<float>(i);
-    const auto k = static_cast<std::size_t>(i);
-    return inverse_[k] + (inverse_[k + 1] - inverse_[k]) * f;
+    const float low = std::min(u, 1 - u);
+    const bool is_tail = low * intervals < 1;
+    const float x = low * (is_tail ? float{intervals} * tail_parts : float{intervals});
+    const int first = is_tail ? 0 : tail_parts - 1;
+    const int part = std::min(static_cast<int>(x) + first, parts - 1);
+    const float f = x - static_cast<float>(part - first);
+    const auto k = static_cast<std::size_t>(part);
+    const float place = inverse_[k] + (inverse_[k + 1] - inverse_[k]) * f;
+    return u < 0.5f ? place : -place;
   }
 
   [[nodiscard]] float weight_on_axis(float x) const {
@@ -71,9 +85,9 @@ class Filter {
 
   FilterKind kind_;
   float radius_;
-  std::array<float, intervals + 1> inverse_{};
-  std::vector<float> sign_changes_;  // at x > 0, in order
-  float size_over_sum_ = 1;          // the integral of |f| over that of f
+  std::array<float, parts + 1> inverse_{};  // places of the lower half, up to 0
+  std::vector<float> sign_changes_;         // at x > 0, in order
+  float size_over_sum_ = 1;                 // the integral of |f| over that of f
 };
 
 // Box 0.5, Gaussian 1.5 (sigma 0.5), Blackman-Harris 1.5, triangle 1, Mitchell 2, sinc 4 pixels.

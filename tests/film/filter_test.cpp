@@ -110,6 +110,21 @@ TEST(Statistical_Filter, PlacesFollowTheFilter) {
   }
 }
 
+// A filter far wider than its bell sends no more samples to its tails than the bell has there.
+TEST(Unit_Filter, TailsAreThoseOfTheBell) {
+  constexpr double sigma = 0.5;
+  for (const float radius : {4.0f, 8.0f, 16.0f}) {
+    const Filter filter(FilterKind::Gaussian, radius);
+    for (int power = 1; power <= 18; ++power) {
+      const auto u = static_cast<float>(std::ldexp(1.0, -power));
+      const double x = double{filter.sample({u, 0.5f}).x};
+      EXPECT_NEAR(std::erfc(-x / (sigma * std::sqrt(2))) / 2 / double{u}, 1, 0.05)
+          << radius << " " << power;
+      EXPECT_EQ(filter.sample({0.5f, 1 - u}).y, static_cast<float>(-x));
+    }
+  }
+}
+
 // Of a radius other than its own, in closed form: its inverse distribution.
 TEST(Unit_Filter, TriangleOfAnyRadius) {
   for (const float radius : {0.5f, 1.0f, 2.5f}) {
