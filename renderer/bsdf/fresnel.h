@@ -59,14 +59,16 @@ struct DielectricFresnel {
 // One channel of a conductor with relative index eta + i k; [Lagarde13, "conductor-dielectric"]
 // with a + i b = sqrt((eta + i k)^2 - sin^2). Of a^2 and b^2 the larger is a sum and the smaller
 // their product (eta k)^2 over it, and the amplitudes' differences are squared as such: nothing
-// cancels where eta is near 1 and k near 0, also at grazing angles.
+// cancels where eta is near 1 and k near 0, also at grazing angles. Squares beyond `mirror_like`
+// are those of surfaces that absorb less than floats can tell.
 [[nodiscard]] inline float fresnel_conductor(float cos_theta, float eta, float k) {
+  constexpr float mirror_like = 1e36f;
   const float c = clamp_unit(cos_theta);
   const float sin2 = (1 - c) * (1 + c);
   const float difference = (eta - 1) * (eta + 1) - square(k) + square(c);  // a^2 - b^2
   const float product = square(eta * k);
   const float larger = 0.5f * (std::sqrt(square(difference) + 4 * product) + std::abs(difference));
-  if (!(larger > 0)) return 1;
+  if (!(larger > 0 && larger < mirror_like)) return 1;
   const float smaller = product / larger;
   const float a = std::sqrt(difference > 0 ? larger : smaller);
   const float b2 = difference > 0 ? smaller : larger;

@@ -35,6 +35,15 @@ TEST(Unit_Fresnel, ConductorMatchesTheAmplitudes) {
       }
 }
 
+// As far as floats reach: squares of eta and k do not.
+TEST(Unit_Fresnel, ConductorsThatAbsorbAllAtOnceAreMirrors) {
+  for (const float k : {1e8f, 4.2e9f, 5e9f, 1e15f, 1.8e19f, 1e20f, 3e38f})
+    for (const float eta : {0.5f, 1.0f, 2.0f})
+      for (const float cos_theta : {1.0f, 0.5f, 1e-3f})
+        EXPECT_NEAR(fresnel_conductor(cos_theta, eta, k), 1, 1e-4) << k << " " << cos_theta;
+  EXPECT_NEAR(fresnel_conductor(0.5f, 4e9f, 4e9f), 1, 1e-6);
+}
+
 // Without absorption a conductor is a dielectric, at grazing angles and of index 1 as well.
 TEST(Unit_Fresnel, ConductorWithoutAbsorptionIsADielectric) {
   for (const float eta : {1.0f, 1.0000001f, 1.0001f, 1.5f, 1000.0f, 0.9999f, 0.5f})
