@@ -94,11 +94,25 @@ Prepared tiff_of(const Image& image) {
   return result;
 }
 
+// The nearest colour that RGBE holds, three bytes and the exponent of the largest channel, and a
+// quarter of a step: encoders cut off what is below a step, readers add nothing.
+void round_to_rgbe(float* rgb) {
+  const float largest = std::max({rgb[0], rgb[1], rgb[2]});
+  int exponent = 0;
+  const float fraction = std::frexp(largest, &exponent);
+  if (fraction * 256 >= 255.5f) ++exponent;
+  const float step = std::ldexp(1.0f, exponent - 8);
+  for (int c = 0; c < 3; ++c) rgb[c] = (std::round(rgb[c] / step) + 0.25f) * step;
+}
+
 // The four bytes of RGBE hold no negative, infinite or undefined number.
 Prepared hdr_of(const Image& image) {
   constexpr float largest = 1e38f;  // RGBE ends at 2^127
+  constexpr float least = 1e-32f;   // below which encoders write black
   std::vector<float> values = colour_values(image, false);
   for (float& value : values) value = std::isgreater(value, 0.0f) ? std::min(value, largest) : 0.0f;
+  for (std::size_t i = 0; i < values.size(); i += 3)
+    if (std::max({values[i], values[i + 1], values[i + 2]}) > least) round_to_rgbe(&values[i]);
   return of_floats(image, std::move(values));
 }
 

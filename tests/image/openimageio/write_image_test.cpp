@@ -7,6 +7,7 @@
 
 #include "renderer/image/encode.h"
 #include "renderer/image/image_io.h"
+#include "renderer/sampling/hash.h"
 #include "tests/image/temporary_folder.h"
 
 namespace candela {
@@ -95,7 +96,8 @@ TEST(Unit_WriteImage, TiffKeepsColourAndAlphaExactly) {
       for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(back.pixel(x, y)[c], image.pixel(x, y)[c]);
 }
 
-// RGBE shares an exponent: half a step of 1/256 to 1/128 of the largest channel.
+// RGBE shares an exponent: half a step of 1/256 to 1/128 of the largest channel, as often up as
+// down.
 TEST(Unit_WriteImage, HdrKeepsColourToASharedExponent) {
   const TemporaryFolder folder;
   Image image = test_image(9, 5, {"R", "G", "B", "A"});
@@ -108,8 +110,28 @@ TEST(Unit_WriteImage, HdrKeepsColourToASharedExponent) {
   for (int x = 1; x < image.width; ++x) {
     const float* p = image.pixel(x, 3);
     const float largest = std::max({p[0], p[1], p[2]});
-    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(back.pixel(x, 3)[c], p[c], largest / 128);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(back.pixel(x, 3)[c], p[c], largest / 256);
   }
+}
+
+TEST(Unit_WriteImage, HdrIsNeitherTooDarkNorTooBright) {
+  const TemporaryFolder folder;
+  Image image(64, 64, {"R", "G", "B"});
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    image.values[i] = std::exp(10 * unit_float(static_cast<std::uint32_t>(mix_bits(i))) - 5);
+  image.pixel(0, 0)[0] = 0.99999f;  // the next exponent
+  const Image back = written_and_read(folder, "x.hdr", image);
+  double sum = 0;
+  for (std::size_t i = 0; i < image.values.size(); i += 3) {
+    const float largest = std::max({image.values[i], image.values[i + 1], image.values[i + 2]});
+    for (std::size_t c = i; c < i + 3; ++c) {
+      EXPECT_LE(std::abs(back.values[c] - image.values[c]), largest / 255.9f);
+      sum += double{(back.values[c] - image.values[c]) / largest};
+    }
+  }
+  // Uniform between half a step of at most 1/128 down and up.
+  const auto count = static_cast<double>(image.values.size());
+  EXPECT_LT(std::abs(sum), 3 * std::sqrt(count / 12) / 128);
 }
 
 TEST(Unit_WriteImage, PngKeepsDisplayedColourToHalfAStep) {
