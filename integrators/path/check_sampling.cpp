@@ -12,16 +12,40 @@ namespace {
 
 using namespace description;
 
-bool is_smooth(const ScalarInput& roughness) {
-  return !roughness.map && roughness.factor < static_cast<double>(smallest_ggx_width);
+// A map may be smooth somewhere.
+bool may_be_smooth(const ScalarInput& roughness) {
+  return roughness.map || roughness.factor < static_cast<double>(smallest_ggx_width);
+}
+// The larger of two widths decides (coat_widths_at()).
+template <class Layer>
+bool may_be_smooth(const Layer& layer) {
+  return may_be_smooth(layer.roughness) &&
+         (!layer.roughness_across || may_be_smooth(*layer.roughness_across));
+}
+template <class Layer>
+bool has_map(const Layer& layer) {
+  return layer.roughness.map || (layer.roughness_across && layer.roughness_across->map);
 }
 
-// Whether a material has a delta lobe beside another. One alone is followed as it is.
+// Whether a material has, or may have somewhere, a delta lobe beside another. One alone is followed
+// as it is.
 struct HasDeltaLobeBeside {
-  bool operator()(const CoatedDiffuseMaterial& m) const { return is_smooth(m.coat.roughness); }
-  bool operator()(const CoatedConductorMaterial& m) const { return is_smooth(m.coat.roughness); }
+  bool operator()(const CoatedDiffuseMaterial& m) const { return may_be_smooth(m.coat); }
+  bool operator()(const CoatedConductorMaterial& m) const {
+    const bool is_one_delta_lobe =
+        may_be_smooth(m) && !has_map(m) && !has_map(m.coat);  // where the coat is smooth
+    return may_be_smooth(m.coat) && !is_one_delta_lobe;
+  }
   template <class Other>
   bool operator()(const Other&) const {
+    return false;
+  }
+};
+
+struct HasMappedCoat {
+  template <class Model>
+  bool operator()(const Model& m) const {
+    if constexpr (requires { m.coat; }) return has_map(m.coat);
     return false;
   }
 };
@@ -55,10 +79,12 @@ void check_lobes(const SceneDescription& scene, SamplingStrategy strategy,
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const Material& material = scene.materials[i];
     if (is_used[i] && std::visit(HasDeltaLobeBeside{}, material.model))
-      diagnostics.error(material.span,
-                        fmt::format("material '{}' is smoothly coated, and sampling by '{}' does "
-                                    "not follow the coat's reflection; expected mis, bsdf or light",
-                                    material.name, name_of(strategy)));
+      diagnostics.error(
+          material.span,
+          fmt::format("material '{}' {} smoothly coated, and sampling by '{}' does not follow the "
+                      "coat's reflection; expected mis, bsdf or light",
+                      material.name, std::visit(HasMappedCoat{}, material.model) ? "may be" : "is",
+                      name_of(strategy)));
   }
 }
 

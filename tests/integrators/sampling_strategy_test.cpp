@@ -36,7 +36,15 @@ description::SceneDescription with_ball_of(description::MaterialHandle material,
 }
 
 template <class Model>
-void expect_refused(Model model) {
+void expect_accepted(Model model) {
+  description::SceneDescription scene = small_room();
+  const auto material = add_material(scene, model);
+  for (const SamplingStrategy strategy : all_strategies)
+    EXPECT_EQ(sentences(with_ball_of(material, scene), strategy), "");
+}
+
+template <class Model>
+void expect_refused(Model model, std::string_view verb = "is") {
   description::SceneDescription scene = small_room();
   const auto material = add_material(scene, model);
   scene.materials.back().name = "odd";
@@ -46,16 +54,37 @@ void expect_refused(Model model) {
         samples_bsdfs(strategy)
             ? ""
             : fmt::format(
-                  "error: material 'odd' is smoothly coated, and sampling by '{}' does not "
+                  "error: material 'odd' {} smoothly coated, and sampling by '{}' does not "
                   "follow the coat's reflection; expected mis, bsdf or light\n",
-                  name_of(strategy));
+                  verb, name_of(strategy));
     EXPECT_EQ(sentences(with_ball_of(material, scene), strategy), expected);
   }
 }
 
 TEST(Errors_SamplingStrategy, NamesTheSmoothCoat) {
   expect_refused(description::CoatedDiffuseMaterial{});
-  expect_refused(description::CoatedConductorMaterial{});
+  description::CoatedConductorMaterial brushed;
+  brushed.roughness.factor = 0.3;
+  expect_refused(brushed);
+}
+
+TEST(Errors_SamplingStrategy, AsksForTheLargerWidthOfACoat) {
+  description::CoatedDiffuseMaterial combed;
+  combed.coat.roughness_across = description::ScalarInput{0.3, {}, 0};
+  expect_accepted(combed);
+  combed.coat.roughness_across->factor = 1e-5;
+  expect_refused(combed);
+}
+
+TEST(Errors_SamplingStrategy, AMapMayBeSmoothSomewhere) {
+  description::CoatedDiffuseMaterial stained;
+  stained.coat.roughness.map = description::ImageHandle(0);
+  expect_refused(stained, "may be");
+}
+
+// One delta lobe is followed as it is.
+TEST(Errors_SamplingStrategy, NamesNoCoatOverWhatIsSmoothItself) {
+  expect_accepted(description::CoatedConductorMaterial{});
 }
 
 TEST(Errors_SamplingStrategy, AreNoneForRoughCoatsAndForDeltaLobesAlone) {
