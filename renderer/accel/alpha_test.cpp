@@ -10,9 +10,12 @@ namespace {
 
 constexpr int alpha_channel = 3;
 
+// Both zeros alike.
+std::uint32_t bits_of(float x) {
+  return std::bit_cast<std::uint32_t>(x + 0.0f);
+}
 std::uint64_t bits_of(float high, float low) {
-  return (std::uint64_t{std::bit_cast<std::uint32_t>(high)} << 32) |
-         std::bit_cast<std::uint32_t>(low);
+  return (std::uint64_t{bits_of(high)} << 32) | bits_of(low);
 }
 
 // Uniform in [0, 1), a function of every bit of the ray and of the triangle. The samplers' hashes
