@@ -160,6 +160,7 @@ void TextureFile::decode_file() {
 
 void TextureFile::become_magenta() {
   constexpr std::array<unsigned char, 4> magenta{255, 0, 255, 255};
+  is_broken_ = true;
   texels_ = {};
   texels_.channels = 4;
   texels_.samples = std::make_unique_for_overwrite<std::byte[]>(magenta.size());

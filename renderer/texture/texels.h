@@ -46,7 +46,7 @@ class TextureFile {
   TextureFile(std::string name, TexelArray texels);
 
   [[nodiscard]] const std::string& path() const { return path_; }
-  // Magenta since its header could not be read.
+  // Magenta since its header could not be read or, as texels() finds out, its pixels.
   [[nodiscard]] bool is_broken() const { return is_broken_; }
   // What the header says; decodes nothing.
   [[nodiscard]] int width() const { return width_; }

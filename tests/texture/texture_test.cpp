@@ -333,5 +333,24 @@ TEST(Errors_TextureStore, PixelsThatBreakWhenTheyAreNeededAreMagentaToo) {
   EXPECT_NE(found.list()[0].message.find("; it is magenta"), std::string::npos);
 }
 
+// Whether the header or the pixels are what is broken.
+TEST(Errors_TextureStore, WhatIsBrokenLeavesOpaqueWhatIsOpaque) {
+  const TemporaryFolder folder;
+  crafted::Png image;
+  image.width = image.height = 4;
+  image.samples = crafted::Bytes(36, 1);
+  folder.put("pixels.png", crafted::png(image));
+  folder.put("header.png", std::string("no image"));
+  for (const char* name : {"pixels.png", "header.png"}) {
+    TextureStore store;
+    Diagnostics found;
+    const TextureHandle texture =
+        store.add({folder.file(name), Encoding::Linear, Wrap::Repeat, {}}, found);
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(store.scalar_kind(texture), TextureStore::ScalarKind::Alpha) << name;
+    (void)testing::internal::GetCapturedStderr();
+  }
+}
+
 }  // namespace
 }  // namespace candela
