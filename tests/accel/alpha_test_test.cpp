@@ -67,6 +67,18 @@ TEST(Statistical_AlphaTest, HitsAsOftenAsTheOpacitySays) {
   }
 }
 
+// Mirrored scenes have -0 where others have 0.
+TEST(Unit_AlphaTest, BothZerosAreAlike) {
+  const Scene scene = layers(1, 0.5f);
+  for (Ray ray : camera_rays(16, 1)) {
+    ray.direction.x = 0;
+    Ray mirrored = ray;
+    mirrored.origin = -ray.origin;
+    mirrored.direction.x = -0.0f;
+    EXPECT_EQ(is_clear(scene, 1, mirrored), is_clear(scene, 1, ray));
+  }
+}
+
 // In every pixel of a picture: decisions may not hang together with where the ray goes.
 TEST(Statistical_AlphaTest, PixelsAreIndependent) {
   constexpr std::uint32_t pixels = 64;
