@@ -87,8 +87,7 @@ TEST(Unit_WriteView, OneOfSeveralCameras) {
 
 TEST(Unit_WriteView, SeedsThatPbrtCannotHold) {
   SceneDescription scene = room();
-  for (const std::uint64_t seed :
-       {std::uint64_t{1} << 31, std::uint64_t{1} << 32, ~std::uint64_t{0}}) {
+  for (const std::uint64_t seed : {std::uint64_t{1} << 31, ~std::uint64_t{0}}) {
     scene.defaults.seed = seed;
     EXPECT_EQ(test::round_trip(scene).scene.defaults.seed, seed);
   }
