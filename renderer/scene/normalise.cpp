@@ -25,14 +25,25 @@ void append_corners(const description::Sphere& sphere, const Transform& object_t
   }
 }
 
-// A sample of the vertices in world space, evenly strided.
-std::vector<Vec3d> sampled_points(const SceneDescription& description) {
+// What is placed at once: its part of a list of points.
+struct Primitive {
+  std::size_t begin = 0, end = 0;
+  bool is_sphere = false;
+
+  // A sphere's corners are of one place.
+  [[nodiscard]] std::size_t votes() const { return is_sphere ? 1 : end - begin; }
+};
+
+// A sample of the vertices in world space, evenly strided, and which of them are which instance's.
+std::vector<Vec3d> sampled_points(const SceneDescription& description,
+                                  std::vector<Primitive>& primitives) {
   std::vector<Vec3d> points;
   const std::size_t instances = std::max<std::size_t>(description.instances.size(), 1);
   const std::size_t most = std::max<std::size_t>(
       8, std::min(most_points_an_instance, (std::size_t{1} << 20) / instances));
   for (const description::Instance& instance : description.instances) {
     const description::Mesh& mesh = description.meshes[instance.mesh.index];
+    const std::size_t begin = points.size();
     if (mesh.sphere) append_corners(*mesh.sphere, instance.object_to_world, points);
     const auto& positions = mesh.positions;
     const std::size_t stride = std::max<std::size_t>(1, positions.size() / most);
@@ -40,6 +51,7 @@ std::vector<Vec3d> sampled_points(const SceneDescription& description) {
       const Vec3d p = instance.object_to_world.point(positions[i]);
       if (is_finite(p)) points.push_back(p);
     }
+    primitives.push_back({begin, points.size(), mesh.sphere.has_value()});
   }
   for (const description::Light& light : description.lights)
     if (const auto* triangle = std::get_if<description::TriangleLight>(&light.kind))
@@ -69,14 +81,17 @@ bool is_well_within(const Bounds3d& bounds, const Bounds3d& box, const Transform
 }
 
 // The box of all vertices, exactly: a stride must not miss a corner. Of many instances of a large
-// mesh most are inside of what the others span, and their vertices need no look.
-Bounds3d full_bounds(const SceneDescription& description, const std::vector<Vec3d>& points) {
+// mesh most are inside of what the others span, and their vertices need no look. `points` are not
+// of the instance `left_out`.
+Bounds3d full_bounds(const SceneDescription& description, const std::vector<Vec3d>& points,
+                     std::optional<std::size_t> left_out) {
   Bounds3d bounds;
   for (const Vec3d& p : points) bounds.include(p);
   std::vector<std::optional<Bounds3d>> boxes(description.meshes.size());
-  for (const description::Instance& instance : description.instances) {
+  for (std::size_t i = 0; i < description.instances.size(); ++i) {
+    const description::Instance& instance = description.instances[i];
     const auto& positions = description.meshes[instance.mesh.index].positions;
-    if (positions.size() <= most_points_an_instance) continue;
+    if (positions.size() <= most_points_an_instance || i == left_out) continue;
     std::optional<Bounds3d>& box = boxes[instance.mesh.index];
     if (!box) box = bounds_of(positions);
     if (!box->is_empty() && is_well_within(bounds, *box, instance.object_to_world)) continue;
@@ -86,6 +101,50 @@ Bounds3d full_bounds(const SceneDescription& description, const std::vector<Vec3
     }
   }
   return bounds;
+}
+
+// How far apart two boxes are on the axis on which they are farthest; negative where they overlap.
+double gap(const Bounds3d& a, const Bounds3d& b) {
+  return max_component(glm::max(a.lower - b.upper, b.lower - a.upper));
+}
+
+// The boxes of all primitives but one, by that one.
+std::vector<Bounds3d> boxes_of_others(const std::vector<Bounds3d>& boxes) {
+  std::vector<Bounds3d> others(boxes.size());
+  Bounds3d before;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    others[i] = before;
+    before.include(boxes[i]);
+  }
+  Bounds3d after;
+  for (std::size_t i = boxes.size(); i-- > 0;) {
+    others[i].include(after);
+    after.include(boxes[i]);
+  }
+  return others;
+}
+
+// The one instance that is so far from all others that these would lose their digits to it, a sun
+// that is a mesh or a sphere: the one of fewest points where two lie like that.
+std::optional<std::size_t> far_primitive(const std::vector<Vec3d>& points,
+                                         const std::vector<Primitive>& primitives) {
+  constexpr double farthest = 1e4;
+  constexpr std::size_t few = 64;
+  std::vector<Bounds3d> boxes(primitives.size());
+  for (std::size_t i = 0; i < primitives.size(); ++i)
+    for (std::size_t k = primitives[i].begin; k < primitives[i].end; ++k)
+      boxes[i].include(points[k]);
+  const std::vector<Bounds3d> others = boxes_of_others(boxes);
+  std::optional<std::size_t> far;
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    if (boxes[i].is_empty() || others[i].is_empty()) continue;
+    const double extent = max_component(others[i].extent());
+    if (!(extent > 0) || !(gap(boxes[i], others[i]) > farthest * extent)) continue;
+    const std::size_t votes = primitives[i].votes();
+    if (votes > std::max(few, points.size() / 2)) continue;
+    if (!far || votes < primitives[*far].votes()) far = i;
+  }
+  return far;
 }
 
 // The box without the outermost hundredth of the points at either end of each axis, and without
@@ -124,9 +183,15 @@ Normalisation normalisation_of(const Bounds3d& full, std::vector<Vec3d> points) 
 }  // namespace
 
 Normalisation normalisation_of(const SceneDescription& description) {
-  std::vector<Vec3d> points = sampled_points(description);
+  std::vector<Primitive> primitives;
+  std::vector<Vec3d> points = sampled_points(description, primitives);
   if (points.empty()) return {};
-  const Bounds3d bounds = full_bounds(description, points);
+  const std::optional<std::size_t> far = far_primitive(points, primitives);
+  if (far) {
+    const auto at = [&](std::size_t i) { return points.begin() + static_cast<std::ptrdiff_t>(i); };
+    points.erase(at(primitives[*far].begin), at(primitives[*far].end));
+  }
+  const Bounds3d bounds = full_bounds(description, points, far);
   return normalisation_of(bounds, std::move(points));
 }
 

@@ -29,6 +29,27 @@ TEST(Unit_Normalise, OneFarOutlierDoesNotSpoilTheRest) {
   EXPECT_LE(n.scale, 2);
 }
 
+// More of its points lie at one end of an axis than single outliers may.
+TEST(Unit_Normalise, OneFarLampDoesNotSpoilTheRest) {
+  description::SceneDescription scene;
+  const auto material = add_material(scene, diffuse(Vec3d(0.5)));
+  add_mesh(scene, box({-0.5, 0, -0.5}, {0.5, 1, 0.5}), material);
+  add_mesh(scene, quad({-3, 0, 3}, {6, 0, 0}, {0, 0, -6}), material);
+  const Normalisation alone = normalisation_of(scene);
+  description::Mesh ball;
+  ball.sphere = description::Sphere{};
+  for (const double distance : {1e6, 1e9, 1e30})
+    for (const description::Mesh& lamp :
+         {quad({0, 0, 0}, {0.005, 0, 0}, {0, 0, 0.005}), ball, sphere({0, 0, 0}, 0.005, 0)}) {
+      description::SceneDescription lit = scene;
+      add_mesh(lit, lamp, material,
+               {Mat3d(distance), {0.5 * distance, 0.8 * distance, -2 * distance}});
+      const Normalisation n = normalisation_of(lit);
+      EXPECT_EQ(n.centre, alone.centre);
+      EXPECT_EQ(n.scale, alone.scale);
+    }
+}
+
 TEST(Unit_Normalise, ALargeFloorUnderASmallObjectIsNoOutlier) {
   description::SceneDescription scene;
   const auto material = add_material(scene, diffuse(Vec3d(0.5)));
