@@ -147,7 +147,7 @@ Result<Scene> compile(const SceneDescription& description, const CompileOptions&
   scene.features = features_of(scene);
   scene.plain_models = plain_models_of(scene);
   for (const auto& [what, count] : dropped) scene.dropped.push_back({what, count});
-  for (const char* reason : {out_of_reach, spheres_out_of_reach, instances_out_of_range})
+  for (const char* reason : {out_of_reach, spheres_out_of_reach, instances_out_of_range, too_small})
     if (const auto lost = dropped.find(reason); lost != dropped.end())
       diagnostics.warning({}, fmt::format("{} {} are left out", lost->second, lost->first));
   warn_of_lost_surfaces(description, scene, dropped, diagnostics);

@@ -1,11 +1,26 @@
 #include "renderer/scene/triangle_sort.h"
 
+#include <limits>
+
+#include "renderer/math/near_one.h"
+
 namespace candela {
 namespace {
 
+// In double, and so the same as where denormal numbers are flushed. There surface points square
+// this normal, and one of its components at least must be left.
 bool has_area(const Vec3f& p0, const Vec3f& p1, const Vec3f& p2) {
-  const Vec3f n = cross(p1 - p0, p2 - p0);
-  return dot(n, n) > 0;
+  const double largest = max_component(glm::abs(cross(p1 - p0, p2 - p0)));
+  return square(largest) >= std::numeric_limits<float>::min();
+}
+
+// Whether the file's own numbers say that the triangle is one, and no needle.
+bool is_meant_to_be_seen(const description::Mesh& mesh, const std::array<std::uint32_t, 3>& t) {
+  constexpr double narrowest = 1e-3;
+  const Vec3d a = near_one(mesh.positions[t[1]] - mesh.positions[t[0]]);
+  const Vec3d b = near_one(mesh.positions[t[2]] - mesh.positions[t[0]]);
+  const double sine2_times_lengths2 = length_squared(cross(a, b));
+  return sine2_times_lengths2 > square(narrowest) * length_squared(a) * length_squared(b);
 }
 
 // False for NaN and Inf, too.
@@ -45,7 +60,7 @@ SortedTriangles sort_triangles(const Scene& scene, const Material& material,
       continue;
     }
     if (!has_area(p0, p1, p2)) {
-      ++dropped["triangles without area"];
+      ++dropped[is_meant_to_be_seen(mesh, index) ? too_small : "triangles without area"];
       continue;
     }
     const Coverage coverage =

@@ -20,6 +20,9 @@ inline constexpr double out_of_reach_at = 1e18;
 inline constexpr char out_of_reach[] =
     "triangles with vertices that are not finite or too far away";
 
+// The same of triangles whose area floats cannot tell from none.
+inline constexpr char too_small[] = "triangles that are too small beside the scene";
+
 // How much of a triangle its material's opacity covers; looks at the texels within.
 [[nodiscard]] Coverage coverage_of(const Scene& scene, const Material& material,
                                    const description::Mesh& mesh, std::uint32_t triangle);

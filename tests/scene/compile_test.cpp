@@ -72,6 +72,24 @@ TEST(Unit_Compile, WarnsWhereNoSurfaceIsLeft) {
 }
 
 // Their transform squares lengths.
+// Not those that are needles as the file has them. The squares of the normal vanish, or one by one,
+// or the edges do.
+TEST(Unit_Compile, SaysWhichTrianglesAreTooSmall) {
+  const auto expect_too_small = [](const Vec3d& at, const Vec3d& a, const Vec3d& b) {
+    description::SceneDescription scene = one_quad();
+    add_light(scene, description::PointLight{{0, 0, 1}, Vec3d(1.0)});
+    const auto material = description::MaterialHandle(0);
+    add_mesh(scene, triangle(at, at + a, at + b), material);
+    add_mesh(scene, triangle(at, at + Vec3d(0.1, 0, 0), at + Vec3d(0.2, 0, 0)), material);
+    EXPECT_EQ(only_warning(scene), "1 triangles that are too small beside the scene are left out");
+    EXPECT_EQ(dropped_count(compiled(scene, {}), "triangles without area"), 1u);
+  };
+  const Vec3d middle(0.5, 0.5, 0);
+  expect_too_small(middle, {1e-11, 0, 0}, {0, 1e-11, 0});
+  expect_too_small(middle, {3.24e-10, -3.24e-10, 0}, {0, 3.24e-10, -3.24e-10});
+  expect_too_small({0, 0.5, 0}, {1e-11, 0, 0}, {0, 1e-11, 0});
+}
+
 TEST(Unit_Compile, NormalsOfTinyAndHugeMeshesStay) {
   const auto normals_of = [](double size) {
     description::SceneDescription scene = one_quad();

@@ -85,7 +85,9 @@ ExitCode run_command(const RenderArguments& arguments) {
   return code;
 }
 ExitCode run_command(const InfoArguments& arguments) {
-  return run_info(arguments);
+  ExitCode code = ExitCode::Bug;
+  with_threads(0, [&] { code = run_info(arguments); });  // compiles as render does
+  return code;
 }
 ExitCode run_command(const CheckArguments& arguments) {
   return run_check(arguments);
