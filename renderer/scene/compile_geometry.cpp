@@ -146,6 +146,9 @@ struct Plan {
   std::size_t compiled = 0;             // placements
   std::size_t flattened_triangles = 0;  // of instances that can not be placed as such
 
+  [[nodiscard]] bool has_room_for(std::size_t triangles) const {
+    return flattened_triangles + triangles <= std::size_t{1} << 20;
+  }
   void place_in_world(const description::Instance& instance, const Transform& to_world) {
     placements.push_back(
         {instance.mesh, instance.material_override, to_world * instance.object_to_world, {}, {}});
@@ -242,18 +245,17 @@ std::vector<Bounds3f> bounds_of_objects(const Plan& plan, std::size_t objects, B
 // of them they are left out.
 void flatten_instances(const SceneDescription& description, const auto& fits, Scene& scene,
                        Plan& plan, DropCounts& dropped) {
-  constexpr std::size_t most_triangles = std::size_t{1} << 20;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const std::size_t described = plan.described[i];
-    if (fits(scene.instances[i])) {
+    if (fits(i)) {
       scene.instances[kept] = scene.instances[i];
       plan.described[kept++] = described;
       continue;
     }
     const description::Instance& instance = description.instances[described];
     const std::size_t triangles = description.meshes[instance.mesh.index].triangles.size();
-    if (plan.flattened_triangles + triangles > most_triangles) {
+    if (!plan.has_room_for(triangles)) {
       ++dropped[instances_out_of_range];
       continue;
     }
@@ -265,16 +267,21 @@ void flatten_instances(const SceneDescription& description, const auto& fits, Sc
   plan.described.resize(kept);
 }
 
-// First those that no ray could be brought to, then those that rays from as far as the scene goes
-// could not.
+// First those that no ray could be brought to, and grounds that had better be cut, then those that
+// rays from as far as the scene goes could not be brought to.
 void flatten_instances_out_of_range(const SceneDescription& description,
                                     const CompileOptions& options, Scene& scene, Plan& plan,
                                     DropCounts& dropped) {
   if (scene.instances.empty()) return;
   Bounds3f world;
   const std::vector<Bounds3f> objects = bounds_of_objects(plan, scene.objects.size(), world);
-  const auto can_be_placed = [&](const Instance& instance) {
-    return is_placeable(instance, objects[instance.object.index]);
+  const auto can_be_placed = [&](std::size_t i) {
+    const Instance& instance = scene.instances[i];
+    const Bounds3f& object = objects[instance.object.index];
+    const auto mesh = description.instances[plan.described[i]].mesh;
+    const std::size_t triangles = description.meshes[mesh.index].triangles.size();
+    return is_placeable(instance, object) &&
+           !(is_large_ground(instance, object, triangles) && plan.has_room_for(triangles));
   };
   flatten_instances(description, can_be_placed, scene, plan, dropped);
   const std::size_t first = plan.compiled;
@@ -282,7 +289,8 @@ void flatten_instances_out_of_range(const SceneDescription& description,
   for (std::size_t i = first; i < plan.compiled; ++i)
     world.include(bounds_of(plan.placements[i].geometries));
   const double reach = reach_of_rays(scene, world, objects);
-  const auto takes_rays = [&](const Instance& instance) {
+  const auto takes_rays = [&](std::size_t i) {
+    const Instance& instance = scene.instances[i];
     return reach <= farthest_origin(instance) || objects[instance.object.index].is_empty();
   };
   flatten_instances(description, takes_rays, scene, plan, dropped);

@@ -21,6 +21,13 @@ bool is_placeable(const Instance& instance, const Bounds3f& object) {
   return world_to_object(instance) && farthest(bounds_of(instance, object)) < out_of_reach_at;
 }
 
+bool is_large_ground(const Instance& instance, const Bounds3f& object, std::size_t triangles) {
+  constexpr double large = 1e4;
+  constexpr std::size_t few = 4096;
+  return triangles > 0 && triangles <= few && !object.is_empty() &&
+         max_component(bounds_of(instance, object).extent()) > large;
+}
+
 double farthest_origin(const Instance& instance) {
   constexpr double largest = 1e17;  // Embree refuses 1.8e18
   const std::optional<WorldToObject> inverse = world_to_object(instance);

@@ -1,6 +1,7 @@
 // Which instances rays can be brought to in floats.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "renderer/scene/scene.h"
@@ -12,6 +13,11 @@ inline constexpr char instances_out_of_range[] = "instances that are too small o
 
 // Whether both accelerators take the instance in. `object`: the bounds of what is placed.
 [[nodiscard]] bool is_placeable(const Instance& instance, const Bounds3f& object);
+
+// Whether a placement of few triangles is so large that they had better be cut (split_triangles.h),
+// which only the world's are.
+[[nodiscard]] bool is_large_ground(const Instance& instance, const Bounds3f& object,
+                                   std::size_t triangles);
 
 // How far from the scene's centre a ray may start for its numbers to stay within Embree's when it
 // is moved into the space of the instance's object. `instance` is placeable.

@@ -236,6 +236,19 @@ TEST(Unit_Compile, InstancesBeyondFloatsAreFlattened) {
   EXPECT_EQ(scene.geometries[2].triangles.size(), triangles);
 }
 
+// So that they are cut where they come near the scene: floats of an object's own space end there.
+TEST(Unit_Compile, InstancesOfHugeGroundsAreFlattened) {
+  description::SceneDescription scene = two_balls(Mat3d(0.5));
+  const auto ground = add_mesh(scene, quad({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}),
+                               description::MaterialHandle(0), {Mat3d(1e6), {0, -1, 0}});
+  add_instance(scene, ground, {Mat3d(1e6), {0, -1000, 0}});
+  const Scene compiled_scene = compiled(scene, {});
+  EXPECT_EQ(compiled_scene.instances.size(), 2u) << "the balls";
+  ASSERT_EQ(compiled_scene.world.geometries.size(), 3u);
+  const std::uint32_t last = compiled_scene.world.geometries.back().index;
+  EXPECT_GT(compiled_scene.geometries[last].triangles.size(), 50u);
+}
+
 TEST(Unit_Compile, TooManyTrianglesOfInstancesBeyondFloatsAreLeftOutAndSaid) {
   description::SceneDescription scene = one_quad();
   add_light(scene, description::PointLight{{0, 0, 1}, Vec3d(1.0)});
