@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "renderer/accel/placement.h"
+#include "renderer/geometry/world_to_object.h"
 #include "renderer/scene/triangle_sort.h"
 
 namespace candela {
