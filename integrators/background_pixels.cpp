@@ -60,8 +60,7 @@ void add_instances(const Scene& scene, PixelCover& cover) {
 }  // namespace
 
 BackgroundPixels::BackgroundPixels(const Scene& scene, const Filter& filter,
-                                   const RenderOptions& options)
-    : width_(static_cast<std::size_t>(options.width)) {
+                                   const RenderOptions& options) {
   const Camera& camera = scene.cameras[options.camera];
   const std::optional<Rgb> background = constant_background(scene, options);
   if (!options.savings.skips_background || !background || filter.is_signed() ||
@@ -74,7 +73,7 @@ BackgroundPixels::BackgroundPixels(const Scene& scene, const Filter& filter,
   for (const GeometryHandle handle : scene.world.geometries)
     cover.add(scene.geometries[handle.index]);
   add_instances(scene, cover);
-  is_covered_ = cover.covered();
+  covered_ = cover.covered();
 }
 
 }  // namespace candela

@@ -3,8 +3,7 @@
 // (Covered are all triangles' and spheres' projections, and those of instances' boxes.)
 #pragma once
 
-#include <cstdint>
-#include <vector>
+#include <optional>
 
 #include "integrators/pixel_cover.h"
 #include "integrators/render.h"
@@ -19,17 +18,13 @@ class BackgroundPixels {
   // or the scene more triangles than looking at them could spare.
   BackgroundPixels(const Scene& scene, const Filter& filter, const RenderOptions& options);
 
-  [[nodiscard]] bool is_empty() const { return is_covered_.empty(); }
-  [[nodiscard]] bool contains(int x, int y) const {
-    return !is_covered_.empty() &&
-           is_covered_[static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x)] == 0;
-  }
+  [[nodiscard]] bool is_empty() const { return !covered_; }
+  [[nodiscard]] bool contains(int x, int y) const { return covered_ && !covered_->contains(x, y); }
   // What each sample of these pixels brings.
   [[nodiscard]] const FilmSample& sample() const { return sample_; }
 
  private:
-  std::size_t width_ = 0;
-  PixelMask is_covered_;
+  std::optional<CoveredPixels> covered_;
   FilmSample sample_;
 };
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/base/parallel.h"
 #include "renderer/math/constants.h"
 
 namespace candela {
@@ -121,6 +120,11 @@ double orientation_of(std::span<const Vec2d> outline) {
   return area > 0 ? 1 : area < 0 ? -1 : 0;
 }
 
+std::size_t index_in(const PixelRect& rect, int x, int y) {
+  return static_cast<std::size_t>(y - rect.y0) * static_cast<std::size_t>(rect.width()) +
+         static_cast<std::size_t>(x - rect.x0);
+}
+
 }  // namespace
 
 LampViews::LampViews(const Camera& camera, const Bounds3f& bounds, const Filter& filter, int width,
@@ -150,14 +154,15 @@ void LampViews::add_outline(std::span<const Vec2d> outline, const Vec2d& wrong) 
        {glm::floor(glm::max(all.lower, Vec2d(0.0))), glm::floor(glm::min(all.upper, size - 1.0))}});
 }
 
-// In rows of the picture. If an outline is off by no more than `wrong`, so is what lies within a
-// rectangle of what it should be within one that is larger by that.
-void LampViews::see(const Outline& outline, int first, int end, std::span<Rectangle> seen) const {
-  const int first_y = std::max(first, static_cast<int>(outline.pixels.lower.y));
-  const int end_y = std::min(end, static_cast<int>(outline.pixels.upper.y) + 1);
-  if (first_y >= end_y) return;
-  const int first_x = static_cast<int>(outline.pixels.lower.x);
-  const int end_x = static_cast<int>(outline.pixels.upper.x) + 1;
+// In rows of a part of the picture. If an outline is off by no more than `wrong`, so is what lies
+// within a rectangle of what it should be within one that is larger by that.
+void LampViews::see(const Outline& outline, const PixelRect& rect,
+                    std::span<Rectangle> seen) const {
+  const int first_x = std::max(rect.x0, static_cast<int>(outline.pixels.lower.x));
+  const int end_x = std::min(rect.x1, static_cast<int>(outline.pixels.upper.x) + 1);
+  const int first_y = std::max(rect.y0, static_cast<int>(outline.pixels.lower.y));
+  const int end_y = std::min(rect.y1, static_cast<int>(outline.pixels.upper.y) + 1);
+  if (first_x >= end_x || first_y >= end_y) return;
   const std::span<const Vec2d> corners =
       std::span(corners_).subspan(outline.first, outline.end - outline.first);
   const double orientation = orientation_of(corners);
@@ -166,7 +171,7 @@ void LampViews::see(const Outline& outline, int first, int end, std::span<Rectan
   const Vec2d reach = slack + radius;
   for (int y = first_y; y < end_y; ++y)
     for (int x = first_x; x < end_x; ++x) {
-      Rectangle& pixel = seen[index(x, y - first)];
+      Rectangle& pixel = seen[index_in(rect, x, y)];
       const Vec2d centre(x + 0.5, y + 0.5);
       if (holds(pixel, centre, radius)) continue;
       const Side side = side_of(centre, reach, slack, corners, orientation);
@@ -222,33 +227,19 @@ void LampViews::add(const Sphere& sphere) {
   add_convex(points);
 }
 
-std::vector<LampView> LampViews::views_of_rows(int first, int end) const {
-  std::vector<Rectangle> seen(index(0, end - first));
-  for (const Outline& outline : outlines_) see(outline, first, end, seen);
+std::vector<LampView> LampViews::views(const PixelRect& rect) const {
+  std::vector<Rectangle> seen(static_cast<std::size_t>(rect.width()) *
+                              static_cast<std::size_t>(rect.height()));
+  for (const Outline& outline : outlines_) see(outline, rect, seen);
   std::vector<LampView> views;
-  for (int y = first; y < end; ++y)
-    for (int x = 0; x < width_; ++x) {
-      const Rectangle& pixel = seen[index(x, y - first)];
+  for (int y = rect.y0; y < rect.y1; ++y)
+    for (int x = rect.x0; x < rect.x1; ++x) {
+      const Rectangle& pixel = seen[index_in(rect, x, y)];
       if (pixel.is_empty()) continue;
       const Vec2d centre(x + 0.5, y + 0.5);
       const FilterPart part = filter_.part_within({pixel.lower - centre, pixel.upper - centre});
-      if (part.share() > 0) views.push_back({static_cast<std::uint32_t>(index(x, y)), part});
+      if (part.share() > 0) views.push_back({pixel_index(x, y, width_), part});
     }
-  return views;
-}
-
-std::vector<LampView> LampViews::views(const std::function<bool()>& is_over) const {
-  constexpr int rows = 16;
-  std::vector<std::vector<LampView>> strips(static_cast<std::size_t>((height_ + rows - 1) / rows));
-  parallel_for(strips.size(), [&](std::size_t i) {
-    const int first = static_cast<int>(i) * rows;
-    if (!is_over()) strips[i] = views_of_rows(first, std::min(first + rows, height_));
-  });
-  std::vector<LampView> views;
-  for (std::vector<LampView>& strip : strips) {
-    views.insert(views.end(), strip.begin(), strip.end());
-    strip = {};
-  }
   return views;
 }
 

@@ -3,17 +3,23 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "integrators/projected_bounds.h"
 #include "renderer/camera/camera.h"
+#include "renderer/film/film.h"
 #include "renderer/film/filter.h"
 #include "renderer/geometry/geometry.h"
 #include "renderer/math/bounds.h"
 
 namespace candela {
+
+// In rows from the top.
+[[nodiscard]] inline std::uint32_t pixel_index(int x, int y, int width) {
+  return static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(width) +
+         static_cast<std::uint32_t>(x);
+}
 
 // A pixel that some lamp may be seen in.
 struct LampView {
@@ -31,8 +37,8 @@ class LampViews {
   // Each triangle and sphere; not of an object that instances place.
   void add(const Geometry& geometry);
 
-  // By index; on all threads. `is_over`: asked between rows whether to leave out the rest.
-  [[nodiscard]] std::vector<LampView> views(const std::function<bool()>& is_over) const;
+  // Of the pixels of a part of the picture, by index.
+  [[nodiscard]] std::vector<LampView> views(const PixelRect& rect) const;
 
  private:
   using Rectangle = Bounds<Vec2d>;  // in pixels from the picture's upper left corner, y downwards
@@ -44,16 +50,11 @@ class LampViews {
     Rectangle pixels;  // by index, that it may be seen in
   };
 
-  [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-           static_cast<std::size_t>(x);
-  }
   void add(const Sphere& sphere);
   void add_convex(std::span<const Projection::Point> corners);
   void add_rectangle(const Rectangle& rectangle);
   void add_outline(std::span<const Vec2d> outline, const Vec2d& wrong);
-  void see(const Outline& outline, int first, int end, std::span<Rectangle> seen) const;
-  [[nodiscard]] std::vector<LampView> views_of_rows(int first, int end) const;
+  void see(const Outline& outline, const PixelRect& rect, std::span<Rectangle> seen) const;
 
   const Camera& camera_;
   const Filter& filter_;

@@ -15,6 +15,20 @@ int clamped_pixel(double place, int count) {
 
 }  // namespace
 
+CoveredPixels::CoveredPixels(int width, int height) {
+  constexpr double most = 1 << 22;
+  const auto squares = [&](int size) { return ((size - 1) >> shift_) + 1; };
+  while (static_cast<double>(squares(width)) * squares(height) > most) ++shift_;
+  columns_ = squares(width);
+  rows_ = squares(height);
+  is_covered_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+}
+
+double CoveredPixels::count() const {
+  const auto squares = std::count(is_covered_.begin(), is_covered_.end(), 1);
+  return std::ldexp(static_cast<double>(squares), 2 * shift_);
+}
+
 bool PixelCover::has_projection(const Camera& camera) {
   const bool is_flat =
       camera.kind == CameraKind::Perspective || camera.kind == CameraKind::Orthographic;
@@ -27,7 +41,8 @@ PixelCover::PixelCover(const Camera& camera, const Bounds3f& bounds, const Filte
       width_(width),
       height_(height),
       reach_(static_cast<double>(filter.radius()) + 0.5 + std::max(width, height) * 0x1p-20),
-      corners_(static_cast<std::size_t>(width + 1) * static_cast<std::size_t>(height + 1)) {}
+      none_(width, height),
+      corners_(corner(0, none_.rows() + 1)) {}
 
 // All pixels whose samples may lie within the bounds. A pixel's middle is half a pixel beside its
 // index.
@@ -41,10 +56,15 @@ void PixelCover::add_rectangle(const FilmBounds& bounds) {
   const int y1 = clamped_pixel(std::floor(row(bounds.lower.y) + reach_), height_);
   if (x0 >= x1 || y0 >= y1) return;
   sum_ += static_cast<double>(x1 - x0) * (y1 - y0);
-  ++corners_[corner(x0, y0)];
-  --corners_[corner(x1, y0)];
-  --corners_[corner(x0, y1)];
-  ++corners_[corner(x1, y1)];
+  const int shift = none_.shift();
+  const int left = x0 >> shift;
+  const int right = ((x1 - 1) >> shift) + 1;
+  const int top = y0 >> shift;
+  const int bottom = ((y1 - 1) >> shift) + 1;
+  ++corners_[corner(left, top)];
+  --corners_[corner(right, top)];
+  --corners_[corner(left, bottom)];
+  ++corners_[corner(right, bottom)];
 }
 
 void PixelCover::add(const Bounds3f& box) {
@@ -65,20 +85,19 @@ void PixelCover::add(const Geometry& geometry) {
     add_rectangle(projection_.bounds(std::array{points[a], points[b], points[c]}));
 }
 
-PixelMask PixelCover::covered() const {
-  PixelMask mask;
-  mask.reserve(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-  std::vector<std::int32_t> above(static_cast<std::size_t>(width_));
-  for (int y = 0; y < height_; ++y) {
+CoveredPixels PixelCover::covered() const {
+  CoveredPixels covered = none_;
+  std::vector<std::int32_t> above(static_cast<std::size_t>(covered.columns()));
+  for (int row = 0; row < covered.rows(); ++row) {
     std::int32_t in_row = 0;
-    for (int x = 0; x < width_; ++x) {
-      in_row += corners_[corner(x, y)];
-      std::int32_t& covering = above[static_cast<std::size_t>(x)];
+    for (int column = 0; column < covered.columns(); ++column) {
+      in_row += corners_[corner(column, row)];
+      std::int32_t& covering = above[static_cast<std::size_t>(column)];
       covering += in_row;
-      mask.push_back(covering != 0 ? 1 : 0);
+      if (covering != 0) covered.add_square(column, row);
     }
   }
-  return mask;
+  return covered;
 }
 
 }  // namespace candela

@@ -13,16 +13,42 @@
 
 namespace candela {
 
-// A value a pixel, in rows from the top.
-using PixelMask = std::vector<std::uint8_t>;
+// Some pixels of a picture: all of a square of 2^n x 2^n pixels or none. The squares are single
+// pixels but in pictures of more than four million, so that a crop of a huge picture, which must
+// know what the whole picture does, needs neither its time nor its memory.
+class CoveredPixels {
+ public:
+  CoveredPixels() = default;  // none, of any picture
+  CoveredPixels(int width, int height);
+
+  [[nodiscard]] bool contains(int x, int y) const {
+    return !is_covered_.empty() && is_covered_[index(x >> shift_, y >> shift_)] != 0;
+  }
+  // With the whole of squares that the picture's edges cut.
+  [[nodiscard]] double count() const;
+
+  // How many squares there are each way, and pixels in each: 2^shift() each way.
+  [[nodiscard]] int columns() const { return columns_; }
+  [[nodiscard]] int rows() const { return rows_; }
+  [[nodiscard]] int shift() const { return shift_; }
+  void add_square(int column, int row) { is_covered_[index(column, row)] = 1; }
+
+ private:
+  [[nodiscard]] std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
+  }
+
+  int shift_ = 0;
+  int columns_ = 0;
+  int rows_ = 0;
+  std::vector<std::uint8_t> is_covered_;
+};
 
 class PixelCover {
  public:
   // Cameras that map straight lines to straight lines: perspective without a lens, orthographic.
   [[nodiscard]] static bool has_projection(const Camera& camera);
-
-  // What a cover and its mask hold for each pixel.
-  static constexpr std::size_t bytes_a_pixel = sizeof(std::int32_t) + sizeof(PixelMask::value_type);
 
   // Of a whole picture of so many pixels. `bounds`: of all that will be added.
   PixelCover(const Camera& camera, const Bounds3f& bounds, const Filter& filter, int width,
@@ -32,16 +58,16 @@ class PixelCover {
   void add(const Geometry& geometry);
   void add(const Bounds3f& box);
 
-  // 1 where something was added.
-  [[nodiscard]] PixelMask covered() const;
+  // Where something was added.
+  [[nodiscard]] CoveredPixels covered() const;
   // Over all that was added, how many pixels it covers.
   [[nodiscard]] double sum() const { return sum_; }
 
  private:
-  // Rectangles are noted by their corners: sums over both axes tell how many cover a pixel.
-  [[nodiscard]] std::size_t corner(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_ + 1) +
-           static_cast<std::size_t>(x);
+  // Rectangles are noted by their corners: sums over both axes tell how many cover a square.
+  [[nodiscard]] std::size_t corner(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(none_.columns() + 1) +
+           static_cast<std::size_t>(column);
   }
   void add_rectangle(const FilmBounds& bounds);
 
@@ -49,6 +75,7 @@ class PixelCover {
   int width_;
   int height_;
   double reach_;
+  CoveredPixels none_;
   std::vector<std::int32_t> corners_;
   double sum_ = 0;
 };

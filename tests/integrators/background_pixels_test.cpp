@@ -264,6 +264,24 @@ TEST(Agreement_BackgroundPixels, CoincidentSurfacesAreTheSameInCropsAndByAnyKern
     }
 }
 
+// The squares that huge pictures are looked at by, instead of pixels, leave no more out than that.
+TEST(Agreement_BackgroundPixels, OfHugePicturesAreFoundBySquares) {
+  const RenderSettings large = settings_for(FilterKind::Box, 1 << 14, 1);
+  const RenderSettings small = settings_for(FilterKind::Box, 1 << 11, 64);
+  const Scene scene = compiled(balls(false), small.options);
+  const Filter filter = make_filter(small.options);
+  const BackgroundPixels by_squares(scene, filter, large.options);
+  const BackgroundPixels by_pixels(scene, filter, small.options);
+  int differing = 0;
+  for (int y = 0; y < 1 << 11; ++y)
+    for (int x = 0; x < 1 << 11; ++x) {
+      const bool is_seen = by_squares.contains(8 * x, 8 * y);
+      EXPECT_EQ(by_squares.contains(8 * x + 7, 8 * y + 7), is_seen);
+      differing += by_pixels.contains(x, y) != is_seen;
+    }
+  EXPECT_LT(differing, (1 << 22) / 100);
+}
+
 // Of rules that end a picture early nobody knows how many samples they leave.
 TEST(Unit_BackgroundPixels, AreLookedForByTheSamplesThatAreSure) {
   RenderSettings settings = settings_for(FilterKind::Box, 16, 1 << 30);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <numbers>
 
 #include "integrators/path/find_lamp_pixels.h"
@@ -54,7 +55,7 @@ TEST(Unit_LampPixels, AreThoseThatDifferFromANeighbour) {
     for (const int x : {10, 11, 12, 13})
       coverage[static_cast<std::size_t>(y * side + x)] = LampCoverage::All;
   coverage[20 * side + 3] = LampCoverage::Part;
-  const PixelMask edges = lamp_edges(coverage, side, side);
+  const std::vector<std::uint8_t> edges = lamp_edges(coverage, side, side);
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
       const bool is_around = x >= 9 && x <= 14 && y >= 4 && y <= 9;
@@ -72,7 +73,7 @@ TEST(Unit_LampPixels, HaveFewerRaysWhereTheyAreMany) {
   const RenderOptions options = lamp_settings(side, 4, some_rays).options;
   std::uint32_t rays = some_rays;
   for (std::size_t pixels = 1; pixels <= side * side; ++pixels) {
-    const std::uint32_t now = affordable_lamp_rays(pixels, options);
+    const std::uint32_t now = affordable_lamp_rays(static_cast<double>(pixels), options);
     EXPECT_LE(now, rays);
     // In all no more than 2.4 for each of the picture's samples, which take some twenty times as
     // long.
@@ -80,11 +81,7 @@ TEST(Unit_LampPixels, HaveFewerRaysWhereTheyAreMany) {
     rays = now;
   }
   EXPECT_EQ(rays, 2u);
-  EXPECT_EQ(affordable_lamp_rays(0, options), 0u);
-}
-
-bool never() {
-  return false;
+  EXPECT_EQ(affordable_lamp_rays(0.0, options), 0u);
 }
 
 // The number that --time and --error go without ends no picture.
@@ -96,9 +93,7 @@ TEST(Unit_LampPixels, ATrialTakesAShareOfTheSamplesThatAreSure) {
   RenderOptions options = lamp_settings(20, 1 << 30, some_rays).options;
   const Scene compiled_scene = compiled(scene, options);
   const Filter filter = make_filter(options);
-  const auto blocks = [&] {
-    return plan_lamp_trial(compiled_scene, filter, options, never).blocks;
-  };
+  const auto blocks = [&] { return plan_lamp_trial(compiled_scene, filter, options).blocks; };
   EXPECT_EQ(blocks(), 4u);
   options.time_limit_seconds = 1;
   EXPECT_EQ(blocks(), 3u);
@@ -110,7 +105,7 @@ TEST(Unit_LampPixels, ATrialTakesAShareOfTheSamplesThatAreSure) {
 }
 
 TEST(Unit_LampPixels, NoneWhereItIsOver) {
-  const RenderOptions options = lamp_settings(40, 64, some_rays).options;
+  const RenderOptions options = lamp_settings(150, 8, some_rays).options;
   const Scene scene = compiled(small_room(), options);
   const BvhAccel accelerator(scene);
   const Filter filter = make_filter(options);
@@ -132,14 +127,77 @@ TEST(Unit_LampPixels, NoneWhereItIsOver) {
 }
 
 TEST(Unit_LampPixels, AreFoundByTheirPlace) {
-  const LampPixels pixels({{3, {}}, {10, {{0.5f, 0}, {0.25f, 1}}}}, 8, 4);
-  EXPECT_EQ(pixels.rays_a_sample(), 4u);
+  LampPixels pixels(8, 2, [](const PixelRect&) {
+    return std::vector<LampView>{{3, {}}, {10, {{0.5f, 0}, {0.25f, 1}}}};
+  });
+  EXPECT_EQ(pixels.find(3, 0), nullptr);
+  pixels.set_rays_a_sample(4);
   ASSERT_NE(pixels.find(3, 0), nullptr);
   ASSERT_NE(pixels.find(2, 1), nullptr);
   EXPECT_EQ(pixels.find(2, 1)->part.share(), 0.25f);
   EXPECT_EQ(pixels.find(4, 0), nullptr);
   EXPECT_EQ(pixels.find(3, 1), nullptr);
   EXPECT_EQ(LampPixels().find(0, 0), nullptr);
+}
+
+// Of what is in a patch nobody knows until one of its pixels is asked for.
+TEST(Unit_LampPixels, AreFoundOnceAPatch) {
+  std::vector<PixelRect> asked;
+  LampPixels pixels(150, 70, [&](const PixelRect& patch) {
+    asked.push_back(patch);
+    return std::vector<LampView>{{pixel_index(patch.x0, patch.y0, 150), {}}};
+  });
+  pixels.set_rays_a_sample(1);
+  EXPECT_EQ(pixels.patch_count(), 6u);
+  EXPECT_EQ(pixels.find(149, 69), nullptr);
+  EXPECT_NE(pixels.find(128, 64), nullptr);
+  EXPECT_NE(pixels.find(64, 0), nullptr);
+  EXPECT_EQ(pixels.find(127, 63), nullptr);
+  EXPECT_EQ(asked, (std::vector<PixelRect>{{128, 64, 150, 70}, {64, 0, 128, 64}}));
+}
+
+// How many there are is told by at most a thousand patches, whatever the picture's size.
+TEST(Unit_LampPixels, AreCountedBySomeOfMany) {
+  std::atomic<int> asked = 0;
+  const auto count = [&](int size, std::size_t in_patch) {
+    asked = 0;
+    const LampPixels pixels(size, size, [&](const PixelRect&) {
+      ++asked;
+      return std::vector<LampView>(in_patch);
+    });
+    return count_lamp_pixels(pixels, 1, [] { return false; }).value_or(-1);
+  };
+  EXPECT_EQ(count(640, 3), 300);
+  EXPECT_EQ(asked, 100);
+  EXPECT_EQ(count(640, 0), 0);
+  EXPECT_EQ(count(64 * 1000, 3), 3e6);
+  EXPECT_EQ(asked, 1024);
+  EXPECT_GT(count(64 * 1000, 0), 0);
+}
+
+// A crop of a picture that no machine could hold: its patches are the only ones that are looked at
+// beside those that tell how many rays there are.
+TEST(Agreement_LampPixels, CropsOfAGiantAreThoseOfALargerCrop) {
+  constexpr PixelRect large{32730, 32740, 32776, 32775};
+  constexpr PixelRect small{32763, 32751, 32773, 32769};
+  RenderSettings settings = lamp_settings(65536, 1, some_rays);
+  settings.options.crop = large;
+  SceneDescription description = empty_scene();
+  const auto lamp = add_material(description, diffuse(Vec3d(0)), Vec3d(1));
+  add_mesh(description, triangle({0, 0, 0}, {1e-3, 1e-3, 0}, {1e-3, 3e-3, 0}), lamp);
+  set_camera(description, {0, 0, 1}, {0, 0, 0}, 60);
+  const Scene scene = compiled(description, settings.options);
+  const RenderResult result = rendered(scene, settings);
+  EXPECT_GT(result.statistics.rays.lamp, 0u);
+  EXPECT_GT(result.statistics.skipped.samples, 0u);
+  const Image whole = result.film.to_image(true);
+  settings.options.crop = small;
+  const Image part = picture(scene, settings);
+  for (int y = small.y0; y < small.y1; ++y)
+    for (int x = small.x0; x < small.x1; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_EQ(part.pixel(x - small.x0, y - small.y0)[c],
+                  whole.pixel(x - large.x0, y - large.y0)[c]);
 }
 
 TEST(Unit_LampPixels, TheirRaysAreCountedApart) {

@@ -4,12 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "integrators/path/context.h"
 #include "integrators/path/find_lamp_pixels.h"
 #include "renderer/accel/bvh_accel.h"
-#include "renderer/base/parallel.h"
 #include "renderer/math/constants.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/exact_sphere.h"
@@ -28,8 +28,11 @@ RenderSettings settings_with(FilterKind filter, int size) {
   return settings;
 }
 
-bool never() {
-  return false;
+std::vector<LampView> views_of(const Scene& scene, const Filter& filter,
+                               const RenderOptions& options) {
+  const LampTrial trial = plan_lamp_trial(scene, filter, options);
+  if (trial.blocks == 0) return {};
+  return trial.views({0, 0, options.width, options.height}, options.width);
 }
 
 std::vector<FilterPart> parts_of(const Scene& scene, const Filter& filter,
@@ -37,8 +40,7 @@ std::vector<FilterPart> parts_of(const Scene& scene, const Filter& filter,
   const FilterPart nothing{Vec2f(0), Vec2f(0)};
   std::vector<FilterPart> parts(
       static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height), nothing);
-  for (const LampView& view : plan_lamp_trial(scene, filter, options, never).views)
-    parts[view.index] = view.part;
+  for (const LampView& view : views_of(scene, filter, options)) parts[view.index] = view.part;
   return parts;
 }
 
@@ -143,29 +145,31 @@ TEST(Agreement_LampViews, ClaimLittleMoreThanIsSeen) {
   }
 }
 
-TEST(Agreement_LampViews, AreTheSameByAnyNumberOfThreads) {
+TEST(Agreement_LampViews, OfAPartAreThoseOfTheWhole) {
   for (std::uint32_t seed = 1; seed <= 3; ++seed) {
     const RenderSettings settings = settings_with(FilterKind::Gaussian, 70);
     const Scene scene = compiled(scattered_lamps(seed, false), settings.options);
     const Filter filter = make_filter(settings.options);
-    const auto views_by = [&](int threads) {
-      std::vector<LampView> views;
-      with_threads(threads,
-                   [&] { views = plan_lamp_trial(scene, filter, settings.options, never).views; });
-      return views;
-    };
-    const std::vector<LampView> one = views_by(1);
-    const std::vector<LampView> five = views_by(5);
-    ASSERT_EQ(one.size(), five.size());
-    EXPECT_GT(one.size(), 20u);
-    for (std::size_t i = 0; i < one.size(); ++i) {
-      EXPECT_EQ(one[i].index, five[i].index);
-      EXPECT_EQ(one[i].part.first, five[i].part.first);
-      EXPECT_EQ(one[i].part.size, five[i].part.size);
-      if (i > 0) {
-        EXPECT_LT(one[i - 1].index, one[i].index);
+    const std::vector<LampView> whole = views_of(scene, filter, settings.options);
+    EXPECT_GT(whole.size(), 20u);
+    const LampTrial trial = plan_lamp_trial(scene, filter, settings.options);
+    std::size_t found = 0;
+    for (const PixelRect& rect :
+         {PixelRect{0, 0, 70, 13}, {0, 13, 25, 70}, {25, 13, 70, 40}, {25, 40, 70, 70}}) {
+      std::uint32_t before = 0;
+      for (const LampView& view : trial.views(rect, 70)) {
+        EXPECT_TRUE(
+            rect.contains(static_cast<int>(view.index % 70), static_cast<int>(view.index / 70)));
+        const auto same = std::ranges::find(whole, view.index, &LampView::index);
+        ASSERT_NE(same, whole.end());
+        EXPECT_EQ(view.part.first, same->part.first);
+        EXPECT_EQ(view.part.size, same->part.size);
+        EXPECT_TRUE(before < view.index || before == 0);
+        before = view.index;
+        ++found;
       }
     }
+    EXPECT_EQ(found, whole.size());
   }
 }
 

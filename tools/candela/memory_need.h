@@ -5,16 +5,13 @@
 #include <string>
 
 #include "integrators/render.h"
-#include "renderer/description/scene_description.h"
 
 namespace candela::cli {
 
 // Bytes that a render holds at least at one time, beside the scene.
-[[nodiscard]] double needed_memory(const RenderOptions& options,
-                                   const description::SceneDescription& scene);
+[[nodiscard]] double needed_memory(const RenderOptions& options);
 
 // A sentence where that cannot fit: an overcommitting kernel would end us without a word.
-[[nodiscard]] std::optional<std::string> missing_memory(const RenderOptions& options,
-                                                        const description::SceneDescription& scene);
+[[nodiscard]] std::optional<std::string> missing_memory(const RenderOptions& options);
 
 }  // namespace candela::cli

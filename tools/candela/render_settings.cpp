@@ -354,7 +354,7 @@ RenderSettings settled(const RenderArguments& arguments,
     options.filter_radius.reset();
   }
   if (need == MemoryNeed::Heeded)
-    if (const std::optional<std::string> sentence = missing_memory(options, description))
+    if (const std::optional<std::string> sentence = missing_memory(options))
       throw Refusal{*sentence, ExitCode::Limit};
   settings.display = {arguments.tone_map,
                       arguments.exposure.value_or(description.defaults.exposure.value_or(0))};
