@@ -64,11 +64,15 @@ BackgroundPixels::BackgroundPixels(const Scene& scene, const Filter& filter,
   const Camera& camera = scene.cameras[options.camera];
   const std::optional<Rgb> background = constant_background(scene, options);
   if (!options.savings.skips_background || !background || filter.is_signed() ||
-      scene.features.media || !PixelCover::has_projection(camera) || scene.bounds.is_empty() ||
-      !is_worth_it(scene, options))
+      scene.features.media)
     return;
   sample_.radiance = *background;
   sample_.alpha = 0;
+  if (scene.bounds.is_empty()) {
+    covered_.emplace();
+    return;
+  }
+  if (!PixelCover::has_projection(camera) || !is_worth_it(scene, options)) return;
   PixelCover cover(camera, scene.bounds, filter, options.width, options.height);
   for (const GeometryHandle handle : scene.world.geometries)
     cover.add(scene.geometries[handle.index]);

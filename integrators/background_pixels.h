@@ -14,8 +14,8 @@ namespace candela {
 class BackgroundPixels {
  public:
   // Of the whole picture, for a camera of the scene. Without media around it; empty (no pixel is
-  // proven) where the background is no constant, the filter has weights, the camera no projection,
-  // or the scene more triangles than looking at them could spare.
+  // proven) where the background is no constant, the filter has weights, the camera no projection
+  // though there is something to see, or the scene more triangles than looking at them could spare.
   BackgroundPixels(const Scene& scene, const Filter& filter, const RenderOptions& options);
 
   [[nodiscard]] bool is_empty() const { return !covered_; }

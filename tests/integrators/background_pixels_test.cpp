@@ -282,6 +282,21 @@ TEST(Agreement_BackgroundPixels, OfHugePicturesAreFoundBySquares) {
   EXPECT_LT(differing, (1 << 22) / 100);
 }
 
+// Nothing is in the way of any camera, and a black background has no error.
+TEST(Unit_BackgroundPixels, AreAllOfASceneWithoutSurfaces) {
+  SceneDescription scene = empty_scene();
+  add_light(scene, description::ConstantEnvironment{Vec3d(0.1), false});
+  set_camera(scene, {0, 0, 5}, {0, 0, 0}, 50);
+  scene.cameras[0].lens_radius = 0.1;
+  RenderSettings settings = settings_for(FilterKind::BlackmanHarris, 16, 1 << 30);
+  settings.options.target_relmse = 1e-4;
+  const RenderResult result = rendered(compiled(scene, settings.options), settings);
+  EXPECT_EQ(result.statistics.stop, StopReason::Error);
+  EXPECT_EQ(result.statistics.rays.camera, 0u);
+  ASSERT_TRUE(result.error);
+  EXPECT_EQ(result.error->relmse, 0);
+}
+
 // Of rules that end a picture early nobody knows how many samples they leave.
 TEST(Unit_BackgroundPixels, AreLookedForByTheSamplesThatAreSure) {
   RenderSettings settings = settings_for(FilterKind::Box, 16, 1 << 30);
