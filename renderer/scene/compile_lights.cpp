@@ -4,6 +4,7 @@
 #include <optional>
 #include <tuple>
 
+#include "renderer/description/validate_light.h"
 #include "renderer/light/build_environment.h"
 #include "renderer/light/light_power.h"
 #include "renderer/light/make_light.h"
@@ -93,7 +94,7 @@ void add_delta_lights(const SceneDescription& description, Scene& scene, DropCou
   for (const description::Light& light : description.lights) {
     const auto compiled = std::visit(compile, light.kind);
     if (!compiled) continue;
-    if (is_black(compiled->emission))
+    if (description::is_black(light) || is_black(compiled->emission))  // in single precision
       ++dropped["black lights"];
     else
       scene.lights.push_back(*compiled);

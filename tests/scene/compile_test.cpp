@@ -33,6 +33,10 @@ TEST(Unit_Compile, DropsWhatRaysCannotMeetAndCountsIt) {
   mesh.triangles.push_back({0, 1, 1});
   add_material(description, diffuse(Vec3d(0.1)));
   description.lights.push_back({{}, description::PointLight{{0, 0, 1}, Vec3d(0.0)}});
+  description::SpotLight without_cone;
+  without_cone.intensity = Vec3d(1.0);
+  without_cone.inner_angle_radians = without_cone.outer_angle_radians = 0;
+  description.lights.push_back({{}, without_cone});
   const Scene scene = compiled(description, {});
   ASSERT_EQ(scene.geometries.size(), 1u);
   EXPECT_EQ(scene.geometries[0].triangles.size(), 2u);
@@ -40,7 +44,7 @@ TEST(Unit_Compile, DropsWhatRaysCannotMeetAndCountsIt) {
   EXPECT_TRUE(scene.geometries[0].uvs.empty()) << "nothing reads them";
   EXPECT_EQ(dropped_count(scene, "triangles without area"), 1u);
   EXPECT_EQ(dropped_count(scene, "materials that nothing wears"), 1u);
-  EXPECT_EQ(dropped_count(scene, "black lights"), 1u);
+  EXPECT_EQ(dropped_count(scene, "black lights"), 2u);
   EXPECT_TRUE(scene.lights.empty());
 }
 
