@@ -21,7 +21,7 @@ using description::Wrap;
 // 0 is a mirror, which a cook_torrance cannot be: its highlight would be a delta.
 constexpr Range above_zero_to_one{0, 1, true, false, "a number above 0, at most 1"};
 constexpr Range below_one{0, 1, false, true, "a number of at least 0, below 1"};
-constexpr Range refractive_index{1, 1000, false, false, "a refractive index of at least 1"};
+constexpr Range refractive_index{1, 1000, false, false, "a refractive index from 1 to 1000"};
 constexpr Range complex_index{0, 1000, false, false, "a number from 0 to 1000"};
 
 ColourInput read_colour_input(Reader& reader, const Fields& fields, Names factors, Names maps,

@@ -231,7 +231,9 @@ TEST(Errors_TypedMaterials, NumbersOutOfRange) {
   EXPECT_EQ(error_in(materials("Type: conductor, roughness: 1.5")),
             "2:43: roughness: found '1.5', expected a number from 0 to 1");
   EXPECT_EQ(error_in(materials("Type: dielectric, ior: .5")),
-            "2:38: ior: found '.5', expected a refractive index of at least 1");
+            "2:38: ior: found '.5', expected a refractive index from 1 to 1000");
+  EXPECT_EQ(error_in(materials("Type: dielectric, ior: 1e30")),
+            "2:38: ior: found '1e30', expected a refractive index from 1 to 1000");
   EXPECT_EQ(error_in(materials("Type: conductor, F0: 1")),
             "2:36: F0: found '1', expected a number of at least 0, below 1");
 }
