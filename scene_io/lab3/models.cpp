@@ -55,9 +55,10 @@ std::vector<Placement> placements_of(Reader& reader, const Fields& fields) {
     const Fields instance(reader, node, "an instance", transform_keys);
     placements.push_back({read_transform(reader, instance) * own, reader.span(node.offset)});
   });
-  if (placements.empty())
-    reader.warning(fields.find("Instances")->key_offset,
-                   "Instances is empty: the model is nowhere");
+  const Entry& instances = *fields.find("Instances");
+  const bool is_list = instances.value->is_sequence() || instances.value->is_null();
+  if (is_list && placements.empty())
+    reader.warning(instances.key_offset, "Instances is empty: the model is nowhere");
   return placements;
 }
 

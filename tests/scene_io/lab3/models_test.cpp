@@ -122,6 +122,10 @@ TEST(Unit_Lab3Models, InstancesShareTheMesh) {
   expect_near(scene.instances[1].object_to_world.point({1, 1, 1}), {6, 6, 6});
   expect_near(scene.instances[2].object_to_world.point({1, 1, 1}), {2, 2, 2});
   EXPECT_EQ(warning_in(models("Instances: []")), "3:26: Instances is empty: the model is nowhere");
+  EXPECT_EQ(warning_in(models("Instances:")), "3:26: Instances is empty: the model is nowhere");
+  const std::string map = models("Instances: {Translation: [1, 0, 0]}");
+  EXPECT_EQ(error_in(map), "3:37: Instances: found a map of keys, expected a list");
+  EXPECT_TRUE(said(Severity::Warning, map).empty());
   EXPECT_EQ(warning_in(models("Instances: [{Scal: 5}]")),
             "3:39: unknown key 'Scal' in an instance, did you mean 'Scale'?");
 }
