@@ -96,6 +96,17 @@ TEST_F(Errors_CompareCommand, NotANumberPassesNoThreshold) {
   const ProgramResult result = compare("/nan.exr", "/a.exr", {"--max-relmse", "1000"});
   EXPECT_EQ(result.exit_code, 6);
   EXPECT_NE(result.error.find("3 values are not finite"), std::string::npos) << result.error;
+  EXPECT_NE(result.error.find("relMSE trimmed not all of their pixels"), std::string::npos);
+  EXPECT_NE(result.output.find("relMSE trimmed  inf"), std::string::npos) << result.output;
+}
+
+// Those that are fewer than it leaves out.
+TEST_F(Errors_CompareCommand, TheTrimmedErrorLeavesOutAPixelThatIsNoNumber) {
+  write_grey(folder + "/large.exr", 40, 0.5f);
+  write_grey(folder + "/nan.exr", 40, std::nanf(""));
+  const ProgramResult result = compare("/nan.exr", "/large.exr");
+  EXPECT_NE(result.error.find("relMSE trimmed their pixels"), std::string::npos) << result.error;
+  EXPECT_NE(result.output.find("relMSE trimmed  0 "), std::string::npos) << result.output;
 }
 
 }  // namespace

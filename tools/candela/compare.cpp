@@ -1,6 +1,8 @@
 // candela compare IMAGE REFERENCE
 #include "renderer/image/compare.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "renderer/image/decode.h"
@@ -70,8 +72,11 @@ void warn_of_places(const CompareArguments& arguments, Console& console) {
 ExitCode judge(const CompareArguments& arguments, const ImageComparison& comparison,
                Console& console) {
   if (comparison.invalid_values > 0)
-    console.warning(
-        fmt::format("{} values are not finite, and so no figure is", comparison.invalid_values));
+    console.warning(fmt::format(
+        "{} values are not finite, and so relMSE, rMSE and PSNR are not; the mean ratio leaves out "
+        "these values, relMSE trimmed {}",
+        comparison.invalid_values,
+        std::isfinite(comparison.rel_mse_trimmed) ? "their pixels" : "not all of their pixels"));
   if (!arguments.max_relmse) return ExitCode::Done;
   if (comparison.rel_mse <= *arguments.max_relmse) return ExitCode::Done;  // false for NaN
   console.error(
