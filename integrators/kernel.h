@@ -17,6 +17,7 @@ using TileFunction = std::function<TileCounts(const TilePass&, Film&)>;
 struct Kernel {
   std::string name;
   TileFunction render_tile;
+  bool sees_nothing = false;  // what is rendered provably sees a black background alone
 };
 
 }  // namespace candela

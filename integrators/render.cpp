@@ -35,6 +35,14 @@ auto observed_kernel(const Scene& scene) {
   return scene.features.media ? &render_tile<media_features, A> : &render_tile<guided_features, A>;
 }
 
+bool sees_nothing(const BackgroundPixels& background, const PixelRect& rect) {
+  if (background.is_empty() || !is_black(background.sample().radiance)) return false;
+  for (int y = rect.y0; y < rect.y1; ++y)
+    for (int x = rect.x0; x < rect.x1; ++x)
+      if (!background.contains(x, y)) return false;
+  return true;
+}
+
 template <class A>
 Kernel path_kernel(const Scene& scene, const A& accelerator, const Filter& filter,
                    const RenderOptions& options, const std::function<bool()>& is_over) {
@@ -51,7 +59,8 @@ Kernel path_kernel(const Scene& scene, const A& accelerator, const Filter& filte
            background](const TilePass& pass, Film& film) {
             const bool is_observed = pass.guide != nullptr || pass.observer != nullptr;
             return (is_observed ? observed : render)(context, pass, film);
-          }};
+          },
+          sees_nothing(*background, rendered_rect(options))};
 }
 
 template <class A>
@@ -127,14 +136,15 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
   const TimeBudget::Clock::time_point start = TimeBudget::Clock::now();
   const TimeBudget budget(options.time_limit_seconds, start);
   const auto is_over = [&] {
-    constexpr double share = 0.1;  // of the time, for what comes before the first sample
-    return (cancel != nullptr && cancel->load(std::memory_order_relaxed)) || budget.is_spent(share);
+    return (cancel != nullptr && cancel->load(std::memory_order_relaxed)) ||
+           budget.is_spent(preparation_share);
   };
   std::visit(
       [&](const auto& backend) {
         const Kernel kernel = select_kernel(scene, backend, filter, options, is_over);
-        const RoundsDone done = render_rounds(rounds, kernel.render_tile, result.film, progress,
-                                              cancel, has_light(scene), start);
+        const RoundsDone done =
+            render_rounds(rounds, kernel.render_tile, result.film, progress, cancel,
+                          has_light(scene) && !kernel.sees_nothing, start);
         const TileCounts& counts = done.counts;
         result.statistics = {
             counts.rays,  counts.skipped, counts.invalid_samples, counts.first_invalid,

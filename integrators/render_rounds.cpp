@@ -35,8 +35,11 @@ class Loop {
         cancel_(cancel),
         has_light_(has_light),
         budget_(options.time_limit_seconds, start),
+        share_of_passes_(film.replicates() > 1 ? 1 - look_share : 1),
         tiles_(tiles_of(film.crop(), options.tile_size)),
         pilot_(pilot_of(options)),
+        has_no_time_to_prepare_(
+            [this] { return is_set(cancel_) || budget_.is_spent(preparation_share); }),
         look_(options, render_tile, [this] { return is_set(cancel_) || budget_.is_spent(); }) {}
 
   RoundsDone run() {
@@ -46,8 +49,9 @@ class Loop {
     expect({});
     choose_plan(result);
     if (options_.integrator == IntegratorKind::Path)
-      guide_ = choose_guide(options_, render_tile_, cancel_);
+      guide_ = choose_guide(options_, render_tile_, has_no_time_to_prepare_);
     result.guiding = guiding_done();
+    budget_.begin_samples();
     while (!stop) {
       if (pilot_.samples > 0 && done_ == 0)
         stop = render_pilot();
@@ -69,9 +73,10 @@ class Loop {
 
  private:
   void choose_plan(RoundsDone& result) {
-    const RouletteChoice roulette = choose_roulette(options_, render_tile_, cancel_);
+    const RouletteChoice roulette =
+        choose_roulette(options_, render_tile_, has_no_time_to_prepare_);
     plan_ = roulette.plan;
-    const ReuseChoice reuse = choose_reuse(options_, plan_, render_tile_, cancel_);
+    const ReuseChoice reuse = choose_reuse(options_, plan_, render_tile_, has_no_time_to_prepare_);
     plan_.reuses_paths = reuse.reuses_paths;
     result.plan = plan_;
     result.roulette_samples = roulette.samples;
@@ -104,20 +109,13 @@ class Loop {
   // `is_sure`: with what the picture alone does not know.
   [[nodiscard]] std::optional<ErrorEstimate> state_error(bool is_sure) {
     std::optional<PixelErrors> errors = estimate_pixel_errors(film_);
-    if (!errors || (errors->is_black() && has_light_ && !is_background())) return {};
+    if (!errors || (errors->is_black() && has_light_)) return {};
     if (is_sure) counts_.add(look_.correct(film_, pass_of({}), *errors));
     ErrorEstimate estimate =
         estimate_error(film_, *errors, plan_.reuses_paths ? int{reuse_group_size} : 1);
     estimate.looked_at = look_.pixels();
     estimate.look_samples = look_.samples();
     return estimate;
-  }
-
-  // Whether all samples were proven to see nothing else.
-  [[nodiscard]] bool is_background() const {
-    const double samples =
-        film_.mean_samples() * static_cast<double>(film_.pixel_count()) + samples_beside();
-    return static_cast<double>(counts_.skipped.samples) >= samples;
   }
 
   // Why it did not come to its end, if it did not.
@@ -143,7 +141,7 @@ class Loop {
       SampleRange pass = next_pass(done_, end, is_long());
       if (done_ > 0) {
         constexpr double caution = 0.95;  // the next pass may be slower
-        const double fitting = caution * budget_.samples_in_time(done_);
+        const double fitting = caution * budget_.samples_in_time(done_, share_of_passes_);
         if (fitting < pass.first + 1) return StopReason::Time;
         if (fitting < pass.end) pass.end = static_cast<std::uint32_t>(fitting);
       }
@@ -151,7 +149,7 @@ class Loop {
       if (is_set(cancel_)) return StopReason::Cancelled;
       done_ = pass.end;
       expect(error);
-      if (budget_.is_spent()) return StopReason::Time;
+      if (budget_.is_spent(share_of_passes_)) return StopReason::Time;
     }
     return {};
   }
@@ -167,7 +165,7 @@ class Loop {
   void render_pass(const std::vector<PixelRect>& tiles, const TilePass& pass, Film& film) {
     std::vector<TileCounts> counts(tiles.size());
     parallel_for(tiles.size(), [&](std::size_t i) {
-      if (is_set(cancel_) || budget_.is_spent()) return;
+      if (is_set(cancel_) || budget_.is_spent(share_of_passes_)) return;
       TilePass own = pass;
       own.tile = tiles[i];
       counts[i] = render_tile_(own, film);
@@ -191,7 +189,8 @@ class Loop {
   // `error`: as of the last round; the rules then tell how many samples there will be.
   void expect(const std::optional<ErrorEstimate>& error) const {
     if (progress_ == nullptr) return;
-    double samples = std::min<double>(options_.samples_per_pixel, budget_.samples_in_time(done_));
+    double samples = std::min<double>(options_.samples_per_pixel,
+                                      budget_.samples_in_time(done_, share_of_passes_));
     if (error && options_.target_relmse)
       samples = std::min(samples, samples_for(*goal(error), error_samples_));
     progress_->expect(static_cast<std::uint64_t>(
@@ -212,10 +211,12 @@ class Loop {
   const CancelFlag* cancel_;
   bool has_light_;
   TimeBudget budget_;
+  double share_of_passes_;  // of the time
   std::vector<PixelRect> tiles_;
   Pilot pilot_;
   std::optional<SampleDensity> density_;  // once the pilot is there
   TileCounts counts_;
+  std::function<bool()> has_no_time_to_prepare_;
   CloserLook look_;
   PathPlan plan_;
   GuideChoice guide_;

@@ -20,7 +20,7 @@ struct RoundsDone {
 };
 
 // `has_light`: whether there is any to be met. Then a picture that has met none knows nothing of
-// its error, and states none, unless all of its samples were proven to see the background alone.
+// its error, and states none.
 // `start`: of the time that there is.
 [[nodiscard]] RoundsDone render_rounds(
     const RenderOptions& options, const TileFunction& render_tile, Film& film,

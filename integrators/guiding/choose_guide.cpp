@@ -31,7 +31,7 @@ struct Pair {
 };
 
 std::vector<Pair> run_pairs(const RenderOptions& options, const TileFunction& render_tile,
-                            const GuidingField& field, const CancelFlag* cancel) {
+                            const GuidingField& field, const std::function<bool()>& is_over) {
   constexpr double share = 0.01;
   constexpr double most = 512;
   constexpr double samples_a_tile = 2.0 * tile_size * tile_size * trial_samples;
@@ -39,7 +39,7 @@ std::vector<Pair> run_pairs(const RenderOptions& options, const TileFunction& re
   std::vector<Pair> pairs(
       static_cast<std::size_t>(std::min(share * picture_samples(options) / samples_a_tile, most)));
   parallel_for(pairs.size(), [&](std::size_t i) {
-    if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return;
+    if (is_over()) return;
     TilePass pass;
     pass.tile = trial_tile(options, tile_size, seed, static_cast<std::uint32_t>(i));
     pass.range = {0, trial_samples};
@@ -76,16 +76,16 @@ bool pays(const std::vector<Pair>& pairs) {
 }  // namespace
 
 GuideChoice choose_guide(const RenderOptions& options, const TileFunction& render_tile,
-                         const CancelFlag* cancel) {
+                         const std::function<bool()>& is_over) {
   constexpr double first_share = 0.02, whole_share = 0.08, share_if_on = 0.1;
   if (options.guiding == Guiding::Off) return {};
   const bool is_on = options.guiding == Guiding::On;
-  Training training(options, render_tile, cancel);
+  Training training(options, render_tile, is_over);
   training.run_until(training_samples(options, is_on ? share_if_on : first_share));
   const auto has_learned = [&] { return training.field().guided_cells() > 0; };
   if (!is_on && has_learned()) {
-    if (!pays(run_pairs(options, render_tile, training.field(), cancel)))
-      return {nullptr, training.samples()};
+    const std::vector<Pair> pairs = run_pairs(options, render_tile, training.field(), is_over);
+    if (is_over() || !pays(pairs)) return {nullptr, training.samples()};
     training.run_until(training_samples(options, whole_share));
   }
   if (!has_learned()) return {nullptr, training.samples()};

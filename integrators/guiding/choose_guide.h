@@ -17,8 +17,10 @@ struct GuideChoice {
 // Guiding::On: learned from a tenth of the samples. Guiding::Auto: first from 2 %; then a trial
 // renders a few tiles, with and without the guide (1 % of the samples), and only where
 // guided paths reach an error in clearly less time it goes on to learn from 8 %. Pictures with too
-// few samples are not guided. The same for any crop and threads. `cancel` may be null.
+// few samples are not guided, nor are those of which `is_over` says that there is no time to learn.
+// Else the same for any crop and threads.
 [[nodiscard]] GuideChoice choose_guide(const RenderOptions& options,
-                                       const TileFunction& render_tile, const CancelFlag* cancel);
+                                       const TileFunction& render_tile,
+                                       const std::function<bool()>& is_over);
 
 }  // namespace candela

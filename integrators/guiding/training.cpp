@@ -39,8 +39,8 @@ Records records_of_block(const RenderOptions& options, const TileFunction& rende
 }  // namespace
 
 Training::Training(const RenderOptions& options, const TileFunction& render_tile,
-                   const CancelFlag* cancel)
-    : options_(options), render_tile_(render_tile), cancel_(cancel) {
+                   const std::function<bool()>& is_over)
+    : options_(options), render_tile_(render_tile), is_over_(is_over) {
   settings_.seed = seed_of(SeedStream::GuideTraining, options.seed);
   settings_.plan.roulette_threshold = options.plan.roulette_threshold;
 }
@@ -52,7 +52,7 @@ std::uint64_t Training::samples() const {
 void Training::run_until(std::uint64_t samples) {
   const auto end = static_cast<std::uint32_t>(samples / whole_block);
   if (blocks_ == 0) iterate(end / 4);
-  while (blocks_ > 0 && 2 * blocks_ <= end) iterate(blocks_);
+  while (blocks_ > 0 && 2 * blocks_ <= end && !is_over_()) iterate(blocks_);
 }
 
 void Training::iterate(std::uint32_t blocks) {
@@ -62,7 +62,7 @@ void Training::iterate(std::uint32_t blocks) {
   parallel_for(groups.size(), [&](std::size_t group) {
     const std::uint32_t first = static_cast<std::uint32_t>(group) * blocks_at_once;
     for (std::uint32_t i = first; i < std::min(first + blocks_at_once, blocks); ++i) {
-      if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return;
+      if (is_over_()) return;
       const Records found = records_of_block(options_, render_tile_, settings_, blocks_ + i);
       groups[group].insert(groups[group].end(), found.begin(), found.end());
     }

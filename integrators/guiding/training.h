@@ -14,8 +14,9 @@ namespace candela {
 // [Mueller17, section 3.1].
 class Training {
  public:
-  // Keeps references. `cancel` may be null.
-  Training(const RenderOptions& options, const TileFunction& render_tile, const CancelFlag* cancel);
+  // Keeps references. Learns no more once `is_over`.
+  Training(const RenderOptions& options, const TileFunction& render_tile,
+           const std::function<bool()>& is_over);
 
   // Goes on as long as no more samples than these are taken in all: the first time in three
   // iterations, of a quarter, a quarter and a half.
@@ -28,7 +29,7 @@ class Training {
 
   const RenderOptions& options_;
   const TileFunction& render_tile_;
-  const CancelFlag* cancel_;
+  const std::function<bool()>& is_over_;
   TilePass settings_;
   GuidingField field_;
   std::uint32_t blocks_ = 0;  // so far

@@ -83,12 +83,13 @@ void run_block(TilePass pass, std::uint64_t group, std::size_t block, const Rend
 
 // Goes on to `count` groups.
 void run_groups(const RenderOptions& options, const PathPlan& plan, const TileFunction& render_tile,
-                const CancelFlag* cancel, std::size_t count, std::vector<Group>& groups) {
+                const std::function<bool()>& is_over, std::size_t count,
+                std::vector<Group>& groups) {
   const std::uint64_t seed = seed_of(SeedStream::Reuse, options.seed);
   const std::size_t first = groups.size();
   groups.resize(count);
   parallel_for(count - first, [&](std::size_t after_first) {
-    if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return;
+    if (is_over()) return;
     const std::size_t i = first + after_first;
     const auto index = static_cast<std::uint32_t>(i);
     const PixelRect pixel = trial_tile(options, 1, seed, index);
@@ -156,7 +157,7 @@ bool is_clear(const Pair& toll, std::size_t groups) {
 }  // namespace
 
 ReuseChoice choose_reuse(const RenderOptions& options, PathPlan plan,
-                         const TileFunction& render_tile, const CancelFlag* cancel) {
+                         const TileFunction& render_tile, const std::function<bool()>& is_over) {
   if (plan.reuses_paths || !options.chooses_reuse) return {plan.reuses_paths};
   plan.reuses_paths = true;
   const std::size_t most = groups_to_ask(options);
@@ -165,10 +166,10 @@ ReuseChoice choose_reuse(const RenderOptions& options, PathPlan plan,
   Pair toll;
   do {
     const std::size_t count = std::min(std::max(fewest_groups, 2 * groups.size()), most);
-    run_groups(options, plan, render_tile, cancel, count, groups);
+    run_groups(options, plan, render_tile, is_over, count, groups);
     toll = toll_of(groups);
-  } while (groups.size() < most && !is_clear(toll, groups.size()));
-  ReuseChoice choice{toll.alone > least_gain * toll.shared};
+  } while (groups.size() < most && !is_clear(toll, groups.size()) && !is_over());
+  ReuseChoice choice{!is_over() && toll.alone > least_gain * toll.shared};
   for (const Group& group : groups) choice.samples += group.samples;
   return choice;
 }

@@ -16,8 +16,9 @@ struct ReuseChoice {
 // `plan`: with the picture's roulette. By groups all over the picture, whatever the crop: eight,
 // and twice as many until what they say is clear, at most 64 and 1 in 100 of the picture's samples.
 // Pictures of which eight are more do not share, nor do those of less than a block of samples a
-// pixel. `cancel` may be null.
+// pixel, or of which `is_over` says that there is no time to ask.
 [[nodiscard]] ReuseChoice choose_reuse(const RenderOptions& options, PathPlan plan,
-                                       const TileFunction& render_tile, const CancelFlag* cancel);
+                                       const TileFunction& render_tile,
+                                       const std::function<bool()>& is_over);
 
 }  // namespace candela

@@ -44,11 +44,11 @@ Block walk_block(const RenderOptions& options, const TileFunction& render_tile,
 }
 
 std::vector<PixelWalks> walk_pixels(const RenderOptions& options, const TileFunction& render_tile,
-                                    const CancelFlag* cancel) {
+                                    const std::function<bool()>& is_over) {
   const std::uint64_t seed = seed_of(SeedStream::Roulette, options.seed);
   std::vector<PixelWalks> pixels(pixels_to_ask(options));
   parallel_for(pixels.size(), [&](std::size_t i) {
-    if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return;
+    if (is_over()) return;
     const auto pixel = static_cast<std::uint32_t>(i);
     for (std::uint32_t block = 0; block < 2; ++block)
       pixels[i].blocks[block] = walk_block(options, render_tile, {seed, pixel, 2 * pixel + block});
@@ -121,12 +121,13 @@ class Efforts {
 }  // namespace
 
 RouletteChoice choose_roulette(const RenderOptions& options, const TileFunction& render_tile,
-                               const CancelFlag* cancel) {
+                               const std::function<bool()>& is_over) {
   constexpr double least_gain = 1.05;
   RouletteChoice choice{options.plan};
   if (!options.chooses_roulette) return choice;
-  std::vector<PixelWalks> pixels = walk_pixels(options, render_tile, cancel);
+  std::vector<PixelWalks> pixels = walk_pixels(options, render_tile, is_over);
   choice.samples = pixels.size() * samples_a_pixel;
+  if (is_over()) return choice;
   const Efforts efforts(std::move(pixels), options.plan.roulette());
   if (!efforts.has_light()) return choice;
   double least = efforts.with(options.plan.roulette()) / least_gain;

@@ -13,10 +13,10 @@ struct RouletteChoice {
 };
 
 // The options' plan with another roulette, by walks from pixels all over the picture, whatever the
-// crop: 1 in 400 of its samples, at most 8192; none of pictures whose share is below 1024. `cancel`
-// may be null.
+// crop: 1 in 400 of its samples, at most 8192; none of pictures whose share is below 1024. The
+// options' own where `is_over` says that there is no time for it.
 [[nodiscard]] RouletteChoice choose_roulette(const RenderOptions& options,
                                              const TileFunction& render_tile,
-                                             const CancelFlag* cancel);
+                                             const std::function<bool()>& is_over);
 
 }  // namespace candela

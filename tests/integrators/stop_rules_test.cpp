@@ -113,7 +113,7 @@ TEST(Unit_StopRules, APictureThatHasMetNoLightMeetsNoError) {
   }
 }
 
-// As of a crop beside all there is.
+// As of a crop beside all there is, whatever else the pilot's squares see.
 TEST(Unit_StopRules, ABlackBackgroundThatIsProvenHasNoError) {
   description::SceneDescription scene;
   const auto white = test::add_material(scene, test::diffuse(Vec3d(0.7)));
@@ -123,11 +123,14 @@ TEST(Unit_StopRules, ABlackBackgroundThatIsProvenHasNoError) {
   test::RenderSettings settings = test::settings_of(64, 1 << 12);
   settings.options.adaptive = true;
   settings.options.target_relmse = 1e-30;
-  settings.options.crop = PixelRect{1, 2, 9, 11};
-  const RenderResult result = test::rendered(scene, settings);
-  EXPECT_EQ(result.statistics.stop, StopReason::Error);
-  ASSERT_TRUE(result.error);
-  EXPECT_EQ(result.error->relmse, 0);
+  settings.options.chooses_reuse = true;
+  for (const PixelRect& crop : {PixelRect{1, 2, 9, 11}, {16, 16, 20, 20}}) {
+    settings.options.crop = crop;
+    const RenderResult result = test::rendered(scene, settings);
+    EXPECT_EQ(result.statistics.stop, StopReason::Error);
+    ASSERT_TRUE(result.error);
+    EXPECT_EQ(result.error->relmse, 0);
+  }
 }
 
 TEST(Unit_StopRules, OneReplicateStatesNothing) {

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "integrators/guiding/choose_guide.h"
 #include "integrators/render_rounds.h"
+#include "integrators/reuse/choose_reuse.h"
+#include "integrators/roulette/choose_roulette.h"
 #include "tests/integrators/synthetic_tile.h"
 
 namespace candela {
@@ -18,7 +21,31 @@ TEST(Unit_TimeBudget, IsSpentFromItsStartOn) {
   EXPECT_TRUE(TimeBudget(900, earlier).is_spent(0.1));
   EXPECT_FALSE(TimeBudget({}, earlier).is_spent());
   EXPECT_NEAR(TimeBudget(1000, earlier).samples_in_time(5), 50, 5);
+  EXPECT_NEAR(TimeBudget(1000, earlier).samples_in_time(5, 0.5), 25, 3);
   EXPECT_EQ(TimeBudget({}, earlier).samples_in_time(5), std::numeric_limits<double>::infinity());
+}
+
+// Of 1000 seconds 60 are gone before the first sample: five in 40 are 117 in 940.
+TEST(Unit_TimeBudget, TheRateIsThatOfSamplesAlone) {
+  const Clock::time_point earlier = Clock::now() - std::chrono::seconds(100);
+  TimeBudget budget(1000, earlier);
+  budget.begin_samples(earlier + std::chrono::seconds(60));
+  EXPECT_NEAR(budget.samples_in_time(5), 117.5, 10);
+}
+
+TEST(Unit_TimeBudget, NothingIsTriedThatThereIsNoTimeFor) {
+  RenderOptions options;
+  options.chooses_roulette = options.chooses_reuse = true;
+  options.guiding = Guiding::On;
+  options.plan.roulette_threshold = 0.25f;
+  const TileFunction never = [](const TilePass&, Film&) -> TileCounts {
+    ADD_FAILURE() << "something is rendered";
+    return {};
+  };
+  const auto is_over = [] { return true; };
+  EXPECT_EQ(choose_roulette(options, never, is_over).plan.roulette_threshold, 0.25f);
+  EXPECT_FALSE(choose_reuse(options, options.plan, never, is_over).reuses_paths);
+  EXPECT_EQ(choose_guide(options, never, is_over).field, nullptr);
 }
 
 // Whatever came before the first sample counts.
