@@ -37,13 +37,17 @@ std::string duration_text(double seconds) {
   return fmt::format("{}:{:02}", minutes, whole % 60);
 }
 
+// Two digits, or all before the point.
+std::string percent_text(double share) {
+  return share < 1 ? fmt::format("{:.2g}", share * 100) : fmt::format("{:.0f}", share * 100);
+}
 std::string error_text(double rmse) {
-  return fmt::format("{:.2g} %", rmse * 100);
+  return percent_text(rmse) + " %";
 }
 
 std::string error_text(const StatedError& error) {
-  return fmt::format("{} ({:.2g} to {:.2g})", error_text(error.rmse), error.low * 100,
-                     error.high * 100);
+  return fmt::format("{} ({} to {})", error_text(error.rmse), percent_text(error.low),
+                     percent_text(error.high));
 }
 
 std::string progress_line(const ProgressState& state) {
