@@ -117,8 +117,11 @@ TEST(Unit_WriteImage, HdrKeepsColourToASharedExponent) {
 TEST(Unit_WriteImage, HdrIsNeitherTooDarkNorTooBright) {
   const TemporaryFolder folder;
   Image image(64, 64, {"R", "G", "B"});
+  const auto uniform = [](std::size_t i) {
+    return unit_float(static_cast<std::uint32_t>(mix_bits(i + 1)));
+  };
   for (std::size_t i = 0; i < image.values.size(); ++i)
-    image.values[i] = std::exp(10 * unit_float(static_cast<std::uint32_t>(mix_bits(i))) - 5);
+    image.values[i] = uniform(i) * std::exp(10 * uniform(~(i / 3)) - 5);
   image.pixel(0, 0)[0] = 0.99999f;  // the next exponent
   const Image back = written_and_read(folder, "x.hdr", image);
   double sum = 0;
