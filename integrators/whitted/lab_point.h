@@ -53,10 +53,8 @@ struct LabPoint {
     place.is_flat = false;
   }
   set_shading_frame(place, wo);
-  LabSurface surface = lab_surface_at(material, scene.textures, texture_point_of(place));
-  if (&worn != &material)
-    surface.alpha = lab_alpha_at(worn, scene.textures, texture_point_of(place));
-  return {geometry, material, place, surface,
+  return {geometry, material, place,
+          lab_surface_at(worn, material, scene.textures, texture_point_of(place)),
           rules.lab_normals ? interpolated_normal(scene, hit, place) : place.shading.z};
 }
 

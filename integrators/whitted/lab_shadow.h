@@ -22,8 +22,10 @@ namespace candela {
 [[nodiscard]] inline bool passes_light(const Scene& scene, const Light& light, const Hit& hit,
                                        const SurfacePoint& place) {
   if (hit.geometry == light.geometry) return true;
-  const Material& material = scene.materials[scene.geometries[hit.geometry].material.index];
-  return lab_alpha_at(material, scene.textures, texture_point_of(place)) < lab_hole_below;
+  const Material& worn = scene.materials[scene.geometries[hit.geometry].material.index];
+  const TexturePoint at = texture_point_of(place);
+  const Material& part = greater_part_of_mix(scene.materials, worn, scene.textures, at);
+  return lab_alpha_at(worn, part, scene.textures, at) < lab_hole_below;
 }
 
 // Steps through holes until a blocker or the light.

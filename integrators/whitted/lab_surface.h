@@ -30,11 +30,12 @@ struct LabSurface {
          material.model == MaterialModel::ThinDielectric;
 }
 
-// Coverage as it is stored: no thresholds, no dice. Glass covers what it reflects.
-[[nodiscard]] inline float lab_alpha_at(const Material& material, const TextureStore& textures,
-                                        const TexturePoint& at) {
-  const float opacity = clamp_unit(scalar_at(material.opacity, textures, at));
-  return is_glass(material) ? opacity * normal_reflectance(material.eta.x) : opacity;
+// Coverage as it is stored: no thresholds, no dice. A mixture's is its own, whichever part is met
+// (a material that is no mixture is its own part); glass covers what it reflects.
+[[nodiscard]] inline float lab_alpha_at(const Material& worn, const Material& part,
+                                        const TextureStore& textures, const TexturePoint& at) {
+  const float opacity = clamp_unit(scalar_at(worn.opacity, textures, at));
+  return is_glass(part) ? opacity * normal_reflectance(part.eta.x) : opacity;
 }
 
 [[nodiscard]] inline Rgb conductor_reflectance(const Rgb& eta, const Rgb& k) {
@@ -114,12 +115,12 @@ struct LabSurface {
   return {};
 }
 
-[[nodiscard]] inline LabSurface lab_surface_at(const Material& material,
+[[nodiscard]] inline LabSurface lab_surface_at(const Material& worn, const Material& part,
                                                const TextureStore& textures,
                                                const TexturePoint& at) {
-  const float alpha = lab_alpha_at(material, textures, at);
-  if (alpha == 0 && !is_glass(material)) return {.alpha = 0};  // nothing of it shows
-  LabSurface surface = uncovered_surface_at(material, textures, at);
+  const float alpha = lab_alpha_at(worn, part, textures, at);
+  if (alpha == 0 && !is_glass(part)) return {.alpha = 0};  // nothing of it shows
+  LabSurface surface = uncovered_surface_at(part, textures, at);
   surface.alpha = alpha;
   return surface;
 }

@@ -14,7 +14,8 @@ LabSurface surface_of(Model model) {
   add_sheet(scene, 0, add_material(scene, std::move(model)));
   set_camera(scene, {0, 2, 0}, {0, 0, 0}, 40, {0, 0, 1});
   const Scene made = compiled(scene, lab_settings(IntegratorKind::Whitted).options);
-  return lab_surface_at(made.materials[0], made.textures, {Vec2f(0.5f)});
+  const Material& material = made.materials[0];
+  return lab_surface_at(material, material, made.textures, {Vec2f(0.5f)});
 }
 
 TEST(Unit_LabSurface, CookTorranceIsTheInverseOfTheHighlightsWidth) {

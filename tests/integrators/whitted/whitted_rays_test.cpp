@@ -53,6 +53,31 @@ TEST(Unit_WhittedRays, WhatIsNotSolidShowsWhatLiesStraightBehind) {
   }
 }
 
+// A mixture is the part that is there more often: glass shows and lets through as on its own, and
+// the mixture's opacity, not the part's, says what it covers.
+TEST(Unit_WhittedRays, GlassInAMixtureIsClear) {
+  const auto mixed_with_clay = [](SceneDescription& scene, description::MaterialHandle glass) {
+    const auto clay = add_material(scene, diffuse(Vec3d(0.75)));
+    return add_material(scene, description::MixMaterial{glass, clay, {0.3, {}, 0}});
+  };
+  for (const double opacity : {1.0, 0.5}) {
+    Rgb pictures[2][2];
+    for (const int is_mixed : {0, 1}) {
+      SceneDescription scene = floor_seen_from(4, diffuse(Vec3d(0.25)));
+      scene.lab_ambient = Vec3d(0.5);
+      add_lab_point_light(scene, {0, 3, 0.5}, 3);
+      auto material = add_material(scene, description::DielectricMaterial{});
+      if (is_mixed == 1) material = mixed_with_clay(scene, material);
+      scene.materials[material.index].opacity.factor = opacity;
+      add_sheet(scene, 2, material);
+      pictures[is_mixed][0] = seen_by_whitted(scene);
+      pictures[is_mixed][1] = seen(scene, lab_settings(IntegratorKind::Raster));
+    }
+    EXPECT_GT(pictures[0][0].x, 0.15f);  // the floor, and no shadow on it
+    for (const int i : {0, 1}) EXPECT_EQ(pictures[1][i], pictures[0][i]) << opacity << " " << i;
+  }
+}
+
 TEST(Unit_WhittedRays, LightOfLampsIsSeen) {
   SceneDescription scene = ambient_scene();
   add_sheet(scene, 0, add_material(scene, diffuse(Vec3d(0.0)), {3, 2, 1}));
