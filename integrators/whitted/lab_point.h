@@ -39,7 +39,7 @@ struct LabPoint {
   return length_squared(n) > 0 ? n : place.front_normal;  // zero: there is none here
 }
 
-// Normals are unit and on the side of wo unless the lab's own are asked for.
+// Normals are unit and on the side of wo unless the lab's own are asked for; a map's is unit.
 [[nodiscard]] inline LabPoint lab_point_at(const Scene& scene, const LabRules& rules,
                                            const Hit& hit, const Vec3f& wo) {
   const Geometry& geometry = scene.geometries[hit.geometry];
@@ -47,15 +47,19 @@ struct LabPoint {
   const Material& worn = scene.materials[geometry.material.index];
   const Material& material =
       greater_part_of_mix(scene.materials, worn, scene.textures, texture_point_of(place));
-  if (rules.bump && has_bump(material)) {
+  const bool is_bumped = rules.bump && has_bump(material);
+  if (is_bumped) {
     place.front_normal = shading_normal_at(material, scene.textures, texture_point_of(place),
                                            place.front_normal, place.dpdu, place.dpdv);
     place.is_flat = false;
   }
   set_shading_frame(place, wo);
+  const auto lab_normal = [&] {
+    return is_bumped ? place.front_normal : interpolated_normal(scene, hit, place);
+  };
   return {geometry, material, place,
           lab_surface_at(worn, material, scene.textures, texture_point_of(place)),
-          rules.lab_normals ? interpolated_normal(scene, hit, place) : place.shading.z};
+          rules.lab_normals ? lab_normal() : place.shading.z};
 }
 
 }  // namespace candela
