@@ -43,7 +43,8 @@ double projected_area(const Scene& scene, const Geometry& geometry, const Vec3d&
 
 // A surface of radiance L sends the radiant intensity L times its projected area. The axis is the
 // direction of the vector area; a closed surface has none, so the mean over all directions counts,
-// which is a quarter of the area (half, if both sides shine) [Cauchy1850].
+// which is a quarter of the area whichever sides shine: the inner one is not seen from outside
+// [Cauchy1850].
 Light lamp_light(const Scene& scene, std::uint32_t index) {
   constexpr double closed_below = 1e-3;  // of the area; rounding leaves some 1e-7
   const Geometry& geometry = scene.geometries[index];
@@ -52,7 +53,7 @@ Light lamp_light(const Scene& scene, std::uint32_t index) {
   const double axis_length = length(sums.vector_area);
   const double seen_area = axis_length > closed_below * sums.area
                                ? projected_area(scene, geometry, sums.vector_area / axis_length)
-                               : sums.area * (first.emits_both_sides ? 0.5 : 0.25);
+                               : 0.25 * sums.area;
   Vec3d radiance(first.emission);
   if (first.texture)  // of its factor's colour, as bright as the mean
     radiance *= sums.weighted_luminance / sums.area / luminance(radiance);
@@ -62,11 +63,11 @@ Light lamp_light(const Scene& scene, std::uint32_t index) {
   return light;
 }
 
-// A sphere from afar: its radiance times the disc that it shows; both sides as with meshes.
+// A sphere from afar: its radiance times the disc that it shows.
 Light sphere_lamp_light(const Light& sphere) {
   Rgb radiance = sphere.emission;
   if (sphere.texture) radiance *= sphere.mean_luminance / luminance(radiance);
-  const float seen_area = sphere.area * (sphere.emits_both_sides ? 0.5f : 0.25f);
+  const float seen_area = 0.25f * sphere.area;
   Light light = make_point_light(sphere.position, radiance * (seen_area / pi));
   light.geometry = sphere.geometry;
   return light;

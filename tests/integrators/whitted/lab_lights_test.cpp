@@ -11,11 +11,12 @@ using description::SceneDescription;
 using namespace test;
 
 // What a floor below the origin's lamp shows, seen from between them.
-Rgb floor_below(const description::Mesh& lamp, const Vec3d& radiance, bool both_sides = false) {
+Rgb floor_below(const description::Mesh& lamp, const Vec3d& radiance, bool both_sides = false,
+                const Transform& lamp_to_world = {}) {
   SceneDescription scene = floor_seen_from(1, diffuse(Vec3d(0.5)));
   const auto material = add_material(scene, diffuse(Vec3d(0.0)), radiance);
   scene.materials[material.index].emits_both_sides = both_sides;
-  add_mesh(scene, lamp, material);
+  add_mesh(scene, lamp, material, lamp_to_world);
   return seen_by_whitted(scene);
 }
 
@@ -52,6 +53,17 @@ TEST(Unit_LabLights, AnAreaLightIsALampToo) {
 TEST(Unit_LabLights, AClosedLampShinesThroughItself) {
   expect_near(floor_below(sphere({0, 5, 0}, 0.4, 4, false), Vec3d(2.0)), Vec3d(0.5 * 2 * 0.16 / 25),
               0.01);
+}
+
+// From outside nobody sees the other side.
+TEST(Unit_LabLights, ClosedLampsAreAsBrightWhicheverSidesShine) {
+  const description::Mesh cube = box({-0.2, 4.8, -0.2}, {0.2, 5.2, 0.2});
+  const Rgb outside = floor_below(cube, Vec3d(2.0));
+  expect_near(outside, Vec3d(0.5 * 2 * (6 * 0.16 / 4) / pi_double / 25));
+  expect_near(floor_below(cube, Vec3d(2.0), true), Vec3d(outside));
+  const Rgb ball = floor_below(exact_sphere(0.4), Vec3d(2.0), false, at_place({0, 5, 0}));
+  expect_near(ball, Vec3d(0.5 * 2 * 0.16 / 25));
+  expect_near(floor_below(exact_sphere(0.4), Vec3d(2.0), true, at_place({0, 5, 0})), Vec3d(ball));
 }
 
 // Each sphere is a lamp of its own, and exactly as bright as it is.
