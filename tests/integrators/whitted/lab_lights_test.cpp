@@ -49,6 +49,23 @@ TEST(Unit_LabLights, AnAreaLightIsALampToo) {
   expect_near(seen_by_whitted(scene), Vec3d(0.5 * 4 * 4.5 / pi_double / 25));  // centroid (0, 5, 0)
 }
 
+// What hangs together is one lamp, what is apart is not, whatever comes between them in the file.
+TEST(Unit_LabLights, AreaLightsApartAreLampsApart) {
+  SceneDescription scene = floor_seen_from(1, diffuse(Vec3d(0.5)));
+  const auto add_triangle = [&](double x, Vec3d second, Vec3d third) {
+    const Vec3d shift{x, 0, 0};
+    add_light(scene,
+              description::TriangleLight{
+                  {Vec3d(-1, 5, -1) + shift, second + shift, third + shift}, Vec3d(4.0), false});
+  };
+  for (const double x : {-3.0, 3.0}) add_triangle(x, {1, 5, -1}, {1, 5, 1});
+  for (const double x : {-3.0, 3.0}) add_triangle(x, {1, 5, 1}, {-1, 5, 1});
+  const double r2 = 9 + 25;
+  expect_near(seen_by_whitted(scene), Vec3d(2 * 0.5 * 4 * 4 / pi_double / r2 * 5 / std::sqrt(r2)));
+  const RenderOptions options = lab_settings(IntegratorKind::Whitted).options;
+  EXPECT_EQ(lab_lights(compiled(scene, options)).size(), 2u);
+}
+
 // A bulb's intensity is L pi r^2; its own mesh, which lies about the point, casts no shadow.
 TEST(Unit_LabLights, AClosedLampShinesThroughItself) {
   expect_near(floor_below(sphere({0, 5, 0}, 0.4, 4, false), Vec3d(2.0)), Vec3d(0.5 * 2 * 0.16 / 25),
