@@ -10,8 +10,7 @@ namespace {
 
 // Every seventeenth tile: spread over the picture, since that is coprime to most rows' lengths.
 std::vector<PixelRect> share_of_tiles(const RenderOptions& options) {
-  const std::vector<PixelRect> all =
-      tiles_of({0, 0, options.width, options.height}, options.tile_size);
+  const std::vector<PixelRect> all = tiles_of(rendered_rect(options), options.tile_size);
   std::vector<PixelRect> share;
   for (std::size_t i = 0; i < all.size(); i += 17) share.push_back(all[i]);
   return share;
@@ -55,7 +54,7 @@ std::optional<RayLimit> measure(const Scene& scene, const A& accelerator,
   const auto recording = make_path_context(scene, recorder, filter, options);
   const auto samples = static_cast<std::uint32_t>(options.samples_per_pixel);
   const PathKernel<A> kernel = select_path_kernel<A>(scene.features, options.use_general_kernel);
-  Film film(options.width, options.height, {0, 0, options.width, options.height}, options.aovs);
+  Film film(options.width, options.height, rendered_rect(options), options.aovs);
 
   const auto recorded =
       select_path_kernel<RecordingAccel<A>>(scene.features, options.use_general_kernel);
