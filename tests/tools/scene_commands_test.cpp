@@ -116,6 +116,26 @@ TEST(Unit_Check, FindsImagesThatBreakOffInTheirPixels) {
   EXPECT_EQ(result.output.find(", 0 warnings"), std::string::npos) << result.output;
 }
 
+TEST(Unit_Check, RefusesWhatTheScenesOwnIntegratorCannotDraw) {
+  const std::string folder = fresh_folder("check_integrator");
+  std::filesystem::copy(std::filesystem::path(small_scene()).parent_path(), folder,
+                        std::filesystem::copy_options::recursive);
+  std::string text = file_text(small_scene());
+  const std::string integrator = "Integrator: path";
+  const std::size_t place = text.find(integrator);
+  ASSERT_NE(place, std::string::npos);
+  text.replace(place, integrator.size(), "Integrator: report");
+  const std::string scene = folder + "/scene.yaml";
+  write_text(scene, text +
+                        "\nLights:\n  - Type: Point\n    Position: [278, 273, 0]\n"
+                        "    Intensity: [1, 1, 1]\n");
+  const ProgramResult result = run_candela({"check", scene});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_NE(result.error.find("the scene has a point light; the report"), std::string::npos)
+      << result.error;
+  EXPECT_NE(result.output.find(": 1 error, 0 warnings\n"), std::string::npos) << result.output;
+}
+
 TEST(Unit_Bench, MeasuresBothBackEnds) {
   Json bench = json_of({"bench", small_scene(), "--json", "-t", "1", "--seconds", "0.01"});
   EXPECT_EQ(bench["agreement"]["disagreeing"], 0);

@@ -1,6 +1,7 @@
 // candela check SCENE: a lint
 #include <fmt/format.h>
 
+#include "integrators/render.h"
 #include "renderer/description/validate.h"
 #include "tools/candela/commands.h"
 #include "tools/candela/console.h"
@@ -23,7 +24,8 @@ ExitCode run_check(const CheckArguments& arguments) {
   ReadScene read = read_scene(lenient, console, MemoryNeed::Heeded);
   if (read.is_usable()) {
     decode_all_textures(read.scene->textures);
-    Diagnostics found = description::lint(*read.description);
+    Diagnostics found = check_integrator(*read.description, read.options);
+    found.append(description::lint(*read.description));
     found.append(read.scene->textures.decoding_diagnostics());
     console.print(found);
     read.error_count += found.error_count();
