@@ -15,10 +15,11 @@ target_link_options(candela_renderer INTERFACE
   $<INSTALL_INTERFACE:LINKER:-rpath,${codecs_folder}>)
 install(EXPORT candelaTargets NAMESPACE candela:: DESTINATION ${package_folder})
 
-# Include paths start at the root of the sources, and below include/candela.
+# Include paths start at the root of the sources, and below include/candela. Without the headers that
+# need those of an image library.
 foreach(room renderer scene_io integrators)
   install(DIRECTORY ${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/candela
-    FILES_MATCHING PATTERN "*.h" PATTERN openimageio EXCLUDE)
+    FILES_MATCHING PATTERN "*.h" PATTERN openimageio EXCLUDE PATTERN exr_slices.h EXCLUDE)
 endforeach()
 
 configure_package_config_file(

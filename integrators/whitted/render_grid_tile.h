@@ -3,6 +3,7 @@
 #pragma once
 
 #include "integrators/tile_counts.h"
+#include "integrators/tile_pass.h"
 #include "integrators/whitted/lab_context.h"
 
 namespace candela {

@@ -26,6 +26,16 @@ if(NOT EXISTS ${work}/picture.exr)
   message(FATAL_ERROR "The consumer wrote no picture.")
 endif()
 
+# Headers that once lacked an include, each alone; and none that needs an image library's.
+foreach(header integrators/whitted/render_grid_tile.h renderer/image/blocked_signals.h)
+  file(WRITE ${work}/alone.cpp "#include \"${header}\"\n")
+  run(${compiler} -std=c++20 -fsyntax-only -I ${work}/installed/include/candela ${work}/alone.cpp)
+endforeach()
+file(GLOB_RECURSE unusable ${work}/installed/include/candela/*exr_slices.h)
+if(unusable)
+  message(FATAL_ERROR "Installed without what it includes: ${unusable}")
+endif()
+
 # Other formats than OpenEXR and PNG need the module of codecs to be written, and rare ones to be read:
 # run paths lead to it.
 file(WRITE ${work}/unusual.obj "mtllib unusual.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n"
