@@ -26,6 +26,21 @@ if(NOT EXISTS ${work}/picture.exr)
   message(FATAL_ERROR "The consumer wrote no picture.")
 endif()
 
+# Found twice in one scope; where a dependency is missing whoever asked quietly goes on, and others are
+# told which.
+set(find ${CMAKE_COMMAND} -S ${source}/../found -G ${generator}
+  -D CMAKE_CXX_COMPILER=${compiler} -D candela_ROOT=${work}/installed)
+run(${find} -B ${work}/twice -D HOW=twice)
+foreach(missing CMAKE_DISABLE_FIND_PACKAGE_fmt=ON Imath_LIBRARY=)
+  file(REMOVE_RECURSE ${work}/quietly)
+  run(${find} -B ${work}/quietly -D HOW=quietly -D ${missing})
+endforeach()
+execute_process(COMMAND ${find} -B ${work}/required -D HOW=required -D Imath_LIBRARY=
+  RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(status EQUAL 0 OR NOT output MATCHES "of which[ \n]+Imath_LIBRARY[ \n]+was[ \n]+not[ \n]+found")
+  message(FATAL_ERROR "Without Imath find_package(candela REQUIRED) ended with ${status}:\n${output}")
+endif()
+
 # Headers that once lacked an include, each alone; and none that needs an image library's.
 foreach(header integrators/whitted/render_grid_tile.h renderer/image/blocked_signals.h)
   file(WRITE ${work}/alone.cpp "#include \"${header}\"\n")
