@@ -3,8 +3,6 @@
 // of which only what lamps themselves send along them counts, cost little (packets of rays that
 // nothing is shaded for) and take that noise away (path/seen_lamps.h). They go through that part of
 // the pixel alone that the lamps' outlines leave (lamp_view.h).
-#pragma once
-
 //
 // The picture lies in patches, in each of which they are found when the first of its pixels is
 // asked for: a crop asks for its own, and gets what the whole picture would.

@@ -120,11 +120,6 @@ double orientation_of(std::span<const Vec2d> outline) {
   return area > 0 ? 1 : area < 0 ? -1 : 0;
 }
 
-std::size_t index_in(const PixelRect& rect, int x, int y) {
-  return static_cast<std::size_t>(y - rect.y0) * static_cast<std::size_t>(rect.width()) +
-         static_cast<std::size_t>(x - rect.x0);
-}
-
 }  // namespace
 
 LampViews::LampViews(const Camera& camera, const Bounds3f& bounds, const Filter& filter, int width,
@@ -171,7 +166,7 @@ void LampViews::see(const Outline& outline, const PixelRect& rect,
   const Vec2d reach = slack + radius;
   for (int y = first_y; y < end_y; ++y)
     for (int x = first_x; x < end_x; ++x) {
-      Rectangle& pixel = seen[index_in(rect, x, y)];
+      Rectangle& pixel = seen[rect.index(x, y)];
       const Vec2d centre(x + 0.5, y + 0.5);
       if (holds(pixel, centre, radius)) continue;
       const Side side = side_of(centre, reach, slack, corners, orientation);
@@ -234,7 +229,7 @@ std::vector<LampView> LampViews::views(const PixelRect& rect) const {
   std::vector<LampView> views;
   for (int y = rect.y0; y < rect.y1; ++y)
     for (int x = rect.x0; x < rect.x1; ++x) {
-      const Rectangle& pixel = seen[index_in(rect, x, y)];
+      const Rectangle& pixel = seen[rect.index(x, y)];
       if (pixel.is_empty()) continue;
       const Vec2d centre(x + 0.5, y + 0.5);
       const FilterPart part = filter_.part_within({pixel.lower - centre, pixel.upper - centre});

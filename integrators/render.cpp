@@ -135,10 +135,7 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
                       {}};
   const TimeBudget::Clock::time_point start = TimeBudget::Clock::now();
   const TimeBudget budget(options.time_limit_seconds, start);
-  const auto is_over = [&] {
-    return (cancel != nullptr && cancel->load(std::memory_order_relaxed)) ||
-           budget.is_spent(preparation_share);
-  };
+  const auto is_over = [&] { return is_set(cancel) || budget.is_spent(preparation_share); };
   std::visit(
       [&](const auto& backend) {
         const Kernel kernel = select_kernel(scene, backend, filter, options, is_over);

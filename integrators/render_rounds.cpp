@@ -13,10 +13,6 @@
 namespace candela {
 namespace {
 
-bool is_set(const CancelFlag* flag) {
-  return flag != nullptr && flag->load(std::memory_order_relaxed);
-}
-
 // What decides whether to stop: half the way to the upper end of the interval of what is stated, so
 // that a picture seldom ends since its error is understated just then.
 double deciding_relmse(const ErrorEstimate& error) {

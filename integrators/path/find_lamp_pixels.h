@@ -85,11 +85,7 @@ template <FeatureSet F, class A>
   const auto y_of = [&](const LampView& view) {
     return static_cast<int>(view.index / static_cast<std::uint32_t>(width));
   };
-  const auto place = [&](const LampView& view) {
-    return static_cast<std::size_t>(y_of(view) - around.y0) *
-               static_cast<std::size_t>(around.width()) +
-           static_cast<std::size_t>(x_of(view) - around.x0);
-  };
+  const auto place = [&](const LampView& view) { return around.index(x_of(view), y_of(view)); };
   std::vector<LampCoverage> coverage(
       static_cast<std::size_t>(around.width()) * static_cast<std::size_t>(around.height()),
       LampCoverage::None);

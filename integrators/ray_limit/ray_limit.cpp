@@ -79,7 +79,7 @@ std::optional<RayLimit> measure(const Scene& scene, const A& accelerator,
   const std::vector<PixelRect> tiles = share_of_tiles(options);
   for (int round = 0; round < most_rounds && limit.rays_seconds < least_seconds; ++round)
     for (const PixelRect& tile : tiles) {
-      if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return {};
+      if (is_set(cancel)) return {};
       measure_tile(tile);
     }
   return limit;

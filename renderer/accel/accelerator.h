@@ -30,7 +30,8 @@ concept Accelerator = requires(const A& accelerator, const Ray& ray, const RayBl
 // shadow ray that does brings nothing.
 [[nodiscard]] inline bool is_traceable(const Ray& ray) {
   const float direction = sum_of_absolutes(ray.direction);
-  return direction > 0 && direction + sum_of_absolutes(ray.origin) < 1e15f && ray.t_max > 0;
+  return direction > 0 && direction + sum_of_absolutes(ray.origin) < farthest_traceable &&
+         ray.t_max > 0;
 }
 
 }  // namespace candela

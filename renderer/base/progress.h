@@ -9,6 +9,11 @@ namespace candela {
 // Set from a signal handler or another thread; polled between units of work.
 using CancelFlag = std::atomic<bool>;
 
+// `flag` may be null.
+[[nodiscard]] inline bool is_set(const CancelFlag* flag) {
+  return flag != nullptr && flag->load(std::memory_order_relaxed);
+}
+
 // The picture's rMSE as it states it, and its interval of 95 % (renderer/film/error_estimate.h).
 struct StatedError {
   double rmse = 0;

@@ -18,6 +18,11 @@ struct PixelRect {
   [[nodiscard]] int height() const { return y1 - y0; }
   [[nodiscard]] bool is_empty() const { return x1 <= x0 || y1 <= y0; }
   [[nodiscard]] bool contains(int x, int y) const { return x >= x0 && x < x1 && y >= y0 && y < y1; }
+  // In rows from the top.
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(width()) +
+           static_cast<std::size_t>(x - x0);
+  }
   friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
 
@@ -119,10 +124,7 @@ class Film {
   [[nodiscard]] static std::size_t bytes_a_pixel(AovSet aovs, std::uint32_t replicates);
 
   // A pixel's place in the crop, in rows from the top; the others take it.
-  [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y - crop_.y0) * static_cast<std::size_t>(crop_.width()) +
-           static_cast<std::size_t>(x - crop_.x0);
-  }
+  [[nodiscard]] std::size_t index(int x, int y) const { return crop_.index(x, y); }
   [[nodiscard]] std::uint32_t samples(std::size_t i) const { return pixels_[i].samples; }
   [[nodiscard]] std::uint32_t cost(std::size_t i) const { return pixels_[i].cost; }
   // Of pieces: where all are whole.

@@ -21,7 +21,7 @@ int first_of_row(int y, const PixelRect& rect, std::size_t colour) {
 
 // How many of the colour are in the rows above row y.
 std::size_t pixels_before(int y, const PixelRect& rect, std::size_t colour) {
-  const auto all = static_cast<std::size_t>(y - rect.y0) * static_cast<std::size_t>(rect.width());
+  const std::size_t all = rect.index(rect.x0, y);
   return (all + (chessboard_colour(rect.x0, rect.y0) == colour ? 1 : 0)) / 2;
 }
 

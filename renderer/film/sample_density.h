@@ -56,10 +56,7 @@ class SampleDensity {
   // By the pixels of one colour: scales(), and what a scale gives all of them together.
   [[nodiscard]] double scale_of(const Wishes& wishes, std::uint32_t mean) const;
   [[nodiscard]] double sum_of_samples(const Wishes& wishes, double scale) const;
-  [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y - rect_.y0) * static_cast<std::size_t>(rect_.width()) +
-           static_cast<std::size_t>(x - rect_.x0);
-  }
+  [[nodiscard]] std::size_t index(int x, int y) const { return rect_.index(x, y); }
 
   PixelRect rect_;
   int side_ = 1;

@@ -39,7 +39,6 @@ double farthest_origin(const Instance& instance) {
 }
 
 double reach_of_rays(const Scene& scene, const Bounds3f& world, std::span<const Bounds3f> objects) {
-  constexpr double farthest_traceable = 1e15;  // is_traceable()
   double reach = std::max(1.0, farthest(world));
   for (const Instance& instance : scene.instances) {
     const Bounds3f& object = objects[instance.object.index];
@@ -48,7 +47,7 @@ double reach_of_rays(const Scene& scene, const Bounds3f& world, std::span<const 
   for (const Camera& camera : scene.cameras)
     for (const Vec3f& part : {camera.eye, camera.right, camera.up})
       reach = std::max<double>(reach, max_component(glm::abs(part)));
-  return std::min(reach, farthest_traceable);
+  return std::min<double>(reach, farthest_traceable);
 }
 
 }  // namespace candela

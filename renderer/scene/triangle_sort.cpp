@@ -7,8 +7,8 @@
 namespace candela {
 namespace {
 
-// In double, and so the same as where denormal numbers are flushed. There surface points square
-// this normal, and one of its components at least must be left.
+// Squared in double, and so the same where denormal numbers are flushed. There surface points
+// square this normal, and one of its components at least must be left.
 bool has_area(const Vec3f& p0, const Vec3f& p1, const Vec3f& p2) {
   const double largest = max_component(glm::abs(cross(p1 - p0, p2 - p0)));
   return square(largest) >= std::numeric_limits<float>::min();

@@ -75,7 +75,6 @@ TEST(Unit_Compile, WarnsWhereNoSurfaceIsLeft) {
   EXPECT_EQ(only_warning(flat), "0 of them") << "the sky is seen";
 }
 
-// Their transform squares lengths.
 // Not those that are needles as the file has them. The squares of the normal vanish, or one by one,
 // or the edges do.
 TEST(Unit_Compile, SaysWhichTrianglesAreTooSmall) {
@@ -94,6 +93,7 @@ TEST(Unit_Compile, SaysWhichTrianglesAreTooSmall) {
   expect_too_small({0, 0.5, 0}, {1e-11, 0, 0}, {0, 1e-11, 0});
 }
 
+// Their transform squares lengths.
 TEST(Unit_Compile, NormalsOfTinyAndHugeMeshesStay) {
   const auto normals_of = [](double size) {
     description::SceneDescription scene = one_quad();

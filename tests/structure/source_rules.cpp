@@ -75,7 +75,7 @@ constexpr std::array libraries = {
     Library{"jerror.h", R"(renderer/image/formats/decode_jpeg\.cpp)"},
     Library{"half.h", R"(tests/.*\.cpp)"},
     Library{"CLI/", R"(tools/candela/[^/]*\.cpp)"},
-    Library{"nlohmann/", R"((tools/candela|tests)/.*\.cpp)"},
+    Library{"nlohmann/", R"((tools/candela|tests)/.*\.cpp|tests/tools/python_questions\.h)"},
     Library{"yaml-cpp/", R"((scene_io|tests)/.*\.cpp)"},
     Library{"zlib.h", R"((scene_io|tests)/.*\.cpp|renderer/image/formats/(guard|encode)_png\.cpp)"},
     Library{"xxhash.h", R"(.*\.cpp)"},

@@ -1,19 +1,15 @@
 // tools/bench: what is measured, with which settings, and what is said of what is not.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "tests/tools/benchmarks_questions.h"
 
 namespace candela::cli_test {
 namespace {
 
-using Json = nlohmann::json;
-
 class Unit_BenchmarksInputs : public BenchmarksQuestions {
  protected:
   static Json ask(const std::vector<std::string>& question) {
-    return Json::parse(answer_of("benchmarks_inputs.py", question));
+    return answer_of("benchmarks_inputs.py", question);
   }
 };
 

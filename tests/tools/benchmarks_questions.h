@@ -13,7 +13,7 @@ class BenchmarksQuestions : public PythonQuestions {
   }
 
   // nan is null as well.
-  static std::string answer(const std::vector<std::string>& question) {
+  static Json ask(const std::vector<std::string>& question) {
     return answer_of("benchmarks.py", question);
   }
 };

@@ -2,14 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "tests/tools/benchmarks_questions.h"
 
 namespace candela::cli_test {
 namespace {
-
-using Json = nlohmann::json;
 
 std::vector<std::string> keys_of(const Json& object) {
   std::vector<std::string> keys;
@@ -17,12 +14,7 @@ std::vector<std::string> keys_of(const Json& object) {
   return keys;
 }
 
-class Unit_BenchmarksRatios : public BenchmarksQuestions {
- protected:
-  static Json ask(const std::vector<std::string>& question) {
-    return Json::parse(answer(question));
-  }
-};
+class Unit_BenchmarksRatios : public BenchmarksQuestions {};
 
 // y = 3 x^.5 exactly; and the textbook's standard error of a slope, here of (0, 0), (1, 2), (2, 2),
 // (3, 4) in logarithms: slope 1.2, residuals' squares .8.

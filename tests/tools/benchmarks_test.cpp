@@ -2,21 +2,12 @@
 // benchmarks_ratios_test.cpp.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "tests/tools/benchmarks_questions.h"
 
 namespace candela::cli_test {
 namespace {
 
-using Json = nlohmann::json;
-
-class Unit_Benchmarks : public BenchmarksQuestions {
- protected:
-  static Json ask(const std::vector<std::string>& question) {
-    return Json::parse(answer(question));
-  }
-};
+class Unit_Benchmarks : public BenchmarksQuestions {};
 
 // A percent sign in a line of help is enough to end in an exception.
 TEST_F(Unit_Benchmarks, EveryMeasurementHasItsHelp) {

@@ -1,6 +1,5 @@
 // tools/bench cycles, without Blender: what it hands to Blender is the scene that candela renders,
 // and its statistics see what differs and nothing else.
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "tests/tools/cycles_questions.h"
@@ -8,16 +7,9 @@
 namespace candela::cli_test {
 namespace {
 
-using Json = nlohmann::json;
-
 const std::string blocks = CANDELA_SOURCE_DIR "/tools/benchmarks/blender/scenes/";
 
-class Unit_CyclesComparison : public CyclesQuestions {
- protected:
-  static Json ask(const std::vector<std::string>& question) {
-    return Json::parse(answer(question));
-  }
-};
+class Unit_CyclesComparison : public CyclesQuestions {};
 
 // The camera's matrix and angle, the meshes' transforms: where candela sees a point, the camera
 // that Blender gets sees it too, and it lies on a triangle that Blender gets.

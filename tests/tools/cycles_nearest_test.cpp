@@ -2,7 +2,6 @@
 // textures, spheres and skies is near to what candela renders, and is told.
 #include <cmath>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "tests/tools/cycles_questions.h"
@@ -10,14 +9,7 @@
 namespace candela::cli_test {
 namespace {
 
-using Json = nlohmann::json;
-
-class Unit_CyclesNearest : public CyclesQuestions {
- protected:
-  static Json ask(const std::vector<std::string>& question) {
-    return Json::parse(answer(question));
-  }
-};
+class Unit_CyclesNearest : public CyclesQuestions {};
 
 const std::string view = R"(LookAt 0 0 5  0 0 0  0 1 0
 Scale -1 1 1

@@ -12,7 +12,7 @@ class CyclesQuestions : public PythonQuestions {
       GTEST_SKIP() << "Debian's python3-numpy and python3-yaml are not installed";
   }
 
-  static std::string answer(const std::vector<std::string>& question) {
+  static Json ask(const std::vector<std::string>& question) {
     return answer_of("cycles_comparison.py", question);
   }
 };

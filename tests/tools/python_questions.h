@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/tools/run_program.h"
 
 namespace candela::cli_test {
+
+using Json = nlohmann::json;
 
 class PythonQuestions : public testing::Test {
  protected:
@@ -21,15 +24,14 @@ class PythonQuestions : public testing::Test {
            Program({python, "-c", "import " + modules}, ErrorStream::File).finish().exit_code == 0;
   }
 
-  // What tests/tools/`script` prints, JSON; null where the question failed, which the test is told.
-  static std::string answer_of(const std::string& script,
-                               const std::vector<std::string>& question) {
+  // What tests/tools/`script` prints; null where the question failed, which the test is told.
+  static Json answer_of(const std::string& script, const std::vector<std::string>& question) {
     std::vector<std::string> words{python, "-B", CANDELA_SOURCE_DIR "/tests/tools/" + script,
                                    CANDELA_SOURCE_DIR};
     words.insert(words.end(), question.begin(), question.end());
     const ProgramResult result = Program(words, ErrorStream::File).finish();
     EXPECT_EQ(result.exit_code, 0) << result.error;
-    return result.exit_code == 0 ? result.output : "null";
+    return Json::parse(result.exit_code == 0 ? result.output : "null");
   }
 };
 
