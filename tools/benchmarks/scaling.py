@@ -2,8 +2,9 @@
 
 Costs are CPU seconds of rendering alone, medians over runs that take turns, and each growth is an
 exponent fitted to the medians of a series; over triangles from 10^4 on. For these the cost of the
-same rays through bare calls of Embree stands beside it (`--ray-limit`). Fails where two threads are
-not nearly twice as fast as one, or a ray grows dearer faster than its bare call.
+same rays through bare calls of Embree stands beside it (`--ray-limit`), and the ratio of a render
+without packets, which gain the less the smaller triangles are. Fails where two threads are not
+nearly twice as fast as one, or a ray grows dearer faster than its bare call.
 """
 
 import functools
@@ -117,17 +118,24 @@ def triangles(shape, candela, out, seeds, quick):
     powers = range(2, 6 if quick else 8)
     size = "128x128" if quick else "256x256"
     files = {10 ** power: generated(out, shape, triangles=10 ** power) for power in powers}
-    found = in_turn(files, seeds, lambda n, seed: candela.render(
-        "triangles", files[n], png=False, size=size, spp=16, seed=seed,
-        ray_limit=True).stats["ray_limit"])
+
+    def limits(**options):
+        return in_turn(files, seeds, lambda n, seed: candela.render(
+            "triangles", files[n], png=False, size=size, spp=16, seed=seed, ray_limit=True,
+            **options).stats["ray_limit"])
+
+    def ratio(limit):
+        return limit["render_cpu_seconds"] / limit["rays_cpu_seconds"]
 
     def ns_a_ray(key):
         return lambda limit: 1e9 * limit[key] / limit["rays"]
 
+    found, unpacked = limits(), limits(without="packets")
     render, alone = ns_a_ray("render_cpu_seconds"), ns_a_ray("rays_cpu_seconds")
     rows = [{"triangles": n, "ns_a_ray": median(seen, render),
              "ns_a_ray_alone": median(seen, alone),
-             "ratio": median(seen, lambda x: x["render_cpu_seconds"] / x["rays_cpu_seconds"])}
+             "ratio": median(seen, ratio),
+             "ratio_without_packets": median(unpacked[n], ratio)}
             for n, seen in found.items()]
     return (f"triangles_{shape}", f"Triangles, {shape}", rows,
             {RENDER.format(shape): fit(found, render, growth),
