@@ -2,14 +2,14 @@
 # Installed with the package too: whoever links the static libraries needs the same.
 include(CMakeFindDependencyMacro)
 
-# Ends the build for want of what `message` tells; within find_package(candela) its caller is told.
-macro(candela_lacks message)
+# Ends the build, which `what` is told of; within find_package(candela) its caller is.
+macro(candela_lacks what)
   if(CMAKE_FIND_PACKAGE_NAME STREQUAL "candela")
     set(candela_FOUND FALSE)
-    set(candela_NOT_FOUND_MESSAGE "${message}")
+    set(candela_NOT_FOUND_MESSAGE "${what}")
     return()
   endif()
-  message(FATAL_ERROR "${message}")
+  message(FATAL_ERROR "${what}")
 endmacro()
 
 # find_package(PACKAGE [version]) of what candela cannot do without.
