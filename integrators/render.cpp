@@ -90,11 +90,16 @@ Kernel select_kernel(const Scene& scene, const A& accelerator, const Filter& fil
   throw std::invalid_argument("no such integrator");
 }
 
+// Whether what lies clear between two surfaces that bound no media may be within one all the same.
+bool may_see_through_media(const SceneFeatures& features) {
+  return features.cameras_in_media || features.clear_boundaries;
+}
+
 // Paths of which pixels can share what they find (path/path_reuse.h).
 bool may_reuse_paths(const Scene& scene, const RenderOptions& options) {
   if (options.integrator != IntegratorKind::Path || !has_default_strategy(options) ||
-      options.plan.splitting > 1 || options.guiding != Guiding::Off || scene.features.media ||
-      options.max_depth.value_or(2) < 2)
+      options.plan.splitting > 1 || options.guiding != Guiding::Off ||
+      may_see_through_media(scene.features) || options.max_depth.value_or(2) < 2)
     return false;
   for (std::uint32_t i = 0; i < scene.geometries.size(); ++i)
     if (gives_shared(scene, i)) return true;

@@ -27,10 +27,8 @@ struct FeatureSet {
     return guided || (media && !lanes && !strategies);
   }
 
-  // Pixels may share what paths find (path_reuse.h): in scenes without media.
-  [[nodiscard]] constexpr bool reuses_paths() const {
-    return !strategies && !guided && !(media && lanes);
-  }
+  // Pixels may share what paths find (path_reuse.h).
+  [[nodiscard]] constexpr bool reuses_paths() const { return !strategies && !guided; }
 
   [[nodiscard]] constexpr LightKindSet light_kinds() const {
     return spheres ? all_light_kinds : all_light_kinds & ~light_kind_bit(LightKind::Sphere);
