@@ -26,6 +26,12 @@ struct TileCounts {
   std::uint64_t invalid_samples = 0;
   std::optional<InvalidSample> first_invalid;
 
+  // The first of the picture, row by row, whatever order they come in.
+  void add_invalid(const InvalidSample& sample) {
+    const auto order = [](const InvalidSample& s) { return std::tuple(s.y, s.x, s.sample); };
+    if (!first_invalid || order(sample) < order(*first_invalid)) first_invalid = sample;
+  }
+
   void add(const TileCounts& other) {
     rays.camera += other.rays.camera;
     rays.indirect += other.rays.indirect;
@@ -35,10 +41,7 @@ struct TileCounts {
     skipped.shadow_rays += other.skipped.shadow_rays;
     skipped.samples += other.skipped.samples;
     invalid_samples += other.invalid_samples;
-    const auto order = [](const InvalidSample& s) { return std::tuple(s.y, s.x, s.sample); };
-    if (other.first_invalid &&
-        (!first_invalid || order(*other.first_invalid) < order(*first_invalid)))
-      first_invalid = other.first_invalid;
+    if (other.first_invalid) add_invalid(*other.first_invalid);
   }
 };
 
@@ -59,7 +62,7 @@ inline void add_or_count(const FilmSample& sample, int x, int y, std::uint32_t i
   }
   film.add_invalid(x, y);
   ++counts.invalid_samples;
-  if (!counts.first_invalid) counts.first_invalid = InvalidSample{x, y, index};
+  counts.add_invalid({x, y, index});
 }
 
 }  // namespace candela

@@ -27,7 +27,10 @@ struct PathState {
   Vec3f receiving_normal{0};  // where it was scattered, see SurfacePoint
   bool is_delta = true;       // camera rays and delta lobes: only this strategy finds the light
   std::uint32_t light_cell = LightCells::everywhere;  // where it was scattered
-  float survival = 1;                                 // with which roulette let it live last
+  // Of the last step alone: with which probability roulette let it live, and how much likelier a
+  // guide made its direction than the BSDF.
+  float survival = 1;
+  float guide_ratio = 1;
 
   [[nodiscard]] float roulette_throughput() const {
     return max_component(throughput) * roulette_scale;
@@ -251,7 +254,8 @@ template <FeatureSet F>
     if (guide.targets.is_known()) {
       const GuidedSample guided = sample_with_guide<F.models>(
           guide, point, bsdf, wo_local, numbers.guide_choice, numbers.lobe, numbers.direction);
-      path.roulette_scale *= guided.density_ratio;
+      path.guide_ratio = guided.density_ratio;
+      path.roulette_scale *= path.guide_ratio;
       return scatter(point, guided.sample, ray, path);
     }
   }

@@ -90,7 +90,7 @@ inline void step_lane(BlockTrip<A>& trip, std::uint32_t i) {
           i, {.ray = ray,
               .receiving_normal = path.receiving_normal,
               .pdf = path.bsdf_pdf,
-              .bsdf_pdf = path.bsdf_pdf * block.paths.roulette_scale[i] / path.roulette_scale,
+              .bsdf_pdf = path.bsdf_pdf / path.guide_ratio,
               .is_delta = path.is_delta,
               .throughput_before = block.paths.throughput[i],
               .roulette_throughput = path.roulette_throughput() * path.survival,
