@@ -35,14 +35,15 @@ double mean_area(const Geometry& geometry) {
 
 // Those of the rest, where they and the faces are few enough for a list.
 void list_spheres(const Scene& scene, FewFaces& few) {
-  const auto others = std::ranges::stable_partition(few.rest, [&](GeometryHandle handle) {
+  const auto is_listed = [&](GeometryHandle handle) {
     const Geometry& geometry = scene.geometries[handle.index];
     return !geometry.spheres.empty() && !geometry.has_cutouts;
-  });
-  const SphereList spheres(scene, {few.rest.begin(), others.begin()});
+  };
+  const auto others = std::stable_partition(few.rest.begin(), few.rest.end(), is_listed);
+  const SphereList spheres(scene, {few.rest.begin(), others});
   if (spheres.is_empty() || few.faces.size() + spheres.size() > FaceList::most_faces) return;
   few.spheres = spheres;
-  few.rest.erase(few.rest.begin(), others.begin());
+  few.rest.erase(few.rest.begin(), others);
 }
 
 }  // namespace
