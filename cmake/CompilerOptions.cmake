@@ -66,9 +66,6 @@ if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=thread")
   set_source_files_properties(renderer/base/parallel.cpp PROPERTIES
     COMPILE_OPTIONS -fno-sanitize=thread COMPILE_DEFINITIONS CANDELA_THREAD_SANITIZER
     SKIP_PRECOMPILE_HEADERS ON)
-  # Embree's library calls back from its own threads, likewise unseen.
-  set_source_files_properties(renderer/accel/embree_accel.cpp PROPERTIES
-    COMPILE_DEFINITIONS CANDELA_THREAD_SANITIZER)
   add_link_options("LINKER:--version-script=${CMAKE_CURRENT_SOURCE_DIR}/cmake/thread_sanitizer.map")
 endif()
 

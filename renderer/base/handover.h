@@ -1,10 +1,13 @@
 // What happens before what, for ThreadSanitizer, where work goes through a library's threads.
 //
 // ThreadSanitizer sees nothing of how oneTBB's and Embree's libraries, which are not instrumented,
-// hand work over; this tells it. Elsewhere it is nothing. Sources that include it are named in
-// cmake/CompilerOptions.cmake.
+// hand work over; this tells it. Elsewhere it is nothing. Sources that are not instrumented
+// themselves are named in cmake/CompilerOptions.cmake.
 #pragma once
 
+#if defined(__SANITIZE_THREAD__) && !defined(CANDELA_THREAD_SANITIZER)
+#define CANDELA_THREAD_SANITIZER
+#endif
 #if defined(CANDELA_THREAD_SANITIZER)
 #include <sanitizer/tsan_interface.h>
 #endif
