@@ -39,9 +39,11 @@ inline void receive_by_path(const Scene& scene, std::uint32_t i, const PathBlock
   x.largest[i] = max_component(albedo * lobe.crossing.at(1));
   if (!is_alive) return true;
   if (x.lobe[i] < lobe.others) x.drawn &= ~(1u << i);
-  const float cos_i = dot(point.shading.z, block.rays.direction[i]);
-  const Rgb diffuse =
-      x.throughput[i] * lobe.crossing_o * lobe.value_below(cos_i) / block.paths.bsdf_pdf[i];
+  Rgb diffuse(0);
+  if (block.paths.is_delta[i] == 0) {
+    const float cos_i = dot(point.shading.z, block.rays.direction[i]);
+    diffuse = x.throughput[i] * lobe.crossing_o * lobe.value_below(cos_i) / block.paths.bsdf_pdf[i];
+  }
   x.diffuse.set(i, diffuse);
   x.glossy.set(i, glm::max(block.paths.throughput[i] - diffuse, Rgb(0)));
   return true;

@@ -106,8 +106,8 @@ inline void leave_point(const Scene& scene, std::uint32_t i, const LanesAfterSte
   y.direct.set(i, direct);
   y.direct_glossy.set(i, glm::max(block.paths.radiance[i] - met.lobe.crossing_o * direct, Rgb(0)));
   block.paths.radiance.set(i, Rgb(0));
-  const bool goes_on = (after.going_on >> i & 1) != 0;
-  y.onward.set(i, goes_on ? diffuse_share(met, wo, block.rays.direction[i]) : Rgb(0));
+  const bool by_density = (after.going_on >> i & 1) != 0 && block.paths.is_delta[i] == 0;
+  y.onward.set(i, by_density ? diffuse_share(met, wo, block.rays.direction[i]) : Rgb(0));
 }
 
 // What the lobe at y sends out, before it crosses the surface, of a path that has ended.

@@ -9,6 +9,17 @@
 
 namespace candela {
 
+[[nodiscard]] inline const Material& material_of(const Scene& scene, std::uint32_t geometry) {
+  return scene.materials[scene.geometries[geometry].material.index];
+}
+
+// Of materials that are not plain (plain_model.h) those with a diffuse lobe that can be shared: by
+// coats that are smooth or of several widths, and by exact Fresnel terms.
+[[nodiscard]] inline bool has_shared_lobe(const Material& material) {
+  return material.model == MaterialModel::CoatedDiffuse ||
+         (material.model == MaterialModel::CookTorrance && !material.energy_compensation);
+}
+
 // Whether what others' paths met can be met from there as well.
 [[nodiscard]] inline bool receives_shared(const Scene& scene, std::uint32_t geometry) {
   switch (scene.plain_models[geometry]) {
@@ -18,6 +29,10 @@ namespace candela {
     case PlainModel::Lab:
     case PlainModel::CoatedDiffuse:
       return true;
+    case PlainModel::None:
+      return scene.geometries[geometry].spheres.empty() &&
+             !bounds_media(scene, scene.geometries[geometry].material) &&
+             has_shared_lobe(material_of(scene, geometry));
     default:
       return false;
   }
@@ -34,10 +49,6 @@ namespace candela {
 [[nodiscard]] inline bool gives_shared(const Scene& scene, std::uint32_t geometry) {
   return receives_shared(scene, geometry) && !scene.geometries[geometry].is_emissive() &&
          (is_lambertian(scene, geometry) || scene.light_sampler.always().size() <= 1);
-}
-
-[[nodiscard]] inline const Material& material_of(const Scene& scene, std::uint32_t geometry) {
-  return scene.materials[scene.geometries[geometry].material.index];
 }
 
 // The shading normal is the triangle's.

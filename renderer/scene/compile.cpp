@@ -60,12 +60,6 @@ std::vector<bool> met_materials(const Scene& scene) {
   return met;
 }
 
-bool bounds_media(const Scene& scene, MaterialHandle material) {
-  if (scene.medium_boundaries.empty()) return false;
-  const MediumBoundary& boundary = scene.medium_boundaries[material.index];
-  return boundary.is_clear || boundary.is_transition();
-}
-
 std::vector<PlainModel> plain_models_of(const Scene& scene) {
   std::vector<PlainModel> models;
   for (const Geometry& geometry : scene.geometries)

@@ -81,4 +81,10 @@ struct Scene {
   std::vector<std::string> material_names;  // by material, for reports
 };
 
+[[nodiscard]] inline bool bounds_media(const Scene& scene, MaterialHandle material) {
+  if (scene.medium_boundaries.empty()) return false;
+  const MediumBoundary& boundary = scene.medium_boundaries[material.index];
+  return boundary.is_clear || boundary.is_transition();
+}
+
 }  // namespace candela

@@ -80,6 +80,41 @@ TEST(Statistical_ReuseSurfaces, GlossyOnesKeepTheMeanUnderALampAndASky) {
                           [](RenderOptions& options) { options.samples_constant_sky = true; });
 }
 
+// Walls and a ball whose coats are smooth or of two widths, and a wall whose Fresnel
+// term is exact: paths on them take their steps alone.
+SceneDescription room_without_plain_gloss() {
+  SceneDescription scene = empty_scene();
+  description::CoatedDiffuseMaterial smooth = coated(0.8);
+  smooth.coat.roughness.factor = 0;
+  description::CoatedDiffuseMaterial brushed = coated(0.7);
+  brushed.coat.roughness_across = description::ScalarInput{0.6, {}, 0};
+  description::CookTorranceMaterial exact =
+      cook_torrance(0.4, 0.6, description::GeometryModel::Smith);
+  exact.fresnel = description::FresnelModel::Exact;
+  exact.ior = 1.8;
+  const auto smooth_coat = add_material(scene, smooth);
+  add_mesh(scene, quad({-1, -1, -1}, {0, 0, 2}, {2, 0, 0}), smooth_coat);
+  add_mesh(scene, quad({-1, 1, -1}, {2, 0, 0}, {0, 0, 2}), add_material(scene, brushed));
+  add_mesh(scene, quad({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}), add_material(scene, exact));
+  add_mesh(scene, quad({-1, -1, -1}, {0, 2, 0}, {0, 0, 2}), smooth_coat);
+  add_mesh(scene, sphere({0.2, -0.4, 0}, 0.5, 2, true), smooth_coat);
+  set_camera(scene, {0, 0, 3.5}, {0, 0, 0}, 45);
+  add_light(scene, description::PointLight{{0.6, 0.5, 0.6}, Vec3d(1)});
+  return scene;
+}
+
+TEST(Statistical_ReuseSurfaces, CoatsOfAnyWidthKeepTheMean) {
+  const SceneDescription scene = room_without_plain_gloss();
+  for (const PlainModel model : compiled(scene, settings_of(16, 16).options).plain_models)
+    EXPECT_EQ(model, PlainModel::None);
+  expect_same_mean_shared(scene, 256);
+  expect_same_mean_shared(scene, 256, [](RenderOptions& options) { options.max_depth = 2; });
+}
+
+TEST(Statistical_ReuseSurfaces, CoatsOfAnyWidthHaveLessError) {
+  expect_less_error_shared(room_without_plain_gloss(), 0.9);
+}
+
 // What comes straight from lights to a glossy point that a path leaves is parted into what its
 // diffuse lobe sends back and the rest. The rays to finite lights are as long as these are far.
 TEST(Unit_ReusePoints, HowFarALightIsDoesNotChangeHowItsLightIsParted) {
