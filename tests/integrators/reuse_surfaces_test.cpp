@@ -180,18 +180,19 @@ TEST(Statistical_ReuseSurfaces, VeilsKeepTheMean) {
 }
 
 TEST(Agreement_ReuseSurfaces, SameBitsOverThreadsTilesCropsAndKernels) {
-  RenderSettings settings = settings_with_reuse(true, 40, 24);
-  settings.options.replicates = 3;
-  SceneDescription description = glossy_room_of_a_point();
-  add_light(description, description::ConstantEnvironment{Vec3d(0.3), true});
-  const Scene scene = compiled(description, settings.options);
-  const RenderResult whole = rendered(scene, settings);
-  EXPECT_TRUE(whole.statistics.plan.reuses_paths);
-  const Image image = whole.film.to_image(true);
-  expect_same_bits_however_rendered(scene, settings, image, {13, 5, 38, 40});
-  RenderSettings general = settings;
-  general.options.use_general_kernel = true;
-  EXPECT_EQ(rendered(scene, general).film.to_image(true).values, image.values);
+  for (SceneDescription description : {glossy_room_of_a_point(), room_without_plain_gloss()}) {
+    RenderSettings settings = settings_with_reuse(true, 40, 24);
+    settings.options.replicates = 3;
+    add_light(description, description::ConstantEnvironment{Vec3d(0.3), true});
+    const Scene scene = compiled(description, settings.options);
+    const RenderResult whole = rendered(scene, settings);
+    EXPECT_TRUE(whole.statistics.plan.reuses_paths);
+    const Image image = whole.film.to_image(true);
+    expect_same_bits_however_rendered(scene, settings, image, {13, 5, 38, 40});
+    RenderSettings general = settings;
+    general.options.use_general_kernel = true;
+    EXPECT_EQ(rendered(scene, general).film.to_image(true).values, image.values);
+  }
 }
 
 // The lobe is what is left of the BSDF where its highlight is taken away, and is drawn as often as
