@@ -26,7 +26,7 @@ struct TileCounts {
   std::uint64_t invalid_samples = 0;
   std::optional<InvalidSample> first_invalid;
 
-  // The first of the picture, row by row, whatever order they come in.
+  // Told is the picture's first, row by row, in whatever order they come.
   void add_invalid(const InvalidSample& sample) {
     const auto order = [](const InvalidSample& s) { return std::tuple(s.y, s.x, s.sample); };
     if (!first_invalid || order(sample) < order(*first_invalid)) first_invalid = sample;

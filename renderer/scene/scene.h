@@ -81,6 +81,7 @@ struct Scene {
   std::vector<std::string> material_names;  // by material, for reports
 };
 
+// Whether a surface parts two media, or is nothing but the boundary of one.
 [[nodiscard]] inline bool bounds_media(const Scene& scene, MaterialHandle material) {
   if (scene.medium_boundaries.empty()) return false;
   const MediumBoundary& boundary = scene.medium_boundaries[material.index];
