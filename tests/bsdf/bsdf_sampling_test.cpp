@@ -111,18 +111,19 @@ TEST(Statistical_BsdfSampling, MeanWeightIsTheAlbedo) {
   const double level = statistics::sidak_level(0.01, static_cast<double>(cases.size()));
   for (const auto& [c, cos_theta_o] : cases) {
     SCOPED_TRACE(c.name + " at cosine " + std::to_string(cos_theta_o));
+    const Bsdf& bsdf = c.bsdf;
     const Vec3f wo = direction_of(cos_theta_o, 0.7f);
     statistics::Moments weight;
     for (std::uint32_t i = 0; i < 60'000; ++i) {
       const std::uint64_t bits = mix_bits(i + 7);
       const float lobe = unit_float(static_cast<std::uint32_t>(mix_bits(bits)));
-      weight.add(sample_bsdf(c.bsdf, wo, lobe,
+      weight.add(sample_bsdf(bsdf, wo, lobe,
                              {unit_float(static_cast<std::uint32_t>(bits)),
                               unit_float(static_cast<std::uint32_t>(bits >> 32))})
                      .weight.y);
     }
-    const auto value = [&](const Vec3f& wi) { return evaluate_bsdf(c.bsdf, wo, wi).value.y; };
-    const statistics::DirectionGrid grid = grid_for(c.bsdf, wo);
+    const auto value = [&](const Vec3f& wi) { return evaluate_bsdf(bsdf, wo, wi).value.y; };
+    const statistics::DirectionGrid grid = grid_for(bsdf, wo);
     const double albedo = statistics::integrate_sphere(value, grid);
     const double quadrature_error = statistics::integration_tolerance * grid.rings * grid.sectors;
     const double z =

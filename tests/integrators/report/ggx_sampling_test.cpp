@@ -73,10 +73,10 @@ TEST(Statistical_ReportGgx, CorrectedDensityIsThatOfTheDirections) {
     const auto [a, cos_o] = cases[i];
     SCOPED_TRACE(testing::Message() << "a " << a << " cosine " << cos_o);
     const Vec3f wo = direction_of(cos_o, 0.7f);
-    const auto result =
-        test_directions([&](float, Vec2f u) { return reflection(wo, a, u); },
-                        [&](const Vec3f& wi) { return double{ggx_half_vector_pdf(wo, wi, a)}; },
-                        grid_for(cases[i], wo), 10 + i, sample_count);
+    const auto result = test_directions(
+        [&, a = a](float, Vec2f u) { return reflection(wo, a, u); },
+        [&, a = a](const Vec3f& wi) { return double{ggx_half_vector_pdf(wo, wi, a)}; },
+        grid_for(cases[i], wo), 10 + i, sample_count);
     EXPECT_GT(result.chi_square.p_value, level) << result.chi_square.statistic;
     const double share = std::min(1.0, result.integral);
     const double error = std::sqrt(std::max(1e-8, share * (1 - share) / sample_count));
