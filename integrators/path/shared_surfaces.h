@@ -13,29 +13,24 @@ namespace candela {
   return scene.materials[scene.geometries[geometry].material.index];
 }
 
-// Of materials that are not plain (plain_model.h) those with a diffuse lobe that can be shared: by
-// coats that are smooth or of several widths, and by exact Fresnel terms.
 [[nodiscard]] inline bool has_shared_lobe(const Material& material) {
-  return material.model == MaterialModel::CoatedDiffuse ||
-         (material.model == MaterialModel::CookTorrance && !material.energy_compensation);
+  switch (material.model) {
+    case MaterialModel::Diffuse:
+    case MaterialModel::Lab:
+    case MaterialModel::CoatedDiffuse:
+      return true;
+    case MaterialModel::CookTorrance:
+      return !material.energy_compensation;
+    default:
+      return false;
+  }
 }
 
 // Whether what others' paths met can be met from there as well.
 [[nodiscard]] inline bool receives_shared(const Scene& scene, std::uint32_t geometry) {
-  switch (scene.plain_models[geometry]) {
-    case PlainModel::Diffuse:
-    case PlainModel::CookTorrance:
-    case PlainModel::SmithCookTorrance:
-    case PlainModel::Lab:
-    case PlainModel::CoatedDiffuse:
-      return true;
-    case PlainModel::None:
-      return scene.geometries[geometry].spheres.empty() &&
-             !bounds_media(scene, scene.geometries[geometry].material) &&
-             has_shared_lobe(material_of(scene, geometry));
-    default:
-      return false;
-  }
+  const Geometry& met = scene.geometries[geometry];
+  return met.spheres.empty() && !bounds_media(scene, met.material) &&
+         has_shared_lobe(scene.materials[met.material.index]);
 }
 
 [[nodiscard]] inline bool is_lambertian(const Scene& scene, std::uint32_t geometry) {

@@ -86,15 +86,14 @@ inline void step_lane(BlockTrip<A>& trip, std::uint32_t i) {
   }
   if constexpr (F.observed()) {
     if (context.observer != nullptr && goes_on)
-      context.observer->leave(
-          i, {.ray = ray,
-              .receiving_normal = path.receiving_normal,
-              .pdf = path.bsdf_pdf,
-              .bsdf_pdf = path.bsdf_pdf / path.guide_ratio,
-              .is_delta = path.is_delta,
-              .throughput_before = block.paths.throughput[i],
-              .roulette_throughput = path.roulette_throughput() * path.survival,
-              .survival = path.survival});
+      context.observer->leave(i, {.ray = ray,
+                                  .receiving_normal = path.receiving_normal,
+                                  .pdf = path.bsdf_pdf,
+                                  .bsdf_pdf = path.bsdf_pdf / path.guide_ratio,
+                                  .is_delta = path.is_delta,
+                                  .throughput_before = block.paths.throughput[i],
+                                  .roulette_throughput = path.roulette_throughput() * path.survival,
+                                  .survival = path.survival});
   }
   block.paths.set(i, path);
   if (goes_on && set_ray(block, i, ray)) after.going_on |= 1u << i;

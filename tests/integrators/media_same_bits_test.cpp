@@ -70,18 +70,13 @@ SceneDescription room_with_media() {
   SceneDescription scene = small_room();
   const auto smoke = add_medium(scene, Vec3d(0.3, 0.2, 0.1), Vec3d(2), 0.5);
   const auto green = add_medium(scene, Vec3d(3, 0.5, 2), Vec3d(0), 0);
-  const auto with_media = [&](auto model, const description::MediumInterface& media) {
-    const auto material = add_material(scene, model);
-    scene.materials[material.index].media = media;
-    return material;
-  };
   add_mesh(scene, sphere({-0.4, 0.1, 0.2}, 0.4, 2),
-           with_media(description::InterfaceMaterial{}, {smoke, {}}));
+           add_material_with_media(scene, description::InterfaceMaterial{}, {smoke, {}}));
   add_mesh(scene, box({-0.5, 0, 0.1}, {-0.3, 0.2, 0.3}), add_material(scene, diffuse(Vec3d(0.6))));
   add_mesh(scene, sphere({0.4, -0.5, 0.2}, 0.3, 3),
-           with_media(description::DielectricMaterial{}, {green, {}}));
+           add_material_with_media(scene, description::DielectricMaterial{}, {green, {}}));
   add_mesh(scene, box({0.2, 0.2, -0.6}, {0.7, 0.7, -0.2}),
-           with_media(diffuse(Vec3d(0.7)), {{}, smoke}));
+           add_material_with_media(scene, diffuse(Vec3d(0.7)), {{}, smoke}));
   description::CoatedDiffuseMaterial coated;
   coated.coat.roughness = {0.2, {}, 0};
   add_mesh(scene, sphere({0.2, 0.2, 0.5}, 0.2, 2), add_material(scene, coated));

@@ -5,7 +5,6 @@
 #include "integrators/path/reuse_points.h"
 #include "integrators/path/shared_surfaces.h"
 #include "tests/integrators/reused_paths.h"
-#include "tests/integrators/sample_ranges.h"
 #include "tests/scenes/description.h"
 
 namespace candela {
@@ -184,14 +183,7 @@ TEST(Agreement_ReuseSurfaces, SameBitsOverThreadsTilesCropsAndKernels) {
     RenderSettings settings = settings_with_reuse(true, 40, 24);
     settings.options.replicates = 3;
     add_light(description, description::ConstantEnvironment{Vec3d(0.3), true});
-    const Scene scene = compiled(description, settings.options);
-    const RenderResult whole = rendered(scene, settings);
-    EXPECT_TRUE(whole.statistics.plan.reuses_paths);
-    const Image image = whole.film.to_image(true);
-    expect_same_bits_however_rendered(scene, settings, image, {13, 5, 38, 40});
-    RenderSettings general = settings;
-    general.options.use_general_kernel = true;
-    EXPECT_EQ(rendered(scene, general).film.to_image(true).values, image.values);
+    expect_same_bits_shared(compiled(description, settings.options), settings);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "renderer/image/compare.h"
 #include "tests/integrators/replicated_pictures.h"
+#include "tests/integrators/sample_ranges.h"
 #include "tests/scenes/render_scene.h"
 
 namespace candela::test {
@@ -14,6 +15,18 @@ inline RenderSettings settings_with_reuse(bool reuses_paths, int size, int sampl
   RenderSettings settings = settings_of(size, samples, seed);
   settings.options.plan.reuses_paths = reuses_paths;
   return settings;
+}
+
+// Of 40x40 pixels. Returns one of the pictures that are the same.
+inline RenderResult expect_same_bits_shared(const Scene& scene, const RenderSettings& settings) {
+  RenderResult whole = rendered(scene, settings);
+  EXPECT_TRUE(whole.statistics.plan.reuses_paths);
+  const Image image = whole.film.to_image(true);
+  expect_same_bits_however_rendered(scene, settings, image, {13, 5, 38, 40});
+  RenderSettings general = settings;
+  general.options.use_general_kernel = true;
+  EXPECT_EQ(rendered(scene, general).film.to_image(true).values, image.values);
+  return whole;
 }
 
 // Pictures of which `change(options)` says more.

@@ -177,28 +177,6 @@ TEST(Unit_Clamp, DimsWithoutChangingTheHue) {
   EXPECT_EQ(film.mean(1), Vec3d(2, 1.5, 0));
 }
 
-// Samples of several pixels come in any order.
-TEST(Unit_TileCounts, TheFirstInvalidSampleIsThePicturesFirst) {
-  Film film(3, 2, {0, 0, 3, 2}, 0, 1);
-  TileCounts counts;
-  FilmSample sample;
-  sample.radiance = Rgb(-1, 0, 0);
-  const auto expect_first = [&](int x, int y, std::uint32_t index) {
-    EXPECT_EQ(counts.first_invalid->x, x);
-    EXPECT_EQ(counts.first_invalid->y, y);
-    EXPECT_EQ(counts.first_invalid->sample, index);
-  };
-  add_or_count(sample, 2, 1, 0, 1, film, counts);
-  expect_first(2, 1, 0);
-  add_or_count(sample, 0, 1, 7, 1, film, counts);
-  expect_first(0, 1, 7);
-  add_or_count(sample, 2, 0, 5, 1, film, counts);
-  add_or_count(sample, 2, 0, 4, 1, film, counts);
-  add_or_count(sample, 2, 0, 6, 1, film, counts);
-  expect_first(2, 0, 4);
-  EXPECT_EQ(counts.invalid_samples, 5u);
-}
-
 TEST(Unit_Clamp, LeavesNothingBrighter) {
   test::RenderSettings settings = test::settings_of(8, 16);
   settings.options.clamp = 0.25f;

@@ -25,6 +25,16 @@ description::MaterialHandle add_material(description::SceneDescription& scene, M
   return description::MaterialHandle(scene.materials.size() - 1);
 }
 
+// Of a surface with media on its sides.
+template <class Model>
+description::MaterialHandle add_material_with_media(description::SceneDescription& scene,
+                                                    Model model,
+                                                    const description::MediumInterface& media) {
+  const description::MaterialHandle material = add_material(scene, std::move(model));
+  scene.materials[material.index].media = media;
+  return material;
+}
+
 description::MediumHandle add_medium(description::SceneDescription& scene, const Vec3d& absorption,
                                      const Vec3d& scattering, double asymmetry = 0);
 
