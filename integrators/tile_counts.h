@@ -65,4 +65,16 @@ inline void add_or_count(const FilmSample& sample, int x, int y, std::uint32_t i
   counts.add_invalid({x, y, index});
 }
 
+// More light of a sample that is in the film, of either sign (Film::add_weighted()), likewise.
+inline void add_weighted_or_count(const Rgb& radiance, int x, int y, std::uint32_t index,
+                                  float clamp, Film& film, TileCounts& counts) {
+  if (is_finite(radiance)) {
+    const float largest = max_component(glm::abs(radiance));
+    film.add_weighted(x, y, index, largest > clamp ? radiance * (clamp / largest) : radiance);
+    return;
+  }
+  ++counts.invalid_samples;
+  counts.add_invalid({x, y, index});
+}
+
 }  // namespace candela

@@ -83,6 +83,8 @@ struct BlockTrip {
   bool is_drawn_together = false;  // `numbers` holds those of the bounce
   TileCounts counts;
   Lanes<std::uint32_t> costs{};  // of the lanes' rays, where they are of several pixels
+  // What lamps' own rays brought, times the filter's weights where these are not all 1.
+  std::optional<Vec3Lanes> weighted_lamps;
 
  private:
   void add_cost(LaneMask lanes, std::uint64_t cost) {

@@ -57,8 +57,8 @@ std::vector<LampView> LampTrial::views(const PixelRect& rect, int width) const {
 
 LampTrial plan_lamp_trial(const Scene& scene, const Filter& filter, const RenderOptions& options) {
   const Camera& camera = scene.cameras[options.camera];
-  if (options.lamp_rays == 0 || scene.features.media || filter.is_signed() ||
-      !scene.features.area_lights || !PixelCover::has_projection(camera))
+  if (options.lamp_rays == 0 || scene.features.media || !scene.features.area_lights ||
+      !PixelCover::has_projection(camera))
     return {};
   PixelCover cover(camera, scene.bounds, filter, options.width, options.height);
   add_lamps(scene, cover);

@@ -27,7 +27,8 @@ template <FeatureSet F, class A>
   for (std::uint32_t block = 0; block < blocks; ++block) {
     const BlockPlace place = place_in_pixel(context.options, x, y, block * block_size, all_lanes);
     const SamplerBlock samplers(pixel, place.samples[0]);
-    const LaneMask traced = aim_at_lamps(context, samplers, part, place.pixels, place.lanes, rays);
+    const LaneMask traced =
+        aim_at_lamps(context, samplers, part, place.pixels, place.lanes, rays).traced;
     const HitBlock hits = intersect_lanes(context.accelerator, rays, traced, 0);
     for_each_lane(traced, [&](std::uint32_t i) {
       const bool is_lit =
@@ -103,7 +104,7 @@ template <FeatureSet F, class A>
 }
 
 // Of the whole picture, by random numbers of its own: the same for any crop and threads. None in
-// scenes with media, with filters that have negative parts, or where finding out would take long.
+// scenes with media, or where finding out would take long.
 // `is_over`: asked now and then whether to give up; then none, too. What the context refers to must
 // outlive them.
 template <FeatureSet F, class A>

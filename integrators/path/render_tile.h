@@ -48,6 +48,19 @@ inline void add_cost(const BlockTrip<A>& trip, const PixelRect& tile, Film& film
   });
 }
 
+// A lane's sample enters the film, and what lamps' own rays brought it where that is apart.
+template <class A>
+inline void add_sample(const BlockTrip<A>& trip, std::uint32_t lane, const FilmSample& sample,
+                       Film& film, TileCounts& counts) {
+  const int x = trip.place.pixels.x[lane];
+  const int y = trip.place.pixels.y[lane];
+  const std::uint32_t index = trip.place.samples[lane];
+  const float clamp = trip.context.options.clamp;
+  add_or_count(sample, x, y, index, clamp, film, counts);
+  if (trip.weighted_lamps)
+    add_weighted_or_count((*trip.weighted_lamps)[lane], x, y, index, clamp, film, counts);
+}
+
 // The paths of a block have ended. Those of pixels beside the tile were company only.
 template <FeatureSet F, class A>
 inline void finish(BlockTrip<A>& trip, const PixelRect& tile, Film& film, TileCounts& counts) {
@@ -61,14 +74,12 @@ inline void finish(BlockTrip<A>& trip, const PixelRect& tile, Film& film, TileCo
   if (context.lamp_rays > 0) add_seen_lamps<F>(trip);
   FilmSample bare;
   for_each_lane(trip.place.lanes, [&](std::uint32_t i) {
-    const int x = trip.place.pixels.x[i];
-    const int y = trip.place.pixels.y[i];
-    if (!tile.contains(x, y)) return;
+    if (!tile.contains(trip.place.pixels.x[i], trip.place.pixels.y[i])) return;
     FilmSample& sample = context.options.aovs != 0 ? block.first_hits[i] : bare;
     sample.radiance = block.paths.radiance[i];
     sample.weight = block.weight[i];
     sample.alpha = block.alpha[i];
-    add_or_count(sample, x, y, trip.place.samples[i], context.options.clamp, film, trip.counts);
+    add_sample(trip, i, sample, film, trip.counts);
   });
   add_cost(trip, tile, film);
   counts.add(trip.counts);
@@ -112,14 +123,11 @@ template <class A>
 inline void add_unshared(const BlockTrip<A>& trip, const Vec3Lanes& gain, const TilePass& pass) {
   TileCounts not_told;
   for_each_lane(trip.place.lanes, [&](std::uint32_t i) {
-    const int x = trip.place.pixels.x[i];
-    const int y = trip.place.pixels.y[i];
-    if (!pass.tile.contains(x, y)) return;
+    if (!pass.tile.contains(trip.place.pixels.x[i], trip.place.pixels.y[i])) return;
     FilmSample sample;
     sample.radiance = glm::max(trip.block.paths.radiance[i] - gain[i], Rgb(0));  // but for rounding
     sample.weight = trip.block.weight[i];
-    add_or_count(sample, x, y, trip.place.samples[i], trip.context.options.clamp,
-                 *pass.trial->alone, not_told);
+    add_sample(trip, i, sample, *pass.trial->alone, not_told);
   });
 }
 

@@ -18,17 +18,21 @@ inline void aim_lamp_rays(int x, int y, PathContext<A>& context) {
   context.lamp_part = view->part;
 }
 
-// Rays through places in a part of the pixel, by numbers that no path's camera ray takes; returns
-// the lanes of those that can be traced.
+struct AimedRays {
+  PlaceLanes places;
+  LaneMask traced;  // those that can be
+};
+
+// Rays through places in a part of the pixel, by numbers that no path's camera ray takes.
 template <class A>
-[[nodiscard]] inline LaneMask aim_at_lamps(const PathContext<A>& context,
-                                           const SamplerBlock& samplers, const FilterPart& part,
-                                           const PixelLanes& pixels, LaneMask lanes,
-                                           RayBlock& rays) {
+[[nodiscard]] inline AimedRays aim_at_lamps(const PathContext<A>& context,
+                                            const SamplerBlock& samplers, const FilterPart& part,
+                                            const PixelLanes& pixels, LaneMask lanes,
+                                            RayBlock& rays) {
   CameraNumbers numbers;
   numbers.draw(context.camera, samplers, Dimension::LampFilter, Dimension::LampLens);
-  return aim_camera_rays(context.camera, pixels, sample_places(context.filter, part, numbers),
-                         numbers, lanes, rays);
+  const PlaceLanes places = sample_places(context.filter, part, numbers);
+  return {places, aim_camera_rays(context.camera, pixels, places, numbers, lanes, rays)};
 }
 
 // Radiance along a camera ray, of the surface that it met itself.
@@ -43,22 +47,28 @@ template <FeatureSet F>
   return path.radiance;
 }
 
-// To each sample of a block, which is of one pixel, the mean over its rays, times the part's share.
-// Out of line: few pixels have any.
+// To each sample of a block, which is of one pixel, the mean over its rays, times the part's share:
+// to its path's radiance, or apart where each ray has a weight of its own. Out of line: few pixels
+// have any.
 template <FeatureSet F, class A>
 [[gnu::noinline]] void add_seen_lamps(BlockTrip<A>& trip) {
   const PathContext<A>& context = trip.context;
   const std::uint32_t count = context.lamp_rays;
   const float share = context.lamp_part.share() / static_cast<float>(count);
+  if (context.filter.is_signed()) trip.weighted_lamps.emplace();
   RayBlock rays;
   for (std::uint32_t k = 0; k < count; ++k) {
     const SamplerBlock samplers(*trip.pixel, trip.place.samples[0], count, k);
-    const LaneMask traced = aim_at_lamps(context, samplers, context.lamp_part, trip.place.pixels,
-                                         trip.place.lanes, rays);
+    const auto [places, traced] = aim_at_lamps(context, samplers, context.lamp_part,
+                                               trip.place.pixels, trip.place.lanes, rays);
     const HitBlock hits = intersect_lanes(context.accelerator, rays, traced, 0);
-    for_each_lane(traced, [&](std::uint32_t i) {
-      trip.block.paths.add_radiance(
-          i, share * lamp_radiance<F>(context.scene, context.options, rays[i], hits[i]));
+    for_each_lane(traced, [&, &at = places](std::uint32_t i) {
+      const Rgb seen = share * lamp_radiance<F>(context.scene, context.options, rays[i], hits[i]);
+      if (trip.weighted_lamps)
+        trip.weighted_lamps->set(i,
+                                 (*trip.weighted_lamps)[i] + context.filter.weight(at[i]) * seen);
+      else
+        trip.block.paths.add_radiance(i, seen);
     });
     trip.counts.rays.lamp += lane_count(traced);
   }

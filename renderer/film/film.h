@@ -102,6 +102,11 @@ class Film {
   void add(int x, int y, const FilmSample& sample) {
     add(x, y, pixels_[index(x, y)].samples, sample);
   }
+  // More light of a sample that is there, times the filter's weights already: of either sign.
+  void add_weighted(int x, int y, std::uint32_t sample_index, const Rgb& radiance) {
+    const Vec3d light(radiance);
+    sums_[index(x, y) * replicates_ + sum_of(sample_index)] += balance_ ? *balance_ * light : light;
+  }
   // A sample that was invalid: it counts as black so that sums of others stand.
   void add_invalid(int x, int y);
   // What the pixel's samples took, in rays or the like: sample_density.h weighs it.

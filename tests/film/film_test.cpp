@@ -72,6 +72,17 @@ TEST(Unit_Film, SamplesComeInAnyOrder) {
   EXPECT_EQ(image.pixel(0, 0)[image.channel_index("material_id.V")], 1);  // the first's
 }
 
+// By the sample's replicate, in the film's colours, and without counting a sample.
+TEST(Unit_Film, WeightedLightIsAddedToASample) {
+  Mat3d twice(2.0);
+  Film film(2, 1, {0, 0, 2, 1}, 0, 2, twice);
+  for (std::uint32_t s = 0; s < 4; ++s) film.add(1, 0, s, {.radiance = Rgb(1)});
+  film.add_weighted(1, 0, 3, Rgb(-3, 0, 5));
+  EXPECT_EQ(film.replicate_sum(1, 0), Vec3d(4));
+  EXPECT_EQ(film.replicate_sum(1, 1), Vec3d(-2, 4, 14));
+  EXPECT_EQ(film.samples(1), 4u);
+}
+
 TEST(Unit_Film, PiecesOfASequenceAreTakenTogether) {
   Film film(2, 1, {0, 0, 2, 1}, 0, 2);
   EXPECT_EQ(film.sequences(), 2u);
