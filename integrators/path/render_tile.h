@@ -48,17 +48,18 @@ inline void add_cost(const BlockTrip<A>& trip, const PixelRect& tile, Film& film
   });
 }
 
-// A lane's sample enters the film, and what lamps' own rays brought it where that is apart.
+// What lamps' own rays brought to the samples of a block where that is apart. Out of line: few have
+// any.
 template <class A>
-inline void add_sample(const BlockTrip<A>& trip, std::uint32_t lane, const FilmSample& sample,
-                       Film& film, TileCounts& counts) {
-  const int x = trip.place.pixels.x[lane];
-  const int y = trip.place.pixels.y[lane];
-  const std::uint32_t index = trip.place.samples[lane];
-  const float clamp = trip.context.options.clamp;
-  add_or_count(sample, x, y, index, clamp, film, counts);
-  if (trip.weighted_lamps)
-    add_weighted_or_count((*trip.weighted_lamps)[lane], x, y, index, clamp, film, counts);
+[[gnu::noinline]] void add_weighted_lamps(const BlockTrip<A>& trip, const PixelRect& tile,
+                                          Film& film, TileCounts& counts) {
+  for_each_lane(trip.place.lanes, [&](std::uint32_t i) {
+    const int x = trip.place.pixels.x[i];
+    const int y = trip.place.pixels.y[i];
+    if (tile.contains(x, y))
+      add_weighted_or_count((*trip.weighted_lamps)[i], x, y, trip.place.samples[i],
+                            trip.context.options.clamp, film, counts);
+  });
 }
 
 // The paths of a block have ended. Those of pixels beside the tile were company only.
@@ -74,13 +75,16 @@ inline void finish(BlockTrip<A>& trip, const PixelRect& tile, Film& film, TileCo
   if (context.lamp_rays > 0) add_seen_lamps<F>(trip);
   FilmSample bare;
   for_each_lane(trip.place.lanes, [&](std::uint32_t i) {
-    if (!tile.contains(trip.place.pixels.x[i], trip.place.pixels.y[i])) return;
+    const int x = trip.place.pixels.x[i];
+    const int y = trip.place.pixels.y[i];
+    if (!tile.contains(x, y)) return;
     FilmSample& sample = context.options.aovs != 0 ? block.first_hits[i] : bare;
     sample.radiance = block.paths.radiance[i];
     sample.weight = block.weight[i];
     sample.alpha = block.alpha[i];
-    add_sample(trip, i, sample, film, trip.counts);
+    add_or_count(sample, x, y, trip.place.samples[i], context.options.clamp, film, trip.counts);
   });
+  if (trip.weighted_lamps) add_weighted_lamps(trip, tile, film, trip.counts);
   add_cost(trip, tile, film);
   counts.add(trip.counts);
 }
@@ -123,12 +127,16 @@ template <class A>
 inline void add_unshared(const BlockTrip<A>& trip, const Vec3Lanes& gain, const TilePass& pass) {
   TileCounts not_told;
   for_each_lane(trip.place.lanes, [&](std::uint32_t i) {
-    if (!pass.tile.contains(trip.place.pixels.x[i], trip.place.pixels.y[i])) return;
+    const int x = trip.place.pixels.x[i];
+    const int y = trip.place.pixels.y[i];
+    if (!pass.tile.contains(x, y)) return;
     FilmSample sample;
     sample.radiance = glm::max(trip.block.paths.radiance[i] - gain[i], Rgb(0));  // but for rounding
     sample.weight = trip.block.weight[i];
-    add_sample(trip, i, sample, *pass.trial->alone, not_told);
+    add_or_count(sample, x, y, trip.place.samples[i], trip.context.options.clamp,
+                 *pass.trial->alone, not_told);
   });
+  if (trip.weighted_lamps) add_weighted_lamps(trip, pass.tile, *pass.trial->alone, not_told);
 }
 
 // The samples of a pass, in order.
