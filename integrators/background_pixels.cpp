@@ -1,11 +1,9 @@
 #include "integrators/background_pixels.h"
 
-#include <algorithm>
-
 #include "integrators/pixel_cover.h"
 #include "integrators/trial.h"
-#include "renderer/accel/placement.h"
 #include "renderer/geometry/geometry_bounds.h"
+#include "renderer/geometry/world_to_object.h"
 
 namespace candela {
 namespace {

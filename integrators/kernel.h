@@ -1,7 +1,6 @@
 // An integrator's kernel, bound to what it reads. The render loop knows no more of an integrator.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -11,7 +10,7 @@
 
 namespace candela {
 
-// The samples of a pass, in order, into the film.
+// The samples of a pass into the film, those of a pixel in the same order in any tile.
 using TileFunction = std::function<TileCounts(const TilePass&, Film&)>;
 
 struct Kernel {

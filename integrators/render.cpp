@@ -7,11 +7,11 @@
 
 #include "integrators/background_pixels.h"
 #include "integrators/check_media.h"
+#include "integrators/feasible_options.h"
 #include "integrators/kernel.h"
 #include "integrators/path/check_sampling.h"
 #include "integrators/path/find_lamp_pixels.h"
 #include "integrators/path/kernels.h"
-#include "integrators/path/shared_surfaces.h"
 #include "integrators/render_rounds.h"
 #include "integrators/report/check_report.h"
 #include "integrators/report/report_context.h"
@@ -90,39 +90,6 @@ Kernel select_kernel(const Scene& scene, const A& accelerator, const Filter& fil
   throw std::invalid_argument("no such integrator");
 }
 
-// Whether what lies clear between two surfaces that bound no media may be within one all the same.
-bool may_see_through_media(const SceneFeatures& features) {
-  return features.cameras_in_media || features.clear_boundaries;
-}
-
-// Paths of which pixels can share what they find (path/path_reuse.h).
-bool may_reuse_paths(const Scene& scene, const RenderOptions& options) {
-  if (options.integrator != IntegratorKind::Path || !has_default_strategy(options) ||
-      options.plan.splitting > 1 || options.guiding != Guiding::Off ||
-      may_see_through_media(scene.features) || options.max_depth.value_or(2) < 2)
-    return false;
-  for (std::uint32_t i = 0; i < scene.geometries.size(); ++i)
-    if (gives_shared(scene, i)) return true;
-  return false;
-}
-
-// The options without what such scenes and strategies have none of.
-RenderOptions what_is_done(const Scene& scene, const RenderOptions& options) {
-  RenderOptions done = options;
-  if (!has_default_strategy(options)) done.guiding = Guiding::Off;
-  if (scene.features.media) {  // branches.h
-    done.guiding = Guiding::Off;
-    done.plan.splitting = 1;
-  }
-  const bool may_reuse = may_reuse_paths(scene, done);
-  done.plan.reuses_paths = options.plan.reuses_paths && may_reuse;
-  done.chooses_reuse = options.chooses_reuse && may_reuse;
-  done.chooses_roulette = options.chooses_roulette && options.integrator == IntegratorKind::Path &&
-                          done.plan.splitting == 1 && done.guiding == Guiding::Off &&
-                          has_default_strategy(options);
-  return done;
-}
-
 bool has_light(const Scene& scene) {
   return !scene.lights.empty() || (scene.environment && !scene.environment->is_black());
 }
@@ -133,7 +100,7 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
                     const RenderOptions& options, ProgressSink* progress,
                     const CancelFlag* cancel) {
   const Filter filter = make_filter(options);
-  const RenderOptions rounds = what_is_done(scene, options);
+  const RenderOptions rounds = feasible_options(scene, options);
   RenderResult result{Film(options.width, options.height, rendered_rect(options), options.aovs,
                            film_replicates(options), film_balance(options)),
                       {},

@@ -1,7 +1,6 @@
 // Scene + accelerator -> film. The fourth of the five doors.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -62,7 +61,7 @@ struct RenderOptions {
   // samples_per_pixel are used. 1: none is stated. whitted and raster have no error to state.
   int replicates = 4;
   // path: a pilot decides which pixels get how many of the samples; those above are then means over
-  // its pixels. Needs replicates, and enough samples (pilot.h).
+  // its pixels. Needs enough samples (pilot.h).
   bool adaptive = false;
   PathPlan plan;  // path; scenes with media are not split
   // path by Mis and Power, without splitting or guiding: walks decide on the plan's roulette
@@ -190,7 +189,7 @@ struct RenderResult {
 [[nodiscard]] Diagnostics check_integrator(const description::SceneDescription& scene,
                                            const RenderOptions& options);
 
-// The name of the kernel that render() would run.
+// The name of the kernel that render() would run with Embree.
 [[nodiscard]] std::string kernel_name(const Scene& scene, const RenderOptions& options);
 
 // CPU seconds of rendering a fixed share of the tiles, against replaying their rays through bare

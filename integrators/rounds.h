@@ -16,6 +16,7 @@ namespace candela {
 struct SampleRange {
   std::uint32_t first = 0;
   std::uint32_t end = 0;
+  [[nodiscard]] bool is_empty() const { return first == end; }
 };
 
 // The error after `samples` a pixel, and what it shall be.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "integrators/path_plan.h"
 #include "integrators/rounds.h"

@@ -6,7 +6,6 @@
 #include "integrators/seed_stream.h"
 #include "integrators/trial.h"
 #include "renderer/base/parallel.h"
-#include "renderer/sampling/hash.h"
 
 namespace candela {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "integrators/trial.h"
 #include "renderer/base/parallel.h"
+#include "renderer/sampling/hash.h"
 
 namespace candela {
 namespace {

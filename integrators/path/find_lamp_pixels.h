@@ -10,7 +10,6 @@
 #include "integrators/path/seen_lamps.h"
 #include "integrators/pixel_cover.h"
 #include "integrators/seed_stream.h"
-#include "renderer/sampling/hash.h"
 
 namespace candela {
 

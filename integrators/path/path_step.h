@@ -8,6 +8,7 @@
 #include "integrators/path/feature_set.h"
 #include "integrators/path/guide.h"
 #include "integrators/path/next_event.h"
+#include "integrators/plain_direction.h"
 #include "renderer/light/environment.h"
 #include "renderer/material/bsdf_at.h"
 #include "renderer/material/bump.h"

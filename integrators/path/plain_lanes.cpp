@@ -184,9 +184,17 @@ bool sample_delta_light(const Light& light, PlainLanes& lanes) {
     case LightKind::Directional:
       sample_directional_light_in_lanes(light, lanes);
       return true;
-    default:
+    case LightKind::Triangle:
+    case LightKind::Environment:
+    case LightKind::TexturedTriangle:
+    case LightKind::Goniometric:
+    case LightKind::Projection:
+    case LightKind::Sphere:
+    case LightKind::Quad:
+    case LightKind::NearTriangle:
       return false;
   }
+  return false;
 }
 
 }  // namespace candela

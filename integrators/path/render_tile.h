@@ -139,7 +139,7 @@ inline void add_unshared(const BlockTrip<A>& trip, const Vec3Lanes& gain, const 
   if (trip.weighted_lamps) add_weighted_lamps(trip, pass.tile, *pass.trial->alone, not_told);
 }
 
-// The samples of a pass, in order.
+// The samples of a pass.
 template <FeatureSet F, class A>
 class TileRenderer {
  public:
@@ -193,6 +193,7 @@ class TileRenderer {
   // In blocks of the pixel's own.
   void add_alone(int x, int y) {
     const SampleRange range = pass_.of_pixel(x, y);
+    if (range.is_empty()) return;
     const PixelSampler pixel = sampler_of(x, y);
     for (std::uint32_t base = first_block(range); base < range.end; base += block_size)
       add_block(place_in_pixel(context_.options, x, y, base, lanes_in(base, range)), pixel,
@@ -224,7 +225,7 @@ class TileRenderer {
     SampleRange all{std::numeric_limits<std::uint32_t>::max(), 0};
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       ranges[i] = pass_.of_pixel(pixels[i].x, pixels[i].y);
-      if (ranges[i].first == ranges[i].end) continue;
+      if (ranges[i].is_empty()) continue;
       all = {std::min(all.first, ranges[i].first), std::max(all.end, ranges[i].end)};
     }
     for (std::uint32_t base = first_block(all); base < all.end; base += block_size) {
@@ -236,7 +237,7 @@ class TileRenderer {
   }
   void add_block_of_pixel(const PixelPlace& pixel, const SampleRange& range, std::uint32_t base) {
     const auto& [x, y] = pixel;
-    if (base < first_block(range) || base >= range.end) return;
+    if (range.is_empty() || base < first_block(range) || base >= range.end) return;
     aim_lamp_rays(x, y, context_);
     start<F>(convoy_.add(context_,
                          place_in_pixel(context_.options, x, y, base, lanes_in(base, range)),

@@ -3,7 +3,6 @@
 // is seen, and the same where all are flat.
 #pragma once
 
-#include <array>
 #include <span>
 
 #include "integrators/path/shared_lobe.h"

@@ -83,8 +83,17 @@ struct SharedLobe {
                        .alpha = mean_coat_width(bsdf)};
       lobe.others = coat_probability(coated_lobes_of(bsdf, cos_o), cos_o);
       break;
-    default:
+    case BsdfModel::Mirror:
+    case BsdfModel::Conductor:
+    case BsdfModel::Dielectric:
+    case BsdfModel::ThinDielectric:
+    case BsdfModel::CompensatedCookTorrance:
+    case BsdfModel::DiffuseTransmission:
+    case BsdfModel::CoatedConductor:
+    case BsdfModel::AnisotropicConductor:
+    case BsdfModel::AnisotropicDielectric:
       lobe.others = 1;
+      break;
   }
   lobe.crossing_o = lobe.crossing.at(cos_o);
   return lobe;

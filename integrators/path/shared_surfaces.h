@@ -21,9 +21,16 @@ namespace candela {
       return true;
     case MaterialModel::CookTorrance:
       return !material.energy_compensation;
-    default:
+    case MaterialModel::Mirror:
+    case MaterialModel::Conductor:
+    case MaterialModel::Dielectric:
+    case MaterialModel::ThinDielectric:
+    case MaterialModel::DiffuseTransmission:
+    case MaterialModel::CoatedConductor:
+    case MaterialModel::Mix:
       return false;
   }
+  return false;
 }
 
 // Whether what others' paths met can be met from there as well.

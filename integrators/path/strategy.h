@@ -3,7 +3,6 @@
 #pragma once
 
 #include "integrators/path/feature_set.h"
-#include "integrators/plain_direction.h"
 #include "integrators/render.h"
 #include "renderer/sampling/mis.h"
 

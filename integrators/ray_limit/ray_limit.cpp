@@ -1,5 +1,6 @@
 // `--ray-limit`: how near a render is to the cost of its rays alone.
 
+#include "integrators/feasible_options.h"
 #include "integrators/path/kernels.h"
 #include "integrators/render.h"
 #include "renderer/base/thread_clock.h"
@@ -54,6 +55,7 @@ std::optional<RayLimit> measure(const Scene& scene, const A& accelerator,
   const auto recording = make_path_context(scene, recorder, filter, options);
   const auto samples = static_cast<std::uint32_t>(options.samples_per_pixel);
   const PathKernel<A> kernel = select_path_kernel<A>(scene.features, options.use_general_kernel);
+  const PathPlan plan = feasible_options(scene, options).plan;
   Film film(options.width, options.height, rendered_rect(options), options.aovs);
 
   const auto recorded =
@@ -62,7 +64,7 @@ std::optional<RayLimit> measure(const Scene& scene, const A& accelerator,
   RayLimit limit;
   volatile double sink = 0;
   const auto measure_tile = [&](const PixelRect& tile) {
-    const TilePass pass{tile, {0, samples}, nullptr, options.seed, options.plan};
+    const TilePass pass{tile, {0, samples}, nullptr, options.seed, plan};
     recorder.rays().clear();
     recorded.render(recording, pass, film);
     const double start = thread_cpu_seconds();

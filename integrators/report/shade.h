@@ -10,7 +10,8 @@
 #pragma once
 
 #include "integrators/first_hit.h"
-#include "integrators/path/render_tile.h"  // cell_of, surface_point_at
+#include "integrators/path/camera_rays.h"
+#include "integrators/path/path_step.h"
 #include "integrators/plain_direction.h"
 #include "integrators/report/ggx_half_vector.h"
 #include "integrators/report/report_context.h"

@@ -113,9 +113,8 @@ double noise_of_pixel(const BlockMeans& blocks, const Vec3d& mean, double pictur
 }
 
 // Of all but the noisiest pixels.
-Pair noise_of(std::vector<PixelTrial> pixels) {
+Pair noise_of(const std::vector<PixelTrial>& pixels) {
   constexpr std::size_t noisy_share = 32;
-  std::erase_if(pixels, [](const PixelTrial& pixel) { return !is_finite(pixel.mean()); });
   double picture_mean = 0;
   for (const PixelTrial& pixel : pixels)
     picture_mean += sum_of_components(pixel.mean()) / 3 / static_cast<double>(pixels.size());
@@ -139,7 +138,7 @@ Pair toll_of(const std::vector<Group>& groups) {
     pixels.insert(pixels.end(), group.pixels.begin(), group.pixels.end());
     cost += group.cost;
   }
-  const Pair noise = noise_of(std::move(pixels));
+  const Pair noise = noise_of(pixels);
   return {noise.shared * cost.shared, noise.alone * cost.alone};
 }
 

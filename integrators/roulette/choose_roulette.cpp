@@ -8,7 +8,6 @@
 #include "integrators/tile_counts.h"
 #include "integrators/trial.h"
 #include "renderer/base/parallel.h"
-#include "renderer/sampling/hash.h"
 
 namespace candela {
 namespace {
@@ -88,7 +87,6 @@ Effort effort_of(const PixelWalks& pixel, double picture_mean, Roulette roulette
 class Efforts {
  public:
   Efforts(std::vector<PixelWalks> pixels, Roulette usual) : pixels_(std::move(pixels)) {
-    std::erase_if(pixels_, [](const PixelWalks& pixel) { return !is_finite(pixel.mean()); });
     for (const PixelWalks& pixel : pixels_)
       picture_mean_ += sum_of_components(pixel.mean()) / 3 / static_cast<double>(pixels_.size());
     if (!has_light()) return;

@@ -21,9 +21,10 @@ class WalkLog final : public PathObserver {
     open_[lane].steps.push_back(left_[lane]);
   }
   void meet(std::uint32_t, float) override {}
+  // Of a lost path, which is counted as invalid and black, nothing is known.
   void end(std::uint32_t lane, const Rgb& radiance) override {
     open_[lane].radiance = radiance;
-    walks_.push_back(std::move(open_[lane]));
+    if (is_finite(radiance)) walks_.push_back(std::move(open_[lane]));
     open_[lane] = {};
   }
   [[nodiscard]] std::vector<Walk>& walks() { return walks_; }

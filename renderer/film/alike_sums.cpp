@@ -1,7 +1,6 @@
 #include "renderer/film/alike_sums.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "renderer/base/vector_widths.h"
 

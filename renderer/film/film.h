@@ -1,5 +1,5 @@
 // Where samples are summed: in double, a pixel's replicates (or pieces of its one sequence) apart,
-// each in the order of the sample index.
+// each in an order that the whole picture's scene and options tell.
 #pragma once
 
 #include <cstdint>

@@ -50,7 +50,6 @@ class Filter {
   [[nodiscard]] float weight(Vec2f place) const {
     return is_signed() ? weight_on_axis(place.x) * weight_on_axis(place.y) : 1.0f;
   }
-  [[nodiscard]] FilterKind kind() const { return kind_; }
   [[nodiscard]] float radius() const { return radius_; }
 
  private:

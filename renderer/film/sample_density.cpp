@@ -218,8 +218,10 @@ std::uint32_t SampleDensity::samples(int x, int y, const Scales& scales) const {
   const double wanted =
       scales[chessboard_colour(x, y)] * static_cast<double>(wish_of_pixel_[index(x, y)]);
   if (wanted <= pilot_samples_) return pilot_samples_;
-  const double of_sequence = even_count(nearest_level(wanted / sequences_));
-  return std::max(pilot_samples_, sequences_ * static_cast<std::uint32_t>(of_sequence));
+  constexpr double most = 1u << 31;  // that fits
+  int level = nearest_level(wanted / sequences_);
+  while (sequences_ * even_count(level) > most) --level;
+  return std::max(pilot_samples_, static_cast<std::uint32_t>(sequences_ * even_count(level)));
 }
 
 double SampleDensity::sum_of_samples(const Wishes& wishes, double scale) const {

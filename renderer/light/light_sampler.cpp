@@ -1,6 +1,5 @@
 #include "renderer/light/light_sampler.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

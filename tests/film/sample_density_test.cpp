@@ -178,6 +178,19 @@ TEST(Unit_SampleDensity, CountsRiseWithTheMeanAndFillTheReplicates) {
   }
 }
 
+// Of a mean that is the most there can be a pixel may want more than fits.
+TEST(Unit_SampleDensity, CountsDoNotWrapAround) {
+  const SampleDensity density(
+      pilot_of([](int x) { return x == 30 ? 1 : 0.01; }, [](int) { return 1u; }));
+  std::uint32_t last = 0;
+  for (std::uint32_t mean = 1u << 27; mean <= 1u << 30; mean += 1u << 27) {
+    const std::uint32_t count = samples_of(density, 30, 7, mean);
+    EXPECT_GE(count, last);
+    last = count;
+  }
+  EXPECT_GT(last, 1u << 30);
+}
+
 TEST(Unit_SampleDensity, HandsOutWhatThereIs) {
   const SampleDensity density(
       pilot_of([](int x) { return 0.01 + 0.02 * x; }, [](int) { return 1u; }));

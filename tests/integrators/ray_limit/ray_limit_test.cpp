@@ -22,5 +22,18 @@ TEST(Unit_RayLimit, IsOfTheCropAlone) {
   EXPECT_LE(limit->rays, 1000u * block_size);
 }
 
+// Paths of one bounce have nothing to share, so that a render with sharing has none.
+TEST(Unit_RayLimit, IsOfWhatARenderDoes) {
+  RenderOptions options = test::settings_of(16, 1024).options;  // enough for one round
+  options.max_depth = 1;
+  const Scene scene = test::compiled(test::small_room(), options);
+  const AnyAccelerator accelerator = build_accelerator(scene, AcceleratorKind::Auto);
+  const auto rays = [&](bool reuses_paths) {
+    options.plan.reuses_paths = reuses_paths;
+    return measure_ray_limit(scene, accelerator, options, nullptr)->rays;
+  };
+  EXPECT_EQ(rays(true), rays(false));
+}
+
 }  // namespace
 }  // namespace candela
