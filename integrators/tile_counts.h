@@ -45,15 +45,20 @@ struct TileCounts {
   }
 };
 
+// To at most `clamp` in every channel.
+[[nodiscard]] inline Rgb dimmed(const Rgb& radiance, float clamp) {
+  const float largest = max_component(radiance);
+  return largest > clamp ? radiance * (clamp / largest) : radiance;
+}
+
 // Invalid radiance never enters the film: it is counted and located. What is above `clamp` in any
 // channel is dimmed to it.
 inline void add_or_count(const FilmSample& sample, int x, int y, std::uint32_t index, float clamp,
                          Film& film, TileCounts& counts) {
   if (is_finite(sample.radiance) && min_component(sample.radiance) >= 0) {
-    const float largest = max_component(sample.radiance);
-    if (largest > clamp) {
+    if (max_component(sample.radiance) > clamp) {
       FilmSample clamped = sample;
-      clamped.radiance *= clamp / largest;
+      clamped.radiance = dimmed(sample.radiance, clamp);
       film.add(x, y, index, clamped);
     } else {
       film.add(x, y, index, sample);
@@ -65,12 +70,12 @@ inline void add_or_count(const FilmSample& sample, int x, int y, std::uint32_t i
   counts.add_invalid({x, y, index});
 }
 
-// More light of a sample that is in the film, of either sign (Film::add_weighted()), likewise.
+// More light of a sample that is in the film, of either sign (Film::add_weighted()), likewise but
+// that it is clamped before it is weighted.
 inline void add_weighted_or_count(const Rgb& radiance, int x, int y, std::uint32_t index,
-                                  float clamp, Film& film, TileCounts& counts) {
+                                  Film& film, TileCounts& counts) {
   if (is_finite(radiance)) {
-    const float largest = max_component(glm::abs(radiance));
-    film.add_weighted(x, y, index, largest > clamp ? radiance * (clamp / largest) : radiance);
+    film.add_weighted(x, y, index, radiance);
     return;
   }
   ++counts.invalid_samples;

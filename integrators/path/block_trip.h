@@ -83,7 +83,7 @@ struct BlockTrip {
   bool is_drawn_together = false;  // `numbers` holds those of the bounce
   TileCounts counts;
   Lanes<std::uint32_t> costs{};  // of the lanes' rays, where they are of several pixels
-  // What lamps' own rays brought, times the filter's weights where these are not all 1.
+  // What lamps' own rays brought, times the filter's weights, where it is not the paths' radiance.
   std::optional<Vec3Lanes> weighted_lamps;
 
  private:

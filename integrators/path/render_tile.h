@@ -57,8 +57,7 @@ template <class A>
     const int x = trip.place.pixels.x[i];
     const int y = trip.place.pixels.y[i];
     if (tile.contains(x, y))
-      add_weighted_or_count((*trip.weighted_lamps)[i], x, y, trip.place.samples[i],
-                            trip.context.options.clamp, film, counts);
+      add_weighted_or_count((*trip.weighted_lamps)[i], x, y, trip.place.samples[i], film, counts);
   });
 }
 

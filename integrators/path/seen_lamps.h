@@ -1,9 +1,12 @@
 // What lamps send straight to the camera, by rays that look for nothing else (lamp_pixels.h).
 #pragma once
 
+#include <limits>
+
 #include "integrators/lamp_pixels.h"
 #include "integrators/path/camera_rays.h"
 #include "integrators/path/trace_block.h"
+#include "integrators/tile_counts.h"
 
 namespace candela {
 
@@ -47,15 +50,20 @@ template <FeatureSet F>
   return path.radiance;
 }
 
+// Whether what each ray brings has a weight or a clamp of its own.
+[[nodiscard]] inline bool are_lamps_apart(const Filter& filter, float clamp) {
+  return filter.is_signed() || clamp < std::numeric_limits<float>::infinity();
+}
+
 // To each sample of a block, which is of one pixel, the mean over its rays, times the part's share:
-// to its path's radiance, or apart where each ray has a weight of its own. Out of line: few pixels
-// have any.
+// to its path's radiance, or apart from it. Out of line: few pixels have any.
 template <FeatureSet F, class A>
 [[gnu::noinline]] void add_seen_lamps(BlockTrip<A>& trip) {
   const PathContext<A>& context = trip.context;
   const std::uint32_t count = context.lamp_rays;
   const float share = context.lamp_part.share() / static_cast<float>(count);
-  if (context.filter.is_signed()) trip.weighted_lamps.emplace();
+  const float clamp = context.options.clamp;
+  if (are_lamps_apart(context.filter, clamp)) trip.weighted_lamps.emplace();
   RayBlock rays;
   for (std::uint32_t k = 0; k < count; ++k) {
     const SamplerBlock samplers(*trip.pixel, trip.place.samples[0], count, k);
@@ -63,7 +71,8 @@ template <FeatureSet F, class A>
                                                trip.place.pixels, trip.place.lanes, rays);
     const HitBlock hits = intersect_lanes(context.accelerator, rays, traced, 0);
     for_each_lane(traced, [&, &at = places](std::uint32_t i) {
-      const Rgb seen = share * lamp_radiance<F>(context.scene, context.options, rays[i], hits[i]);
+      const Rgb lamp = lamp_radiance<F>(context.scene, context.options, rays[i], hits[i]);
+      const Rgb seen = share * dimmed(lamp, clamp);
       if (trip.weighted_lamps)
         trip.weighted_lamps->set(i,
                                  (*trip.weighted_lamps)[i] + context.filter.weight(at[i]) * seen);

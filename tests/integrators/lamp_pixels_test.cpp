@@ -299,5 +299,31 @@ TEST(Statistical_LampPixels, SamePictureWithLessNoise) {
   }
 }
 
+// Of each pixel, not in the mean alone: dimming what all of a sample's rays bring together would
+// make pixels that a lamp touches as bright as it.
+TEST(Statistical_LampPixels, SamePictureWithAClamp) {
+  constexpr int size = 24;
+  for (const FilterKind filter : {FilterKind::BlackmanHarris, FilterKind::Mitchell}) {
+    const auto moments = [&](int rays) {
+      std::vector<statistics::Moments> pixels(size * size);
+      for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+        RenderSettings settings = lamp_settings(size, 32, rays, seed);
+        settings.options.filter = filter;
+        settings.options.clamp = 1;
+        const std::vector<double> values =
+            grey(rendered(small_room(), settings).film.to_image(false));
+        for (std::size_t i = 0; i < values.size(); ++i) pixels[i].add(values[i]);
+      }
+      return pixels;
+    };
+    const auto without = moments(0);
+    const auto with = moments(some_rays);
+    double least = 1;
+    for (std::size_t i = 0; i < with.size(); ++i)
+      least = std::min(least, welch_p_value(without[i], with[i]));
+    EXPECT_GT(least, 0.01 / (size * size)) << static_cast<int>(filter);
+  }
+}
+
 }  // namespace
 }  // namespace candela
