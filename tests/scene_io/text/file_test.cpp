@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/thread_clock.h"
 #include "scene_io/text/path.h"
 #include "tests/image/temporary_folder.h"
 #include "tests/scene_io/gzip.h"
@@ -180,9 +181,9 @@ TEST_F(Unit_ResolvePath, ThousandsOfMissingFilesTakeNoTime) {
   for (int i = 0; i < count; ++i) std::ofstream(folder_.file(fmt::format("{}.ply", i)));
   std::filesystem::last_write_time(
       folder_.path(), std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
-  const auto start = std::chrono::steady_clock::now();
+  const double start = process_cpu_seconds();
   for (int i = 0; i < count; ++i) EXPECT_FALSE(resolve(fmt::format("{}.png", i)).is_found);
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  EXPECT_LT(process_cpu_seconds() - start, 5);
   EXPECT_EQ(resolve("7.PLY").path, folder_.file("7.ply"));
 }
 
