@@ -1,4 +1,4 @@
-// What of the options there is for a scene and a strategy: what a render goes by, and what is
+// The options as far as there is what they ask for: a render goes by these, and so does what is
 // measured of it.
 #pragma once
 
@@ -6,8 +6,7 @@
 
 namespace candela {
 
-// The same without sharing, guiding, splitting and choices that such a scene or strategy has none
-// of.
+// Without sharing, guiding, splitting and trials that the scene or the strategy has none of.
 [[nodiscard]] RenderOptions feasible_options(const Scene& scene, const RenderOptions& options);
 
 }  // namespace candela

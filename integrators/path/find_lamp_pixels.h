@@ -103,9 +103,8 @@ template <FeatureSet F, class A>
 }
 
 // Of the whole picture, by random numbers of its own: the same for any crop and threads. None in
-// scenes with media, or where finding out would take long.
-// `is_over`: asked now and then whether to give up; then none, too. What the context refers to must
-// outlive them.
+// scenes with media, or where finding out would take long. `is_over`: asked now and then whether to
+// give up; then none, too. What the context refers to must outlive them.
 template <FeatureSet F, class A>
 [[nodiscard]] LampPixels find_lamp_pixels(const PathContext<A>& context,
                                           const std::function<bool()>& is_over) {

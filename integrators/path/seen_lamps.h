@@ -64,22 +64,19 @@ template <FeatureSet F, class A>
   const float share = context.lamp_part.share() / static_cast<float>(count);
   const float clamp = context.options.clamp;
   if (are_lamps_apart(context.filter, clamp)) trip.weighted_lamps.emplace();
+  Vec3Lanes& sums = trip.weighted_lamps ? *trip.weighted_lamps : trip.block.paths.radiance;
   RayBlock rays;
   for (std::uint32_t k = 0; k < count; ++k) {
     const SamplerBlock samplers(*trip.pixel, trip.place.samples[0], count, k);
-    const auto [places, traced] = aim_at_lamps(context, samplers, context.lamp_part,
-                                               trip.place.pixels, trip.place.lanes, rays);
-    const HitBlock hits = intersect_lanes(context.accelerator, rays, traced, 0);
-    for_each_lane(traced, [&, &at = places](std::uint32_t i) {
+    const AimedRays aimed = aim_at_lamps(context, samplers, context.lamp_part, trip.place.pixels,
+                                         trip.place.lanes, rays);
+    const HitBlock hits = intersect_lanes(context.accelerator, rays, aimed.traced, 0);
+    for_each_lane(aimed.traced, [&](std::uint32_t i) {
       const Rgb lamp = lamp_radiance<F>(context.scene, context.options, rays[i], hits[i]);
-      const Rgb seen = share * dimmed(lamp, clamp);
-      if (trip.weighted_lamps)
-        trip.weighted_lamps->set(i,
-                                 (*trip.weighted_lamps)[i] + context.filter.weight(at[i]) * seen);
-      else
-        trip.block.paths.add_radiance(i, seen);
+      const float weight = context.filter.weight(aimed.places[i]);
+      sums.set(i, sums[i] + weight * (share * dimmed(lamp, clamp)));
     });
-    trip.counts.rays.lamp += lane_count(traced);
+    trip.counts.rays.lamp += lane_count(aimed.traced);
   }
 }
 

@@ -37,7 +37,7 @@ namespace candela {
 [[nodiscard]] inline bool receives_shared(const Scene& scene, std::uint32_t geometry) {
   const Geometry& met = scene.geometries[geometry];
   return met.spheres.empty() && !bounds_media(scene, met.material) &&
-         has_shared_lobe(scene.materials[met.material.index]);
+         has_shared_lobe(material_of(scene, geometry));
 }
 
 [[nodiscard]] inline bool is_lambertian(const Scene& scene, std::uint32_t geometry) {

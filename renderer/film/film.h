@@ -91,9 +91,8 @@ class Film {
   // the full picture. Non-finite or negative radiance must not come here: the caller counts it.
   void add(int x, int y, std::uint32_t sample_index, const FilmSample& sample) {
     const std::size_t i = index(x, y);
-    const Vec3d radiance(sample.radiance);
     sums_[i * replicates_ + sum_of(sample_index)] +=
-        (balance_ ? *balance_ * radiance : radiance) * double{sample.weight};
+        balanced(sample.radiance) * double{sample.weight};
     pixels_[i].alpha += static_cast<double>(sample.alpha);
     ++pixels_[i].samples;
     if (!aov_pixels_.empty() && sample.has_hit) add_first_hit(i, sample_index, sample);
@@ -104,8 +103,7 @@ class Film {
   }
   // More light of a sample that is there, times the filter's weights already: of either sign.
   void add_weighted(int x, int y, std::uint32_t sample_index, const Rgb& radiance) {
-    const Vec3d light(radiance);
-    sums_[index(x, y) * replicates_ + sum_of(sample_index)] += balance_ ? *balance_ * light : light;
+    sums_[index(x, y) * replicates_ + sum_of(sample_index)] += balanced(radiance);
   }
   // A sample that was invalid: it counts as black so that sums of others stand.
   void add_invalid(int x, int y);
@@ -172,6 +170,10 @@ class Film {
     const std::uint32_t turn =
         samples_a_piece_ > 0 ? sample_index / samples_a_piece_ : sample_index;
     return turn % replicates_;
+  }
+  [[nodiscard]] Vec3d balanced(const Rgb& radiance) const {
+    const Vec3d light(radiance);
+    return balance_ ? *balance_ * light : light;
   }
   void add_first_hit(std::size_t i, std::uint32_t sample_index, const FilmSample& sample);
 
