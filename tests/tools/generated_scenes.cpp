@@ -14,6 +14,7 @@ const std::vector<GeneratedScene>& generated_scenes() {
       {"glass_and_mirrors", "balls=3", 4 + 4 + 4 + 12 + 2 + 3 * 2048},
       {"lamps", "lamps=50", 12 + 12 * 20 + 2 * 50},
       {"mis_plates", "", 12 + 4 * 2 + 4 * 128, false},
+      {"shed", "", 2 + 4 * 2 + 512, false},
       {"soup", "triangles=300", 300},
       {"terrain", "triangles=200", 200, false},
       {"white_room", "", 3 * 12 + 512 + 2, false},

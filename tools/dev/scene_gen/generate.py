@@ -13,8 +13,8 @@ import numpy
 
 from scene_gen.files import MeshFolder, write_yaml
 
-NAMES = ("attic", "door_ajar", "forest", "glass_and_mirrors", "lamps", "mis_plates", "soup",
-         "terrain", "white_room", "window")
+NAMES = ("attic", "door_ajar", "forest", "glass_and_mirrors", "lamps", "mis_plates", "shed",
+         "soup", "terrain", "white_room", "window")
 
 
 def module_of(name):
