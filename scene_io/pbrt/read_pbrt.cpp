@@ -1,5 +1,7 @@
 #include "scene_io/pbrt/read_pbrt.h"
 
+#include <fmt/format.h>
+
 #include "scene_io/pbrt/build_scene.h"
 #include "scene_io/pbrt/parse.h"
 #include "scene_io/text/file.h"
