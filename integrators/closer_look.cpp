@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t part_samples = 256;
 constexpr std::uint32_t part_replicates = 4;  // their spread tells how sure the level is
 
-PixelRect pixel_at(const Film& film, std::size_t index) {
+PixelRect rect_of_pixel(const Film& film, std::size_t index) {
   const auto width = static_cast<std::size_t>(film.crop().width());
   const int x = film.crop().x0 + static_cast<int>(index % width);
   const int y = film.crop().y0 + static_cast<int>(index / width);
@@ -53,6 +53,7 @@ TileCounts CloserLook::correct(const Film& film, const TilePass& settings, Pixel
   }
   counts.rays = {};
   counts.skipped = {};
+  counts.first_invalid.reset();
   return counts;
 }
 
@@ -108,7 +109,7 @@ std::vector<CloserLook::Part> CloserLook::parts_to_render(const Film& film,
 CloserLook::Look CloserLook::render_part(const Film& film, const TilePass& settings,
                                          const Part& part) const {
   TilePass pass = settings;
-  pass.tile = pixel_at(film, part.index);
+  pass.tile = rect_of_pixel(film, part.index);
   pass.range = {0, part_samples};
   pass.density = nullptr;
   pass.plan.reuses_paths = false;  // else its company would be rendered, too

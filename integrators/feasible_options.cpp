@@ -33,6 +33,7 @@ RenderOptions feasible_options(const Scene& scene, const RenderOptions& options)
   const bool may_reuse = may_reuse_paths(scene, done);
   done.plan.reuses_paths = options.plan.reuses_paths && may_reuse;
   done.chooses_reuse = options.chooses_reuse && may_reuse;
+  done.adaptive = options.adaptive && options.integrator == IntegratorKind::Path;
   done.chooses_roulette = options.chooses_roulette && options.integrator == IntegratorKind::Path &&
                           done.plan.splitting == 1 && done.guiding == Guiding::Off &&
                           has_default_strategy(options);

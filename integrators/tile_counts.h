@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <tuple>
 
@@ -44,6 +45,9 @@ struct TileCounts {
     if (other.first_invalid) add_invalid(*other.first_invalid);
   }
 };
+
+// Of a sample one of whose rays cannot be traced.
+inline constexpr Rgb invalid_radiance(std::numeric_limits<float>::quiet_NaN());
 
 // To at most `clamp` in every channel.
 [[nodiscard]] inline Rgb dimmed(const Rgb& radiance, float clamp) {

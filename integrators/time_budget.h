@@ -1,6 +1,7 @@
 // How much of the time that a picture may take is gone.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <limits>
@@ -26,10 +27,12 @@ class TimeBudget {
   }
   // From now on samples are taken.
   void begin_samples(Clock::time_point now = Clock::now()) { seconds_before_ = seconds(now); }
-  // How many samples a pixel fit in all into a share of it, at the rate so far.
+  // How many samples a pixel fit in all into a share of it, at the rate so far; 0 where what comes
+  // before them took longer.
   [[nodiscard]] double samples_in_time(std::uint32_t done, double share = 1) const {
     if (!limit_seconds_ || done == 0) return std::numeric_limits<double>::infinity();
-    return done * (share * *limit_seconds_ - seconds_before_) / (seconds() - seconds_before_);
+    const double left = std::max(share * *limit_seconds_ - seconds_before_, 0.0);
+    return done * left / (seconds() - seconds_before_);
   }
 
  private:

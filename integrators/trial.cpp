@@ -66,6 +66,12 @@ double relative_weight(double mean, double picture_mean) {
   return 1 / (mean * mean + relmse_epsilon(picture_mean));
 }
 
+double relative_noise(const Vec3d& variance, const Vec3d& mean, double picture_mean) {
+  double noise = 0;
+  for (int c = 0; c < 3; ++c) noise += variance[c] * relative_weight(mean[c], picture_mean);
+  return noise;
+}
+
 double trimmed_sum(std::vector<double> noise) {
   constexpr std::ptrdiff_t noisy_share = 16;
   const auto calm_end = noise.end() - std::ssize(noise) / noisy_share;

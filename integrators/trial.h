@@ -44,8 +44,9 @@ Vec3d run_block(TilePass pass, const TrialBlock& place, const RenderOptions& opt
 // Camera samples of the picture; where other rules than their number end it, what it has at least.
 [[nodiscard]] double picture_samples(const RenderOptions& options);
 
-// What relMSE weighs a tile's variance by. Means of tiles.
+// What relMSE weighs a variance by; a pixel's variance as relMSE weighs it.
 [[nodiscard]] double relative_weight(double mean, double picture_mean);
+[[nodiscard]] double relative_noise(const Vec3d& variance, const Vec3d& mean, double picture_mean);
 
 // Of all but the noisiest tiles, where a rare bright sample would decide alone.
 [[nodiscard]] double trimmed_sum(std::vector<double> noise);

@@ -42,6 +42,8 @@ struct BlockTrip {
   BlockTrip(const BlockTrip&) = delete;  // branches refer to its pixel
   BlockTrip& operator=(const BlockTrip&) = delete;
 
+  [[nodiscard]] bool is_of_one_pixel() const { return pixel.has_value(); }
+
   // A ray of each of the lanes.
   void count_bounces(LaneMask lanes) {
     counts.rays.indirect += lane_count(lanes);
@@ -88,7 +90,7 @@ struct BlockTrip {
 
  private:
   void add_cost(LaneMask lanes, std::uint64_t cost) {
-    if (pixel) return;
+    if (is_of_one_pixel()) return;
     for_each_lane(lanes, [&](std::uint32_t i) { costs[i] += static_cast<std::uint32_t>(cost); });
   }
 };

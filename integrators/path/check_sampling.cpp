@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "integrators/name_of_delta_light.h"
 #include "renderer/bsdf/ggx.h"
 #include "renderer/description/used_materials.h"
 
@@ -50,29 +51,6 @@ struct HasMappedCoat {
   }
 };
 
-// The kind of a delta light that sheds light, or "".
-struct NameOfDeltaLight {
-  std::string_view operator()(const PointLight& light) const {
-    return light.intensity == Vec3d(0.0) ? "" : "a point light";
-  }
-  std::string_view operator()(const SpotLight& light) const {
-    return light.intensity == Vec3d(0.0) ? "" : "a spot light";
-  }
-  std::string_view operator()(const GoniometricLight& light) const {
-    return light.intensity == Vec3d(0.0) ? "" : "a goniometric light";
-  }
-  std::string_view operator()(const ProjectionLight& light) const {
-    return light.intensity == Vec3d(0.0) ? "" : "a projection light";
-  }
-  std::string_view operator()(const DirectionalLight& light) const {
-    return light.irradiance == Vec3d(0.0) ? "" : "a directional light";
-  }
-  template <class Wide>
-  std::string_view operator()(const Wide&) const {
-    return "";
-  }
-};
-
 void check_lobes(const SceneDescription& scene, SamplingStrategy strategy,
                  Diagnostics& diagnostics) {
   const std::vector<bool> is_used = used_materials(scene);
@@ -90,7 +68,7 @@ void check_lobes(const SceneDescription& scene, SamplingStrategy strategy,
 
 void check_lights(const SceneDescription& scene, Diagnostics& diagnostics) {
   for (const Light& light : scene.lights) {
-    const std::string_view kind = std::visit(NameOfDeltaLight{}, light.kind);
+    const std::string_view kind = name_of_delta_light(light);
     if (!kind.empty())
       diagnostics.error(light.span,
                         fmt::format("the scene has {}, which sampling by 'bsdf' never meets; "

@@ -48,7 +48,7 @@ template <class A>
     ray = spawn_ray(crossing.point, ray.direction);
     flight.hit = Hit{};
     if (!is_traceable(ray)) {
-      path.radiance = Rgb(std::numeric_limits<float>::quiet_NaN());  // as lose_path()
+      path.radiance = invalid_radiance;
       break;
     }
     ++counts.rays.indirect;

@@ -74,7 +74,7 @@ template <FeatureSet F>
 
 // The next ray of a path cannot be traced, which makes the sample invalid.
 inline void lose_path(PathBlock& block, std::uint32_t i) {
-  block.paths.radiance.set(i, Rgb(std::numeric_limits<float>::quiet_NaN()));
+  block.paths.radiance.set(i, invalid_radiance);
 }
 // The next ray of a path; false where it cannot be traced.
 [[nodiscard]] inline bool set_ray(PathBlock& block, std::uint32_t i, const Ray& ray) {

@@ -151,8 +151,7 @@ template <class A>
 template <FeatureSet F>
 [[nodiscard]] inline SurfacePoint met_point_at(const Scene& scene, const Hit& hit,
                                                const Vec3f& wo) {
-  const Instance* instance = nullptr;
-  if (hit.is_instanced()) instance = &scene.instances[hit.instance];
+  const Instance* instance = instance_of(scene, hit);
   const Geometry& geometry = scene.geometries[hit.geometry];
   if constexpr (F.spheres) return make_surface_point(geometry, instance, hit, wo, true);
   return make_triangle_point(geometry, instance, hit, wo, true);

@@ -54,7 +54,7 @@ CANDELA_LANES void find_front_normals(MetLanes& met) {
 }
 
 // From the object's space to the world.
-void place_point(MetLanes& met, std::uint32_t i) {
+void place_in_world(MetLanes& met, std::uint32_t i) {
   const Instance& instance = *met.instance[i];
   const Vec3f own = met.is_front[i] != 0 ? met.normal[i] : -met.normal[i];
   const surface_point_detail::PlanePoint<Vec3f> plane =
@@ -150,7 +150,7 @@ void find_points(PlainLanes& lanes) {
   met.is_flat.fill(1);
   met.all_are_flat = !met.any_has_normals;
   if (met.any_has_normals) find_front_normals(met);
-  for_each_lane(met.instanced, [&](std::uint32_t i) { place_point(met, i); });
+  for_each_lane(met.instanced, [&](std::uint32_t i) { place_in_world(met, i); });
 }
 
 void find_frames(PlainLanes& lanes) {

@@ -35,7 +35,7 @@ inline void start(BlockTrip<A>& trip) {
 template <class A>
 inline void add_cost(const BlockTrip<A>& trip, const PixelRect& tile, Film& film) {
   const PixelLanes& pixels = trip.place.pixels;
-  if (trip.pixel) {
+  if (trip.is_of_one_pixel()) {
     if (tile.contains(pixels.x[0], pixels.y[0]))
       film.add_cost(pixels.x[0], pixels.y[0],
                     static_cast<std::uint32_t>(cost_of(trip.counts.rays)));
@@ -145,7 +145,6 @@ class TileRenderer {
   TileRenderer(const PathContext<A>& of_render, const TilePass& pass, Film& film)
       : context_(of_render),
         pass_(pass),
-        splitting_(F.media && context_.scene.features.media ? 1 : pass.plan.splitting),
         film_(film),
         shared_(of_render.options),
         dealer_(film.replicates()),
@@ -162,12 +161,12 @@ class TileRenderer {
     };
     if (F.reuses_paths() && reuses_paths(pass_)) {
       for_each_square_of(reuse_square, [&](const PixelRect& square) { add_groups(square); });
-    } else if (shares_blocks(options, pass_, splitting_)) {
+    } else if (shares_blocks(options, pass_)) {
       for_each_square_of(shared_side, [&](const PixelRect& square) { add_square(square); });
     } else {
       for (int y = pass_.tile.y0; y < pass_.tile.y1; ++y)
         for (int x = pass_.tile.x0; x < pass_.tile.x1; ++x)
-          if (is_rendered(x, y)) add_alone(x, y);
+          if (!is_background(x, y)) add_alone(x, y);
     }
     travel();
     return counts_;
@@ -179,24 +178,24 @@ class TileRenderer {
             sequences_of(context_.options, film_), pair_order_of(context_.options)};
   }
 
-  // Turns to a pixel; false where it is known to see nothing, whose samples are added at once.
-  [[nodiscard]] bool is_rendered(int x, int y) {
-    aim_lamp_rays(x, y, context_);
-    if (context_.background == nullptr || !context_.background->contains(x, y)) return true;
+  // Whether a pixel is known to see nothing, whose samples are then added at once.
+  [[nodiscard]] bool is_background(int x, int y) {
+    if (context_.background == nullptr || !context_.background->contains(x, y)) return false;
     if (pass_.trial == nullptr && pass_.tile.contains(x, y))
       add_background(*context_.background, pass_.of_pixel(x, y), x, y, context_.options.clamp,
                      film_, counts_);
-    return false;
+    return true;
   }
 
   // In blocks of the pixel's own.
   void add_alone(int x, int y) {
     const SampleRange range = pass_.of_pixel(x, y);
     if (range.is_empty()) return;
+    const PathContext<A> here = context_at(context_, x, y);
     const PixelSampler pixel = sampler_of(x, y);
     for (std::uint32_t base = first_block(range); base < range.end; base += block_size)
-      add_block(place_in_pixel(context_.options, x, y, base, lanes_in(base, range)), pixel,
-                splitting_);
+      add_block(here, place_in_pixel(context_.options, x, y, base, lanes_in(base, range)), pixel,
+                pass_.plan.splitting);
   }
 
   // The samples of a square, in groups that share what their paths find. Blocks are of one pixel
@@ -205,8 +204,8 @@ class TileRenderer {
     std::array<std::vector<PixelPlace>, 2> with_own_blocks;  // by colour
     dealer_.clear();
     for (const PixelPlace& pixel : pixels_to_deal(square)) {
-      if (!is_rendered(pixel.x, pixel.y)) continue;
-      if (pass_.density == nullptr || context_.lamp_rays > 0)
+      if (is_background(pixel.x, pixel.y)) continue;
+      if (pass_.density == nullptr || has_lamp_rays(context_, pixel.x, pixel.y))
         with_own_blocks[pixel.colour()].push_back(pixel);
       else
         dealer_.add(pixel, pass_.of_pixel(pixel.x, pixel.y));
@@ -215,7 +214,6 @@ class TileRenderer {
     for (const std::vector<PixelPlace>& pixels : with_own_blocks) deal(std::span(pixels), groups);
     for (std::size_t i = 0; i < groups.size(); ++i)
       if (pass_.trial == nullptr || pass_.trial->number % groups.size() == i) add_group(groups[i]);
-    context_.lamp_rays = 0;
     dealer_.for_each_group([&](std::span<const SampleColumn> columns) { add_group(columns); });
   }
 
@@ -237,10 +235,9 @@ class TileRenderer {
   void add_block_of_pixel(const PixelPlace& pixel, const SampleRange& range, std::uint32_t base) {
     const auto& [x, y] = pixel;
     if (range.is_empty() || base < first_block(range) || base >= range.end) return;
-    aim_lamp_rays(x, y, context_);
-    start<F>(convoy_.add(context_,
+    start<F>(convoy_.add(context_at(context_, x, y),
                          place_in_pixel(context_.options, x, y, base, lanes_in(base, range)),
-                         sampler_of(x, y), splitting_));
+                         sampler_of(x, y), pass_.plan.splitting));
   }
 
   void add_group(std::span<const SampleColumn> columns) {
@@ -262,8 +259,8 @@ class TileRenderer {
 
   void add_square(const PixelRect& square) {
     for_each_pixel_near(square, [&](int x, int y) {
-      if (!is_rendered(x, y)) return;
-      if (context_.lamp_rays > 0) {
+      if (is_background(x, y)) return;
+      if (has_lamp_rays(context_, x, y)) {
         if (pass_.tile.contains(x, y)) add_alone(x, y);
         return;
       }
@@ -277,14 +274,13 @@ class TileRenderer {
     if (!shared_.is_empty()) add_shared();
   }
   void add_shared() {
-    context_.lamp_rays = 0;
-    add_block(shared_.place(), shared_.samplers());
+    add_block(context_, shared_.place(), shared_.samplers());
     shared_.clear();
   }
 
   template <class... Arguments>
   void add_block(const Arguments&... arguments) {
-    start<F>(convoy_.add(context_, arguments...));
+    start<F>(convoy_.add(arguments...));
     if (convoy_.is_full()) travel();
   }
   void travel() {
@@ -301,7 +297,6 @@ class TileRenderer {
 
   PathContext<A> context_;
   const TilePass& pass_;
-  std::uint32_t splitting_;
   Film& film_;
   TileCounts counts_;
   SharedBlock shared_;

@@ -93,10 +93,10 @@ inline void leave_point(const Scene& scene, std::uint32_t i, const LanesAfterSte
   y.shapes.set(i, crossing);
 
   Rgb direct(0);
-  if (const Rgb always = y.always[i]; !is_black(always)) {
-    const std::uint32_t light = scene.light_sampler.always()[0];
+  const std::span<const std::uint32_t> lights = scene.light_sampler.always();
+  if (const Rgb always = y.always[i]; !lights.empty() && !is_black(always)) {
     const LightOrSky sample =
-        sample_light_or_sky<general_features>(scene, light, met.point, Vec2f(0));
+        sample_light_or_sky<general_features>(scene, lights[0], met.point, Vec2f(0));
     direct += always * diffuse_share(met, wo, sample.light.wi);
   }
   if ((after.arriving >> i & 1) != 0) {

@@ -10,15 +10,24 @@
 
 namespace candela {
 
-// Turns the context to a pixel.
 template <class A>
-inline void aim_lamp_rays(int x, int y, PathContext<A>& context) {
-  context.lamp_rays = 0;
-  if (context.lamps == nullptr) return;
-  const LampView* view = context.lamps->find(x, y);
-  if (view == nullptr) return;
-  context.lamp_rays = context.lamps->rays_a_sample();
-  context.lamp_part = view->part;
+[[nodiscard]] inline const LampView* lamp_view(const PathContext<A>& context, int x, int y) {
+  return context.lamps != nullptr ? context.lamps->find(x, y) : nullptr;
+}
+template <class A>
+[[nodiscard]] inline bool has_lamp_rays(const PathContext<A>& context, int x, int y) {
+  return lamp_view(context, x, y) != nullptr;
+}
+
+// The context of a pixel's own blocks.
+template <class A>
+[[nodiscard]] inline PathContext<A> context_at(const PathContext<A>& context, int x, int y) {
+  PathContext<A> here = context;
+  if (const LampView* view = lamp_view(context, x, y)) {
+    here.lamp_rays = context.lamps->rays_a_sample();
+    here.lamp_part = view->part;
+  }
+  return here;
 }
 
 struct AimedRays {

@@ -5,6 +5,7 @@
 #include "integrators/path/media_beside.h"
 #include "renderer/accel/accelerator.h"
 #include "renderer/geometry/surface_point.h"
+#include "renderer/light/shadow_segment.h"
 
 namespace candela {
 
@@ -27,7 +28,7 @@ struct Crossing {
 [[nodiscard]] inline Crossing cross_boundary(const Scene& scene, const Hit& hit, const Vec3f& wo,
                                              MediumHandle current) {
   const Geometry& geometry = scene.geometries[hit.geometry];
-  const Instance* instance = hit.is_instanced() ? &scene.instances[hit.instance] : nullptr;
+  const Instance* instance = instance_of(scene, hit);
   Crossing crossing;
   crossing.point = make_surface_point(geometry, instance, hit, wo, false);
   const MediumBoundary& boundary = scene.medium_boundaries[geometry.material.index];
@@ -40,13 +41,6 @@ struct Crossing {
                                              const Ray& ray, float end) {
   if (!medium) return Rgb(0);
   return optical_depth(scene.media[medium.index].extinction, end * length(ray.direction));
-}
-
-// Beyond a boundary: to the same end.
-[[nodiscard]] inline Ray shadow_ray_beyond(const Ray& ray, const SurfacePoint& point) {
-  Vec3f origin = offset_origin(point.position, point.geometric_normal, point.offset, ray.direction);
-  if (ray.t_max == infinity) return {origin, ray.direction, infinity};
-  return {origin, ray.origin + ray.direction - origin, ray.t_max};
 }
 
 // The share of light that comes along the ray, in a scene with boundaries to cross.
@@ -68,7 +62,8 @@ template <class A>
     depth += optical_depth_along(scene, medium, ray, hit.t);
     Crossing crossing = cross_boundary(scene, hit, wo, medium);
     medium = crossing.beyond;
-    ray = shadow_ray_beyond(ray, crossing.point);
+    ray = shadow_ray_behind(ray, crossing.point);
+    if (ray.t_max == 0) return transmittance_of(depth);
   }
   return Rgb(0);
 }

@@ -20,9 +20,8 @@ inline constexpr int shared_side = 4;
 }
 
 // Whether the pass has blocks of several pixels' samples.
-[[nodiscard]] inline bool shares_blocks(const RenderOptions& options, const TilePass& pass,
-                                        std::uint32_t splitting) {
-  return options.savings.shares_blocks && splitting == 1 && pass.observer == nullptr &&
+[[nodiscard]] inline bool shares_blocks(const RenderOptions& options, const TilePass& pass) {
+  return options.savings.shares_blocks && pass.plan.splitting == 1 && pass.observer == nullptr &&
          leaves_lanes_empty(pass);
 }
 

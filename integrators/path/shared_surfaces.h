@@ -61,7 +61,7 @@ namespace candela {
 // Without coordinates, bumps and shading frame; on the side that `wo` is on.
 [[nodiscard]] inline SurfacePoint bare_point_at(const Scene& scene, const Hit& hit,
                                                 const Vec3f& wo) {
-  const Instance* instance = hit.is_instanced() ? &scene.instances[hit.instance] : nullptr;
+  const Instance* instance = instance_of(scene, hit);
   return make_triangle_point(scene.geometries[hit.geometry], instance, hit, wo, false);
 }
 

@@ -24,7 +24,7 @@ struct CellLanes {
   Lanes<float> x{}, y{}, probability{};
 };
 
-struct PlaceLanes {
+struct SkyPlaceLanes {
   [[nodiscard]] SkyPlace operator[](std::size_t i) const { return {column[i], row[i], density[i]}; }
   void set(std::size_t i, const SkyPlace& place) {
     column[i] = place.column;
@@ -74,8 +74,8 @@ CANDELA_LANES void sample_in_cells(const Environment& sky, const CellLanes& cell
 }
 
 CANDELA_LANES void find_places(const Environment& sky, const Vec3Lanes& directions,
-                               PlaceLanes& places) {
-  PlaceLanes found;
+                               SkyPlaceLanes& places) {
+  SkyPlaceLanes found;
   for (std::uint32_t i = 0; i < block_size; ++i)
     found.set(i, environment_place(sky, directions[i]));
   places = found;
@@ -84,11 +84,11 @@ CANDELA_LANES void find_places(const Environment& sky, const Vec3Lanes& directio
 // Of environment_pdf().
 void find_pdfs(const Environment& sky, LaneMask lanes, const Vec3Lanes& directions,
                Lanes<float>& pdf) {
-  if (sky.is_black() || sky.is_constant()) {
+  if (sky.is_constant()) {
     for_each_lane(lanes, [&](std::uint32_t i) { pdf[i] = environment_pdf(sky, directions[i]); });
     return;
   }
-  PlaceLanes places;
+  SkyPlaceLanes places;
   find_places(sky, directions, places);
   for_each_lane(lanes, [&](std::uint32_t i) { pdf[i] = sky.distribution.pdf(places[i]); });
 }

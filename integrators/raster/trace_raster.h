@@ -10,11 +10,14 @@ namespace candela {
 template <class A>
 [[nodiscard]] inline FilmSample trace_raster(const LabContext<A>& context, const Ray& camera_ray,
                                              TileCounts& counts) {
-  constexpr int most_layers = 10'000;  // as in is_lit
   FilmSample sample;
   Ray ray = camera_ray;
   ++counts.rays.camera;
-  for (int layer = 0; layer < most_layers && is_traceable(ray); ++layer) {
+  for (int layer = 0; layer < most_lab_layers; ++layer) {
+    if (!is_traceable(ray)) {
+      sample.radiance = invalid_radiance;
+      return sample;
+    }
     const Hit hit = context.accelerator.intersect(ray);
     if (!hit.is_hit()) break;
     const Vec3f wo = -ray.direction;

@@ -10,7 +10,7 @@ namespace candela {
 namespace {
 
 SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit) {
-  const Instance* instance = hit.is_instanced() ? &scene.instances[hit.instance] : nullptr;
+  const Instance* instance = instance_of(scene, hit);
   return make_surface_point(scene.geometries[hit.geometry], instance, hit, -ray.direction, false);
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "integrators/name_of_delta_light.h"
 #include "renderer/description/used_materials.h"
 #include "renderer/image/decode.h"
 #include "renderer/material/coverage.h"
@@ -93,36 +94,27 @@ void check_material(const Material& material, const SceneDescription& scene,
                                     material.name));
 }
 
-// What kind of light is no surface, or "". Black ones do not matter.
-struct NameOfUnknownLight {
-  static std::string_view unless_black(const Vec3d& emission, std::string_view name) {
-    return emission == Vec3d(0.0) ? "" : name;
-  }
-  std::string_view operator()(const TriangleLight&) const { return ""; }
-  std::string_view operator()(const PointLight& light) const {
-    return unless_black(light.intensity, "a point light");
-  }
-  std::string_view operator()(const SpotLight& light) const {
-    return unless_black(light.intensity, "a spot light");
-  }
-  std::string_view operator()(const GoniometricLight& light) const {
-    return unless_black(light.intensity, "a goniometric light");
-  }
-  std::string_view operator()(const ProjectionLight& light) const {
-    return unless_black(light.intensity, "a projection light");
-  }
-  std::string_view operator()(const DirectionalLight& light) const {
-    return unless_black(light.irradiance, "a directional light");
-  }
+// "" of lights that are no environment, and of black ones.
+struct NameOfEnvironment {
   std::string_view operator()(const ConstantEnvironment& light) const {
-    return unless_black(light.radiance, light.is_seen_by_camera
-                                            ? "a constant environment"
-                                            : "ambient light (--ambient 0,0,0 takes it out)");
+    if (light.radiance == Vec3d(0.0)) return "";
+    return light.is_seen_by_camera ? "a constant environment"
+                                   : "ambient light (--ambient 0,0,0 takes it out)";
   }
   std::string_view operator()(const CubeEnvironment&) const { return "a skybox"; }
   std::string_view operator()(const LatLongEnvironment&) const { return "an environment map"; }
   std::string_view operator()(const EqualAreaEnvironment&) const { return "an environment map"; }
+  template <class Other>
+  std::string_view operator()(const Other&) const {
+    return "";
+  }
 };
+
+// What kind of light is no surface, or "".
+std::string_view name_of_unknown_light(const Light& light) {
+  const std::string_view delta = name_of_delta_light(light);
+  return delta.empty() ? std::visit(NameOfEnvironment{}, light.kind) : delta;
+}
 
 void check_instance(const SceneDescription& scene, const Instance& instance,
                     Diagnostics& diagnostics) {
@@ -146,7 +138,7 @@ Diagnostics check_report(const SceneDescription& scene) {
     if (is_used[i]) check_material(scene.materials[i], scene, diagnostics);
   for (const Instance& instance : scene.instances) check_instance(scene, instance, diagnostics);
   for (const Light& light : scene.lights) {
-    const std::string_view unknown = std::visit(NameOfUnknownLight{}, light.kind);
+    const std::string_view unknown = name_of_unknown_light(light);
     if (unknown.empty()) continue;
     diagnostics.error(light.span, fmt::format("the scene has {}; the report integrator knows "
                                               "lamps with an area only (materials with Emission, "

@@ -96,7 +96,7 @@ template <class A>
   ++counts.rays.camera;
   for (std::uint32_t bounce = 0;; ++bounce) {
     if (!is_traceable(ray)) {
-      sample.radiance = Rgb(std::numeric_limits<float>::quiet_NaN());
+      sample.radiance = invalid_radiance;
       break;
     }
     const Hit hit = context.base.accelerator.intersect(ray);
@@ -149,7 +149,7 @@ TileCounts render_report_tile(const ReportContext<A>& context, const TilePass& p
     for (int x = tile.x0; x < tile.x1; ++x) {
       const SampleRange range = pass.of_pixel(x, y);
       const PixelSampler pixel(pass.seed, static_cast<std::uint32_t>(x),
-                               static_cast<std::uint32_t>(y), film.replicates());
+                               static_cast<std::uint32_t>(y), film.sequences());
       for (std::uint32_t s = range.first; s < range.end; ++s) {
         const Sampler sampler = pixel.at(s);
         const Vec2f place = context.base.filter.sample(sampler.sample_2d(0, Dimension::Filter));

@@ -60,8 +60,8 @@ PixelRect square_with(int x, int y, const RenderOptions& options) {
 }
 
 // One of the two blocks of each pixel of a group. `pass`: all but that.
-void run_block(TilePass pass, std::uint64_t group, std::size_t block, const RenderOptions& options,
-               const TileFunction& render_tile, Group& result) {
+void run_group_block(TilePass pass, std::uint64_t group, std::size_t block,
+                     const RenderOptions& options, const TileFunction& render_tile, Group& result) {
   Film shared(options.width, options.height, pass.tile, 0, 1, film_balance(options));
   Film alone = shared;
   const GroupTrial trial{group, &alone};
@@ -99,17 +99,14 @@ void run_groups(const RenderOptions& options, const PathPlan& plan, const TileFu
     pass.plan = plan;
     for (std::uint32_t block = 0; block < 2; ++block) {
       pass.seed = hash_counter(seed, 2 * index + block);
-      run_block(pass, hash_counter(seed, ~i), block, options, render_tile, groups[i]);
+      run_group_block(pass, hash_counter(seed, ~i), block, options, render_tile, groups[i]);
     }
   });
 }
 
-// As relMSE weighs it.
 double noise_of_pixel(const BlockMeans& blocks, const Vec3d& mean, double picture_mean) {
   const Vec3d off = blocks[0] - blocks[1];
-  double noise = 0;
-  for (int c = 0; c < 3; ++c) noise += off[c] * off[c] * relative_weight(mean[c], picture_mean);
-  return noise;
+  return relative_noise(off * off, mean, picture_mean);
 }
 
 // Of all but the noisiest pixels.

@@ -15,6 +15,7 @@ namespace {
 struct Block {
   std::vector<Walk> walks;  // none where nothing but the background is seen
   Vec3d mean{0};
+  std::uint32_t samples = 0;  // none where the time was over
 };
 
 // Walks that roulette leaves alone for long, in two blocks whose sequences know nothing of each
@@ -39,7 +40,7 @@ Block walk_block(const RenderOptions& options, const TileFunction& render_tile,
   pass.plan.roulette_threshold = 1.0f / 16;
   pass.observer = &log;
   const Vec3d mean = run_block(pass, place, options, render_tile);
-  return {std::move(log.walks()), mean};
+  return {std::move(log.walks()), mean, whole_block};
 }
 
 std::vector<PixelWalks> walk_pixels(const RenderOptions& options, const TileFunction& render_tile,
@@ -53,6 +54,13 @@ std::vector<PixelWalks> walk_pixels(const RenderOptions& options, const TileFunc
       pixels[i].blocks[block] = walk_block(options, render_tile, {seed, pixel, 2 * pixel + block});
   });
   return pixels;
+}
+
+std::uint64_t samples_of(const std::vector<PixelWalks>& pixels) {
+  std::uint64_t samples = 0;
+  for (const PixelWalks& pixel : pixels)
+    for (const Block& block : pixel.blocks) samples += block.samples;
+  return samples;
 }
 
 // What a sample has: variance as relMSE weighs it, and cost.
@@ -77,10 +85,7 @@ Effort effort_of(const PixelWalks& pixel, double picture_mean, Roulette roulette
       variance += toll.variance / static_cast<double>(samples_a_pixel);
       cost += (camera_cost + bounce_cost * toll.bounces) / samples_a_pixel;
     }
-  double weighted = 0;
-  for (int c = 0; c < 3; ++c)
-    weighted += variance[c] * relative_weight(pixel.mean()[c], picture_mean);
-  return {weighted, cost};
+  return {relative_noise(variance, pixel.mean(), picture_mean), cost};
 }
 
 // Relative variance times cost of all but the noisiest pixels.
@@ -124,7 +129,7 @@ RouletteChoice choose_roulette(const RenderOptions& options, const TileFunction&
   RouletteChoice choice{options.plan};
   if (!options.chooses_roulette) return choice;
   std::vector<PixelWalks> pixels = walk_pixels(options, render_tile, is_over);
-  choice.samples = pixels.size() * samples_a_pixel;
+  choice.samples = samples_of(pixels);
   if (is_over()) return choice;
   const Efforts efforts(std::move(pixels), options.plan.roulette());
   if (!efforts.has_light()) return choice;

@@ -20,7 +20,7 @@ struct LabPoint {
 };
 
 [[nodiscard]] inline SurfacePoint lab_place(const Scene& scene, const Hit& hit, const Vec3f& wo) {
-  const Instance* instance = hit.is_instanced() ? &scene.instances[hit.instance] : nullptr;
+  const Instance* instance = instance_of(scene, hit);
   return make_surface_point(scene.geometries[hit.geometry], instance, hit, wo, true);
 }
 

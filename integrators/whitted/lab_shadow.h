@@ -8,15 +8,12 @@
 #include "integrators/whitted/lab_point.h"
 #include "renderer/accel/accelerator.h"
 #include "renderer/light/light.h"
+#include "renderer/light/shadow_segment.h"
 
 namespace candela {
 
-// The rest of a shadow ray from behind what it met; t_max 0 where that lies past its end.
-[[nodiscard]] inline Ray remaining_shadow_ray(const Ray& ray, const Vec3f& behind) {
-  if (ray.t_max == infinity) return {behind, ray.direction, infinity};
-  const Vec3f to_end = ray.origin + ray.direction - behind;
-  return {behind, to_end, dot(to_end, ray.direction) > 0 ? ray.t_max : 0.0f};
-}
+// Holes that a ray steps through: a guard against rounding; no scene has so many layers.
+inline constexpr int most_lab_layers = 10'000;
 
 // Whether a shadow ray goes on behind what it met: holes, and the lamp that it is cast to.
 [[nodiscard]] inline bool passes_light(const Scene& scene, const Light& light, const Hit& hit,
@@ -32,22 +29,19 @@ namespace candela {
 template <class A>
 [[nodiscard]] inline bool is_lit(const LabContext<A>& context, const Light& light,
                                  const LightSample& sample, TileCounts& counts) {
-  constexpr int most_steps = 10'000;  // a guard against rounding; no scene has so many layers
   Ray ray = sample.shadow_ray;
   if (!context.has_holes && light.geometry == Light::none) {
     ++counts.rays.shadow;
     return is_traceable(ray) && !context.accelerator.occluded(ray);
   }
-  for (int step = 0; step < most_steps && is_traceable(ray); ++step) {
+  for (int step = 0; step < most_lab_layers && is_traceable(ray); ++step) {
     ++counts.rays.shadow;
     const Hit hit = context.accelerator.intersect(ray);
     if (!hit.is_hit()) return true;
     const SurfacePoint place = lab_place(context.scene, hit, -ray.direction);
     if (!passes_light(context.scene, light, hit, place)) return false;
-    const Vec3f behind =
-        offset_origin(place.position, place.geometric_normal, place.offset, sample.wi);
-    ray = remaining_shadow_ray(ray, behind);
-    if (!(ray.t_max > 0)) return true;
+    ray = shadow_ray_behind(ray, place);
+    if (ray.t_max == 0) return true;
   }
   return false;
 }

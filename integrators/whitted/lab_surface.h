@@ -83,7 +83,8 @@ struct LabSurface {
   const Bsdf bsdf = bsdf_at(material, textures, at, true);
   switch (bsdf.model) {
     case BsdfModel::Diffuse:
-    case BsdfModel::Lab:
+    case BsdfModel::DiffuseTransmission:
+    case BsdfModel::Lab:  // returned above
       return {.kd = bsdf.diffuse};
     case BsdfModel::CookTorrance:
     case BsdfModel::CompensatedCookTorrance:
@@ -94,8 +95,6 @@ struct LabSurface {
       const Rgb f0 = conductor_reflectance(bsdf.eta, bsdf.k);
       return bsdf.is_smooth ? smooth_surface(f0) : glossy_surface(Rgb{0}, f0, bsdf.alpha);
     }
-    case BsdfModel::DiffuseTransmission:
-      return {.kd = bsdf.diffuse};
     case BsdfModel::CoatedDiffuse: {
       const Rgb f0{normal_reflectance(bsdf.coat->eta())};
       return glossy_surface(coated_diffuse_albedo(bsdf, 1), f0, ggx_width(bsdf.alpha));

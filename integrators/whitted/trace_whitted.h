@@ -44,7 +44,10 @@ template <class A>
   LabWalk walk{.ray = camera_ray};
   for (int depth = 0; depth < context.rules.max_depth; ++depth) {
     ++(depth == 0 ? counts.rays.camera : counts.rays.indirect);
-    if (!is_traceable(walk.ray)) break;
+    if (!is_traceable(walk.ray)) {
+      sample.radiance = invalid_radiance;
+      return sample;
+    }
     const Hit hit = context.accelerator.intersect(walk.ray);
     if (!hit.is_hit()) {
       sample.alpha = 1 - walk.clear;

@@ -48,7 +48,7 @@ Coverage grid_coverage(const Scene& scene, const Material& material, Vec2f uv) {
 TexturePoint point_at(const Scene& scene, const Hit& hit, Vec2f uv,
                       const ScalarParameter& opacity) {
   if (!opacity.texture || !scene.textures.is_by_place(opacity.texture)) return {.uv = uv};
-  const Instance* instance = hit.is_instanced() ? &scene.instances[hit.instance] : nullptr;
+  const Instance* instance = instance_of(scene, hit);
   const SurfacePoint met =
       make_surface_point(scene.geometries[hit.geometry], instance, hit, Vec3f(0, 0, 1), false);
   return {uv, met.position, met.geometric_normal};

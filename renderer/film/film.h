@@ -113,7 +113,7 @@ class Film {
   // All pixels become as those of a film that has them, too (take_pixel()).
   void take_part_of(const Film& other);
   // Pixel i becomes as pixel `from` of a film with as many sequences, whose pieces are added up;
-  // without its layers where either has none.
+  // its layers as well where both films have some.
   void take_pixel(std::size_t i, const Film& other, std::size_t from);
 
   [[nodiscard]] const PixelRect& crop() const { return crop_; }

@@ -1,6 +1,7 @@
 #include "renderer/film/heavy_tails.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "renderer/film/tiles.h"
@@ -8,28 +9,16 @@
 namespace candela {
 namespace {
 
-// The light of a pixel or a region, by replicate.
-using Shares = std::vector<double>;
-
-void add_pixel(const Film& film, std::size_t i, Shares& shares) {
-  for (std::uint32_t r = 0; r < film.replicates(); ++r)
-    shares[r] += sum_of_components(film.replicate_sum(i, r));
+double light_of_replicate(const Film& film, std::size_t i, std::uint32_t r) {
+  return sum_of_components(film.replicate_sum(i, r));
 }
 
-// Whether one replicate holds far more than its share of the samples: of four, half of all. Where
-// there is no light, or less than none (filters with negative parts), none does.
-bool is_dominated(const Shares& shares) {
-  const double fair = 1.0 / static_cast<double>(shares.size());
+// Whether one of the replicates holds far more than its share of the samples: of four, half of all.
+// Where there is no light, or less than none (filters with negative parts), none does.
+bool is_dominant(double largest, double total, std::uint32_t replicates) {
+  const double fair = 1.0 / replicates;
   const double suspicious = fair + (1 - fair) / 3;
-  const double total = std::accumulate(shares.begin(), shares.end(), 0.0);
-  const double largest = *std::max_element(shares.begin(), shares.end());
-  return shares.size() > 1 && total > 0 && largest > suspicious * total;
-}
-
-Shares shares_of(const Film& film, std::size_t i) {
-  Shares shares(film.replicates(), 0.0);
-  add_pixel(film, i, shares);
-  return shares;
+  return replicates > 1 && total > 0 && largest > suspicious * total;
 }
 
 double mean_light(const Film& film, const PixelRect& region) {
@@ -49,7 +38,7 @@ bool is_dim(const Film& film, const PixelRect& region, double picture_mean) {
 
 // As a whole, by a firefly; or in most pixels that have any light, each by another one.
 bool is_heavy(const Film& film, const PixelRect& region) {
-  Shares whole(film.replicates(), 0.0);
+  std::vector<double> whole(film.replicates(), 0.0);  // the region's light
   int lit = 0;
   int dominated = 0;
   for (int y = region.y0; y < region.y1; ++y)
@@ -57,15 +46,25 @@ bool is_heavy(const Film& film, const PixelRect& region) {
       const std::size_t i = film.index(x, y);
       if (max_component(film.mean(i)) > 0) ++lit;
       if (is_dominated(film, i)) ++dominated;
-      add_pixel(film, i, whole);
+      for (std::uint32_t r = 0; r < film.replicates(); ++r)
+        whole[r] += light_of_replicate(film, i, r);
     }
-  return is_dominated(whole) || 2 * dominated > lit;
+  const double largest = *std::ranges::max_element(whole);
+  const double total = std::accumulate(whole.begin(), whole.end(), 0.0);
+  return is_dominant(largest, total, film.replicates()) || 2 * dominated > lit;
 }
 
 }  // namespace
 
 bool is_dominated(const Film& film, std::size_t i) {
-  return is_dominated(shares_of(film, i));
+  double largest = std::numeric_limits<double>::lowest();
+  double total = 0;
+  for (std::uint32_t r = 0; r < film.replicates(); ++r) {
+    const double light = light_of_replicate(film, i, r);
+    largest = std::max(largest, light);
+    total += light;
+  }
+  return is_dominant(largest, total, film.replicates());
 }
 
 std::vector<bool> heavy_tail_mask(const Film& film) {

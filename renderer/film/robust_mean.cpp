@@ -52,8 +52,8 @@ inline Vec3d weighted_square(double weight, const Vec3d& deviation) {
   return weight * deviation * deviation;
 }
 
-// Of two groups and more. Numbers that are 1 or 0 in place of booleans, and no arrays: vectors know
-// neither.
+// Of three groups or four; of fewer it tells nothing. Numbers that are 1 or 0 in place of booleans,
+// and no arrays: vectors know neither.
 inline RobustMean robust_of(const SampleSum& sum_a, const SampleSum& sum_b, const SampleSum& sum_c,
                             const SampleSum& sum_d) {
   const Vec3d a = mean_of(sum_a), b = mean_of(sum_b), c = mean_of(sum_c), d = mean_of(sum_d);

@@ -1,11 +1,9 @@
 #include "renderer/light/light_power.h"
 
+#include "renderer/math/colour.h"
+
 namespace candela {
 namespace {
-
-double double_luminance(const Rgb& c) {
-  return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
-}
 
 // The solid angle of the cone, weighted by the falloff: the smooth part counts half, since
 // 3t^2 - 2t^3 of the cosine has the mean 1/2.
@@ -19,7 +17,7 @@ double spot_solid_angle(const Light& light) {
 
 double light_power(const Light& light, const Environment* environment, double scene_radius) {
   const double disc = pi_double * square(scene_radius);
-  const double emission = double_luminance(light.emission);
+  const double emission = luminance(Vec3d(light.emission));
   const auto mean = static_cast<double>(light.mean_luminance);
   switch (light.kind) {
     case LightKind::Point:

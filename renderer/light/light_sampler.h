@@ -1,8 +1,9 @@
 // Picks lights for next-event estimation.
 //
 // With at most `delta_limit` delta lights each of them is sampled at every hit, and one more light
-// is picked by power among the rest (triangles, environment). With more delta lights all are picked
-// by power. Black lights are never picked, dim ones not less than every tenth of an equal share.
+// is picked by power among the rest (lights with an area, the environment). With more delta lights
+// all are picked by power. Black lights are never picked, dim ones not less than every tenth of an
+// equal share.
 //
 // Few lights are picked by inversion (light_ranges.h). Where there are cells (light_cells.h),
 // lights are picked by what they may send to the point's cell.

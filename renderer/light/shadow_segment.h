@@ -15,4 +15,13 @@ inline constexpr float shadow_segment_end = 1 - gamma_bound(16);
   return {origin, end - origin, shadow_segment_end};
 }
 
+// The rest of a shadow ray, to the same end, from behind a surface that it met; t_max 0 where that
+// lies past the end.
+[[nodiscard]] inline Ray shadow_ray_behind(const Ray& ray, const SurfacePoint& met) {
+  const Vec3f origin = offset_origin(met.position, met.geometric_normal, met.offset, ray.direction);
+  if (ray.t_max == infinity) return {origin, ray.direction, infinity};
+  const Vec3f to_end = ray.origin + ray.direction - origin;
+  return {origin, to_end, dot(to_end, ray.direction) <= 0 ? 0.0f : ray.t_max};
+}
+
 }  // namespace candela

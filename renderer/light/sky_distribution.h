@@ -56,9 +56,6 @@ class SkyDistribution {
 
   [[nodiscard]] const GridDistribution& cells() const { return cells_; }
 
-  // u in [0, 1)^2; not where there is no light.
-  [[nodiscard]] SkySample sample(Vec2f u) const { return at(cells_.sample(u)); }
-
   // Within a cell cosines are uniform, and so is the place along a chord.
   [[nodiscard]] SkySample at(const GridDistribution::Cell& cell) const {
     const bool is_south = 2 * cell.row >= cells_.rows();
@@ -91,11 +88,10 @@ class SkyDistribution {
     const float reach2 = reach > 0 ? sin2_theta / (reach * reach) : 1;
     return {column, d.y < 0 ? cells_.rows() - 1 - row : row, density(as_float(row), reach2)};
   }
-  // The density of sample() there.
+  // The density there of at() for cells by their light.
   [[nodiscard]] float pdf(const SkyPlace& place) const {
     return cells_.probability(place.column, place.row) * place.density;
   }
-  [[nodiscard]] float pdf(const Vec3f& d) const { return pdf(place_of(d)); }
 
  private:
   // Of numbers of cells, by way of signed ones, which every processor's vectors convert.

@@ -1,5 +1,6 @@
 // The named random dimensions. Every random number of a render is a function of
-// (seed, pixel, sample, bounce, dimension): no generator is passed, stored or thread-local, so work
+// (seed, pixel, sample, branch, bounce, dimension), where split paths and rays for lamps are
+// branches of their sample: no generator is passed, stored or thread-local, so work
 // that is skipped shifts no stream: one scene, one set of options and one seed give one image,
 // bit by bit.
 #pragma once

@@ -2,8 +2,8 @@
 //
 // Probabilities are whole multiples of a step that uniform random bits can tell apart, and every
 // positive weight has at least one step: what is said to be chosen with probability p is chosen
-// with probability p, and nothing that may matter is lost to rounding, however far weights lie
-// apart.
+// with probability p, to the rounding of a float, and nothing that may matter is lost, however far
+// weights lie apart.
 #pragma once
 
 #include <cstdint>

@@ -81,6 +81,11 @@ struct Scene {
   std::vector<std::string> material_names;  // by material, for reports
 };
 
+// What a hit's surface is placed by; null: it lies in the world itself.
+[[nodiscard]] inline const Instance* instance_of(const Scene& scene, const Hit& hit) {
+  return hit.is_instanced() ? &scene.instances[hit.instance] : nullptr;
+}
+
 // Whether a surface parts two media, or is nothing but the boundary of one.
 [[nodiscard]] inline bool bounds_media(const Scene& scene, MaterialHandle material) {
   if (scene.medium_boundaries.empty()) return false;

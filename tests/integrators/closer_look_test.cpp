@@ -165,6 +165,24 @@ TEST(Unit_CloserLook, LooksAtThePixelsOfACrop) {
   }
 }
 
+// Which of a look's samples are invalid tells nothing of the picture's.
+TEST(Unit_CloserLook, CountsInvalidSamplesAndLocatesNone) {
+  const RenderSettings settings = settings_of(size, many, 5);
+  Film film(size, size, {0, 0, size, size}, 0, 4);
+  flashing_tile({film.crop(), {0, many}, nullptr, 5}, film);
+  PixelErrors errors = *estimate_pixel_errors(film);
+  const TileFunction flawed = [](const TilePass& pass, Film& of) {
+    TileCounts counts = flashing_tile(pass, of);
+    counts.invalid_samples = 1;
+    counts.add_invalid({pass.tile.x0, pass.tile.y0, 7});
+    return counts;
+  };
+  CloserLook look(settings.options, flawed, never);
+  const TileCounts counts = look.correct(film, {}, errors);
+  EXPECT_GT(counts.invalid_samples, 0u);
+  EXPECT_FALSE(counts.first_invalid);
+}
+
 Film film_of(std::uint32_t samples, std::uint64_t seed) {
   Film film(size, size, {0, 0, size, size}, 0, 4);
   flashing_tile({film.crop(), {0, samples}, nullptr, seed}, film);

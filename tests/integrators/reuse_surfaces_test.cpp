@@ -114,16 +114,20 @@ TEST(Statistical_ReuseSurfaces, CoatsOfAnyWidthHaveLessError) {
   expect_less_error_shared(room_without_plain_gloss(), 0.9);
 }
 
-// What comes straight from lights to a glossy point that a path leaves is parted into what its
-// diffuse lobe sends back and the rest. The rays to finite lights are as long as these are far.
-TEST(Unit_ReusePoints, HowFarALightIsDoesNotChangeHowItsLightIsParted) {
+SceneDescription three_glossy_floors() {
   SceneDescription floors = empty_scene();
   for (const auto material :
        {add_material(floors, lab(0.3, 0.7, 20)), add_material(floors, coated(0.9)),
         add_material(floors, cook_torrance(0.2, 0.8, description::GeometryModel::Smith))})
     add_mesh(floors, quad({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}), material);
   set_camera(floors, {0, 1, 0}, {0, 0, 0.1}, 45);
-  const Scene scene = compiled(floors, settings_of(16, 16).options);
+  return floors;
+}
+
+// What comes straight from lights to a glossy point that a path leaves is parted into what its
+// diffuse lobe sends back and the rest. The rays to finite lights are as long as these are far.
+TEST(Unit_ReusePoints, HowFarALightIsDoesNotChangeHowItsLightIsParted) {
+  const Scene scene = compiled(three_glossy_floors(), settings_of(16, 16).options);
   const Vec3f wo = normalize(Vec3f(0.3f, 1, 0.2f)), wi = normalize(Vec3f(-0.4f, 1, 0.1f));
   PathBlock block{};
   SharedPointLanes y;
@@ -146,6 +150,21 @@ TEST(Unit_ReusePoints, HowFarALightIsDoesNotChangeHowItsLightIsParted) {
     for (const float distance : {0.2f, 5.0f, 40.0f})
       EXPECT_NEAR(light_by_diffuse_lobe(geometry, distance) / near, 1, 1e-5) << geometry;
   }
+}
+
+// A path whose next ray cannot be traced has no radiance, whatever lights there are.
+TEST(Unit_ReusePoints, ALostPathStaysLost) {
+  const Scene scene = compiled(three_glossy_floors(), settings_of(16, 16).options);
+  ASSERT_TRUE(scene.light_sampler.always().empty());
+  PathBlock block{};
+  block.hits.set(0, Hit{.u = 0.3f, .v = 0.4f, .geometry = 0, .triangle = 0});
+  lose_path(block, 0);
+  SharedPointLanes y;
+  reset_points(y);
+  y.wo.set(0, {0, 1, 0});
+  y.always.set(0, block.paths.radiance[0]);
+  leave_point(scene, 0, {}, block, y);
+  EXPECT_FALSE(is_finite(y.direct_glossy[0]));
 }
 
 // None of the room's surfaces but the ceiling is Lambert's.

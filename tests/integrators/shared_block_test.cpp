@@ -81,10 +81,12 @@ TEST(Unit_SharedBlock, SplitPathsAndObserversHaveNone) {
   TilePass pass;
   pass.range = {0, 9};
   RenderOptions options;
-  EXPECT_TRUE(shares_blocks(options, pass, 1));
-  EXPECT_FALSE(shares_blocks(options, pass, 2));
+  EXPECT_TRUE(shares_blocks(options, pass));
+  pass.plan.splitting = 2;
+  EXPECT_FALSE(shares_blocks(options, pass));
+  pass.plan.splitting = 1;
   options.savings.shares_blocks = false;
-  EXPECT_FALSE(shares_blocks(options, pass, 1));
+  EXPECT_FALSE(shares_blocks(options, pass));
 }
 
 TEST(Agreement_SharedBlock, CompanyChangesNoBit) {

@@ -31,6 +31,7 @@ TEST(Unit_TimeBudget, TheRateIsThatOfSamplesAlone) {
   TimeBudget budget(1000, earlier);
   budget.begin_samples(earlier + std::chrono::seconds(60));
   EXPECT_NEAR(budget.samples_in_time(5), 117.5, 10);
+  EXPECT_EQ(budget.samples_in_time(5, 0.05), 0);
 }
 
 TEST(Unit_TimeBudget, NothingIsTriedThatThereIsNoTimeFor) {
@@ -43,7 +44,9 @@ TEST(Unit_TimeBudget, NothingIsTriedThatThereIsNoTimeFor) {
     return {};
   };
   const auto is_over = [] { return true; };
-  EXPECT_EQ(choose_roulette(options, never, is_over).plan.roulette_threshold, 0.25f);
+  const RouletteChoice roulette = choose_roulette(options, never, is_over);
+  EXPECT_EQ(roulette.plan.roulette_threshold, 0.25f);
+  EXPECT_EQ(roulette.samples, 0u);
   EXPECT_FALSE(choose_reuse(options, options.plan, never, is_over).reuses_paths);
   EXPECT_EQ(choose_guide(options, never, is_over).field, nullptr);
 }

@@ -112,8 +112,7 @@ Placed random_triangle(const Scene& scene, RayRandom& random) {
 }
 
 Placed placed_of(const Scene& scene, const Hit& hit) {
-  return {&scene.geometries[hit.geometry], hit.triangle,
-          hit.is_instanced() ? &scene.instances[hit.instance] : nullptr};
+  return {&scene.geometries[hit.geometry], hit.triangle, instance_of(scene, hit)};
 }
 
 using Corners = std::array<Vec3d, 3>;
@@ -162,7 +161,7 @@ void try_ray(const A& accelerator, const Convex& convex, const Scene& scene, std
   const Ray in = grazing_ray(corners_of(random_triangle(scene, random)), random);
   const Hit hit = accelerator.intersect(in);
   if (!hit.is_hit()) return;  // passed over the edge by rounding
-  const Instance* instance = hit.is_instanced() ? &scene.instances[hit.instance] : nullptr;
+  const Instance* instance = instance_of(scene, hit);
   const SurfacePoint point =
       make_surface_point(scene.geometries[hit.geometry], instance, hit, -in.direction, false);
   if (!point.is_front) return;  // came in over an edge and met a far side from behind

@@ -96,6 +96,16 @@ TEST(Unit_ReportShade, OnlyTheCameraSeesLamps) {
   EXPECT_EQ(result.statistics.kernel, "report");
 }
 
+// Nor does a pilot that it has none of part its samples into other sequences.
+TEST(Unit_ReportShade, DoesNotAdapt) {
+  RenderSettings settings = report_settings(16, 64);
+  settings.options.replicates = 1;
+  const Scene scene = compiled(small_room(), settings.options);
+  const Image plain = picture(scene, settings);
+  settings.options.adaptive = true;
+  EXPECT_EQ(picture(scene, settings).values, plain.values);
+}
+
 TEST(Agreement_ReportSameBits, OverThreadsTilesAndCrops) {
   RenderSettings settings = report_settings(40, 12);
   settings.options.aovs = aov_bit(Aov::Albedo) | aov_bit(Aov::Normal) | aov_bit(Aov::Depth);
