@@ -1,11 +1,13 @@
 #include "scene_io/lab3/yaml_tree.h"
 
+#include <algorithm>
 #include <istream>
 #include <stdexcept>
 #include <streambuf>
 #include <unordered_map>
 
 #include <fmt/format.h>
+#include <yaml-cpp/emitterstyle.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/mark.h>
@@ -27,7 +29,7 @@ struct SecondDocument {
 // ends are foreign.
 class LineTable {
  public:
-  explicit LineTable(std::string_view text) : size_(text.size()) {
+  explicit LineTable(std::string_view text) : text_(text) {
     begins_.push_back(0);
     for (std::size_t i = 0; i < text.size(); ++i)
       if (text[i] == '\n') begins_.push_back(i + 1);
@@ -35,13 +37,38 @@ class LineTable {
   [[nodiscard]] std::size_t offset(const YAML::Mark& mark) const {
     if (mark.line < 0) return 0;
     const std::size_t line = std::min(static_cast<std::size_t>(mark.line), begins_.size() - 1);
-    const std::size_t end = line + 1 < begins_.size() ? begins_[line + 1] - 1 : size_;
+    const std::size_t end = line + 1 < begins_.size() ? begins_[line + 1] - 1 : text_.size();
     return std::min(begins_[line] + static_cast<std::size_t>(std::max(mark.column, 0)), end);
+  }
+  // The '-' of an empty entry of a list, behind which only blanks and comments stand before
+  // `offset`.
+  [[nodiscard]] std::size_t dash_before(std::size_t offset) const {
+    for (std::size_t end = offset; end > 0;) {
+      const std::size_t begin = text_.rfind('\n', end - 1) + 1;  // npos + 1 is 0
+      const std::string_view line = text_.substr(begin, end - begin);
+      const std::size_t dash = line.substr(0, line.find_first_not_of(" \t-")).rfind('-');
+      if (dash != std::string_view::npos) return begin + dash;
+      end = begin == 0 ? 0 : begin - 1;
+    }
+    return offset;
+  }
+  // Whether a quote that nothing closes begins at `offset`.
+  [[nodiscard]] bool has_unclosed_quote(std::size_t offset) const {
+    const char quote = offset < text_.size() ? text_[offset] : '\0';
+    if (quote != '"' && quote != '\'') return false;
+    const std::string_view escape = quote == '"' ? "\\" : "''";
+    for (std::size_t i = offset + 1; i < text_.size(); ++i) {
+      if (text_.substr(i).starts_with(escape))
+        ++i;
+      else if (text_[i] == quote)
+        return false;
+    }
+    return true;
   }
 
  private:
+  std::string_view text_;
   std::vector<std::size_t> begins_;
-  std::size_t size_;
 };
 
 // A stream over memory that is not copied.
@@ -67,14 +94,19 @@ class TreeBuilder : public YAML::EventHandler {
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     Node& node = add(Node::Kind::Null, mark, anchor);
-    // The mark is that of what follows; the place of a value that is not there is its key's.
-    if (!open_.empty() && open_.back().pending_key) node.offset = open_.back().pending_key->offset;
+    // The mark is that of what follows; the place of a value that is not there is its key's or its
+    // dash's.
+    if (!open_.empty() && open_.back().pending_key)
+      node.offset = open_.back().pending_key->offset;
+    else if (!open_.empty() && open_.back().has_dashes)
+      node.offset = lines_.dash_before(node.offset);
     attach(node);
   }
   void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
                 const std::string& value) override {
     Node& node = add(Node::Kind::Scalar, mark, anchor);
     node.text = value;
+    last_scalar_offset_ = node.offset;
     attach(node);
   }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
@@ -87,8 +119,9 @@ class TreeBuilder : public YAML::EventHandler {
     attach(*found->second, offset);
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
-                       YAML::EmitterStyle::value) override {
+                       YAML::EmitterStyle::value style) override {
     open(Node::Kind::Sequence, mark, anchor);
+    open_.back().has_dashes = style == YAML::EmitterStyle::Block;
   }
   void OnSequenceEnd() override { close(); }
   void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
@@ -97,10 +130,18 @@ class TreeBuilder : public YAML::EventHandler {
   }
   void OnMapEnd() override { close(); }
 
+  // yaml-cpp takes the text's end for the quote's, where it stands at the begin of a line.
+  void refuse_unclosed_quote() const {
+    if (lines_.has_unclosed_quote(last_scalar_offset_))
+      throw Refusal{last_scalar_offset_,
+                    "this quote is not closed, expected the same mark behind its text"};
+  }
+
  private:
   struct Level {
     Node* node = nullptr;
     const Node* pending_key = nullptr;
+    bool has_dashes = false;  // a list whose entries stand behind '-'
   };
 
   Node& add(Node::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor) {
@@ -118,7 +159,7 @@ class TreeBuilder : public YAML::EventHandler {
     if (open_.size() >= max_yaml_depth)
       throw Refusal{lines_.offset(mark),
                     fmt::format("values are nested more than {} levels deep", max_yaml_depth)};
-    open_.push_back({&add(kind, mark, anchor), nullptr});
+    open_.push_back({&add(kind, mark, anchor), nullptr, false});
   }
 
   void close() {
@@ -169,6 +210,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   const LineTable& lines_;
   Document& document_;
+  std::size_t last_scalar_offset_ = 0;
   std::vector<Level> open_;
   std::unordered_map<YAML::anchor_t, const Node*> anchors_;
 };
@@ -217,6 +259,7 @@ void build(std::string_view text, const LineTable& lines, Document& document) {
   YAML::Parser parser(stream);
   TreeBuilder builder(lines, document);
   if (parser.HandleNextDocument(builder)) parser.HandleNextDocument(builder);
+  builder.refuse_unclosed_quote();
 }
 
 }  // namespace

@@ -94,6 +94,32 @@ TEST(Errors_YamlTree, MalformedTexts) {
   EXPECT_EQ(error_in("hello\n"), "1:1: found 'hello', expected the keys of a scene");
 }
 
+TEST(Errors_YamlTree, EmptyEntriesOfListsStandAtTheirDashes) {
+  const auto empty = [](std::string_view place) {
+    return fmt::format("{}: found nothing, expected the keys of a material", place);
+  };
+  EXPECT_EQ(error_in("Materials:\n  - Name: a\n  -\n  - Name: b\n"), empty("3:3"));
+  EXPECT_EQ(error_in("Materials:\n  - Name: a\n  - # - none\n# - more - \n\nLights: []\n"),
+            empty("3:3"));
+  EXPECT_EQ(error_in("Materials:\n-\n"), empty("2:1"));
+  EXPECT_EQ(error_in("Materials:\r\n  -\r\n\r\n"), empty("2:3"));
+  EXPECT_EQ(error_in("Materials:\n  - ~\n"), empty("2:3"));
+  EXPECT_EQ(error_in("Cameras:\n  - Eye:\n    - - 1\n      -\n      - 3\n"),
+            "3:7: Eye: found a list of 3 values, expected a number");
+}
+
+TEST(Errors_YamlTree, UnclosedQuotes) {
+  EXPECT_EQ(error_in("Models:\n  - Mesh: \"tri.obj\n    Material: a\n"),
+            "2:11: this quote is not closed, expected the same mark behind its text");
+  EXPECT_EQ(error_in("Models:\n  - Mesh: 'it''s\n"),
+            "2:11: this quote is not closed, expected the same mark behind its text");
+  EXPECT_EQ(error_in("'Lights: 5\n"),
+            "1:1: this quote is not closed, expected the same mark behind its text");
+  EXPECT_EQ(error_in("Lights: \"a \\\" b\"\n"), "1:9: Lights: found 'a \" b', expected a list");
+  EXPECT_EQ(error_in("Lights: 'a '' b'"), "1:9: Lights: found 'a ' b', expected a list");
+  EXPECT_EQ(error_in("Lights: \"a\n  b\"\n"), "1:9: Lights: found 'a b', expected a list");
+}
+
 TEST(Errors_YamlTree, BinaryFiles) {
   EXPECT_EQ(error_in(std::string_view("Cameras:\0", 9)),
             "1:9: found the byte 0x00, expected a text file");
