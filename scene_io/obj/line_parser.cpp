@@ -81,8 +81,9 @@ class ChunkParser {
       const std::string_view word = line.next_word();
       if (word.empty() || (word[0] == '#' && i >= least)) {
         if (i >= least) return true;
-        error(word.data(), fmt::format("'{}' has {} number{}; expected {}{}", statement, i,
-                                       i == 1 ? "" : "s", least, least == Count ? "" : " or more"));
+        error(word.data(),
+              text::too_few_numbers(statement, i,
+                                    fmt::format("{}{}", least, least == Count ? "" : " or more")));
         return false;
       }
       const text::Number<double> number = text::parse_double(word);

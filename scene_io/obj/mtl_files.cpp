@@ -65,6 +65,11 @@ void read_libraries(const std::string& path, const Source& source, const ObjData
   for (const Chunk& chunk : data.chunks) {
     for (const MtlReference& reference : chunk.libraries) {
       if (!seen.insert(reference.names).second) continue;
+      if (reference.names.empty()) {
+        text::report(diagnostics, source, reference.offset, Severity::Warning,
+                     "no file is named; expected the name of an MTL file");
+        continue;
+      }
       const ResolvedPath whole = text::resolve_path(path, reference.names);
       if (whole.is_found || reference.names.find_first_of(" \t") == std::string_view::npos) {
         read_library(source, reference.names, whole, use, model, diagnostics);

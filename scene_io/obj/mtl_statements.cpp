@@ -61,6 +61,11 @@ bool is_among(const std::array<std::string_view, Count>& words, std::string_view
                      [&](std::string_view w) { return text::equal_ignoring_case(w, word); });
 }
 
+// Of what a statement says: of its line, or before a comment.
+bool is_end(std::string_view word) {
+  return word.empty() || word[0] == '#';
+}
+
 class StatementParser {
  public:
   StatementParser(const std::string& path, const text::Source& source, MtlUse use,
@@ -72,7 +77,7 @@ class StatementParser {
     while (!lines.at_end() && !diagnostics_.is_full()) {
       Cursor line(lines.next_logical_line());
       const std::string_view word = line.next_word();
-      if (!word.empty() && word[0] != '#') parse_statement(word, line);
+      if (!is_end(word)) parse_statement(word, line);
     }
     return std::move(materials_);
   }
@@ -81,8 +86,7 @@ class StatementParser {
   void parse_statement(std::string_view word, Cursor& line) {
     if (text::equal_ignoring_case(word, "newmtl")) return begin_material(word, line);
     if (materials_.empty()) {
-      if (!is_lost_said_) say(Severity::Warning, word.data(), "stands before the first 'newmtl'");
-      is_lost_said_ = true;
+      say_lost(word);
     } else if (text::equal_ignoring_case(word, "illum")) {
       parse_illum(line);
     } else if (const auto colour = find_keyword(colours, word); colour != colours.end()) {
@@ -118,8 +122,12 @@ class StatementParser {
     materials_.push_back(std::move(material));
   }
 
-  std::optional<double> parse_number(std::string_view keyword, std::string_view word) {
-    if (const text::Number<double> number = text::parse_double(word)) {
+  // `count` others stand before it.
+  std::optional<double> parse_number(std::string_view keyword, std::string_view word,
+                                     std::size_t count = 0, std::string_view expected = "1") {
+    if (is_end(word)) {
+      say(Severity::Error, word.data(), text::too_few_numbers(keyword, count, expected));
+    } else if (const text::Number<double> number = text::parse_double(word)) {
       return number.value;
     } else {
       say(Severity::Error, word.data(),
@@ -138,11 +146,12 @@ class StatementParser {
         return say(Severity::Warning, word.data(),
                    fmt::format("'{}' is left out; expected three numbers", word));
       }
-      if (i == 1 && (word.empty() || word[0] == '#')) {
+      if (i == 1 && is_end(word)) {
         value = Vec3d{value.x};
         break;
       }
-      const std::optional<double> number = parse_number(keyword, word);
+      const std::optional<double> number =
+          parse_number(keyword, word, static_cast<std::size_t>(i), "3, or 1 for all");
       if (!number) return;
       value[i] = *number;
     }
@@ -164,6 +173,14 @@ class StatementParser {
   void parse_map(Cursor& line, std::optional<MtlTexture>& map) {
     const TextureContext context{texture_names_, span_at_, use_ == MtlUse::Full, diagnostics_};
     if (auto texture = parse_texture(source_, line, context)) map = std::move(texture);
+  }
+
+  void say_lost(std::string_view word) {
+    if (!is_lost_said_)
+      say(Severity::Warning, word.data(),
+          fmt::format("{} stands before the first 'newmtl': what stands there is left out",
+                      text::quoted(word)));
+    is_lost_said_ = true;
   }
 
   // Each once a file.

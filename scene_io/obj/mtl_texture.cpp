@@ -76,7 +76,11 @@ class TextureParser {
       const std::string_view argument = ahead.next_word();
       const text::Number<double> number = text::parse_double(argument);
       if (i >= option.least_arguments && !number) break;
-      if (argument.empty() || (needs_numbers && !number)) {
+      if (argument.empty()) {
+        say(Severity::Error, argument.data(), fmt::format("nothing stands behind '{}'", word));
+        return false;
+      }
+      if (needs_numbers && !number) {
         say(Severity::Error, argument.data(),
             fmt::format("{} {}; expected a number after '{}'", text::quoted(argument),
                         text::describe(text::NumberFault::Malformed), word));

@@ -72,7 +72,7 @@ class BodyReader {
       if (!has_bytes_for(element) || !read_element(element, polygons)) return false;
     }
     if (mesh.positions.empty()) return fail("holds no vertices");
-    if (polygons.sizes.empty()) return fail("holds no faces");
+    if (polygons.sizes.empty()) return refuse_no_faces();
     warn_of_replaced();
     return true;
   }
@@ -88,6 +88,13 @@ class BodyReader {
     return false;
   }
 
+  bool refuse_no_faces() {
+    for (const Element& element : header_.elements)
+      if (element.name == "face" && element.count > 0)
+        return refuse(element, "faces without the list 'vertex_indices' or 'vertex_index'");
+    return fail("holds no faces");
+  }
+
   // With the place: line and column of a text, the byte of a binary file.
   bool fail_here(std::string message) {
     const std::size_t offset = values_.offset();
@@ -99,8 +106,12 @@ class BodyReader {
   }
 
   bool fail_at_number(const Element& element, std::uint64_t index) {
-    return fail_here(fmt::format("no number where {} {} of {} should have one",
-                                 text::quoted(element.name), index, element.count));
+    return fail_here(fmt::format("no number where {} should have one", nth(element, index)));
+  }
+
+  // "'face' 1 of 2", counted from 1.
+  static std::string nth(const Element& element, std::uint64_t index) {
+    return fmt::format("{} {} of {}", text::quoted(element.name), index + 1, element.count);
   }
 
   // The header's word counts only as far as the file is long enough for it.
@@ -169,7 +180,8 @@ class BodyReader {
     std::array<double, SlotCount + 1> record{};
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!read_record(element, slots, record)) return fail_at_number(element, i);
-      if (!add_position(record, i, mesh)) return false;
+      if (!add_position(record, mesh))
+        return fail_here(nth(element, i) + " has a position that is not finite");
       if (has_normals) add_normal(record, mesh);
       if (has_uvs) add_uv(record, mesh);
     }
@@ -191,14 +203,10 @@ class BodyReader {
     return true;
   }
 
-  bool add_position(const std::array<double, SlotCount + 1>& record, std::uint64_t index,
-                    Mesh& mesh) {
-    const Vec3d position{record[X], record[Y], record[Z]};
-    if (!is_finite(position)) {
-      return fail_here(fmt::format("vertex {} has a position that is not finite", index));
-    }
-    mesh.positions.push_back(position);
-    return true;
+  // False where it is not finite.
+  static bool add_position(const std::array<double, SlotCount + 1>& record, Mesh& mesh) {
+    mesh.positions.emplace_back(record[X], record[Y], record[Z]);
+    return is_finite(mesh.positions.back());
   }
 
   void add_normal(const std::array<double, SlotCount + 1>& record, Mesh& mesh) {
@@ -227,8 +235,8 @@ class BodyReader {
     const std::uint64_t least = Values::least_bytes(property.type);
     const auto most = static_cast<double>(values_.bytes_left() / least);
     if (!(std::isgreaterequal(*count, 0.0) && std::islessequal(*count, most))) {
-      return say(fmt::format("{} {} announces {} corners, more than the file has bytes for",
-                             text::quoted(element.name), index, *count));
+      return say(fmt::format("{} announces {} corners, more than the file has bytes for",
+                             nth(element, index), *count));
     }
     list_.clear();
     for (auto k = static_cast<std::uint64_t>(*count); k > 0; --k) {
@@ -240,14 +248,15 @@ class BodyReader {
                             *corner < static_cast<double>(vertex_count_) &&
                             *corner == std::floor(*corner);
       if (!is_index && !is_restart) {
-        return say(fmt::format("{} {} has corner {}, but there are {} vertices (from 0)",
-                               text::quoted(element.name), index, *corner, vertex_count_));
+        return say(fmt::format("{} has corner {}, but there are {} vertices (from 0)",
+                               nth(element, index), *corner, vertex_count_));
       }
       list_.push_back(is_restart ? restart : static_cast<std::uint32_t>(*corner));
     }
     if (is_strip) return add_strip(polygons);
     if (list_.size() < 3) {
-      return say(fmt::format("face {} has {} corners; expected 3 or more", index, list_.size()));
+      return say(fmt::format("{} has {} corner{}; expected 3 or more", nth(element, index),
+                             list_.size(), list_.size() == 1 ? "" : "s"));
     }
     add_face(list_, polygons);
     return true;

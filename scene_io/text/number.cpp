@@ -3,6 +3,8 @@
 #include <charconv>
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include "scene_io/text/cursor.h"
 
 namespace candela::text {
@@ -88,6 +90,12 @@ std::string_view describe(NumberFault fault) {
       return "is too large a number";
   }
   return "";
+}
+
+std::string too_few_numbers(std::string_view statement, std::size_t count,
+                            std::string_view expected) {
+  return fmt::format("'{}' has {} number{}; expected {}", statement, count, count == 1 ? "" : "s",
+                     expected);
 }
 
 }  // namespace candela::text

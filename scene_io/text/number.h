@@ -1,7 +1,9 @@
 // Numbers of text files: locale-free, in double, exact (std::from_chars).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace candela::text {
@@ -27,5 +29,9 @@ struct Number {
 
 // "is not a number" and its like, for a sentence that begins with the word.
 [[nodiscard]] std::string_view describe(NumberFault fault);
+
+// "'v' has 2 numbers; expected 3"
+[[nodiscard]] std::string too_few_numbers(std::string_view statement, std::size_t count,
+                                          std::string_view expected);
 
 }  // namespace candela::text

@@ -169,12 +169,29 @@ TEST(Errors_Obj, AMissingMtlIsAWarning) {
   EXPECT_TRUE(diagnostics.list()[1].message.starts_with("1 face without a material is dropped"));
 }
 
+TEST(Errors_Obj, AnMtllibWithoutANameIsAWarning) {
+  const TemporaryFolder folder;
+  Diagnostics diagnostics;
+  const ObjModel model =
+      parse_obj(folder.file("a.obj"), three_and("f 1 2 3\nmtllib\nmtllib \n"), {}, diagnostics);
+  ASSERT_FALSE(diagnostics.list().empty());
+  EXPECT_FALSE(diagnostics.has_errors());
+  EXPECT_EQ(first_said(diagnostics),
+            fmt::format("{}:5:1: warning: no file is named; expected the name of an MTL file\n"
+                        "mtllib\n^",
+                        folder.file("a.obj")));
+}
+
 TEST(Errors_Mtl, NameThePlaceAndWhatWasExpected) {
   const std::vector<Case> cases{
       {"newmtl a\nKd 1 x 1\n",
        "a.mtl:2:6: error: 'x' is not a number; expected a number after 'Kd'\nKd 1 x 1\n     ^"},
       {"newmtl a\nKd 1 1\n",
-       "a.mtl:2:7: error: '' is not a number; expected a number after 'Kd'\nKd 1 1\n      ^"},
+       "a.mtl:2:7: error: 'Kd' has 2 numbers; expected 3, or 1 for all\nKd 1 1\n      ^"},
+      {"newmtl a\nKe # none\n",
+       "a.mtl:2:4: error: 'Ke' has 0 numbers; expected 3, or 1 for all\nKe # none\n   ^"},
+      {"newmtl a\nNs\n", "a.mtl:2:3: error: 'Ns' has 0 numbers; expected 1\nNs\n  ^"},
+      {"newmtl a\nTr # 1\n", "a.mtl:2:4: error: 'Tr' has 0 numbers; expected 1\nTr # 1\n   ^"},
       {"newmtl a\nNs inf\n",
        "a.mtl:2:4: error: 'inf' is not a finite number; expected a number after 'Ns'\nNs inf\n   "
        "^"},
@@ -182,7 +199,9 @@ TEST(Errors_Mtl, NameThePlaceAndWhatWasExpected) {
        "a.mtl:2:7: error: 'glass' is not a number; expected a number after 'illum'\n"
        "illum glass\n      ^"},
       {"newmtl\nKd 1 1 1\n", "a.mtl:1:1: error: a material without a name\nnewmtl\n^"},
-      {"Kd 1 1 1\nKs 1 1 1\n", "a.mtl:1:1: warning: stands before the first 'newmtl'\nKd 1 1 1\n^"},
+      {"Kd 1 1 1\nKs 1 1 1\n",
+       "a.mtl:1:1: warning: 'Kd' stands before the first 'newmtl': what stands there is left "
+       "out\nKd 1 1 1\n^"},
       {"newmtl a\nKdd 1 1 1\nKdd 1\n",
        "a.mtl:2:1: warning: unknown statement 'Kdd' is left out, did you mean 'Kd'?\n"
        "Kdd 1 1 1\n^"},
@@ -194,6 +213,8 @@ TEST(Errors_Mtl, NameThePlaceAndWhatWasExpected) {
       {"newmtl a\nbump -bm x a.png\n",
        "a.mtl:2:10: error: 'x' is not a number; expected a number after '-bm'\n"
        "bump -bm x a.png\n         ^"},
+      {"newmtl a\nmap_Kd -clamp\n",
+       "a.mtl:2:14: error: nothing stands behind '-clamp'\nmap_Kd -clamp\n             ^"},
       {"newmtl a\nmap_Kd -s 2 2 2 a.png\n",
        "a.mtl:2:8: warning: texture option '-s' is left out\nmap_Kd -s 2 2 2 a.png\n       ^"},
       {"newmtl a\nKd spectral a.rfl 1\n",

@@ -218,29 +218,35 @@ TEST(Errors_Ply, NameThePlaceAndWhatWasExpected) {
        "a.ply:7:1: error: a second element 'vertex'\nelement vertex 0\n^"},
       {with("element vertex 0\n" + xyz), "a.ply: error: holds no vertices"},
       {with("element vertex 1\n" + xyz) + "0 0 0\n", "a.ply: error: holds no faces"},
+      {with("element vertex 3\n" + xyz +
+            "element face 1\nproperty list uchar int vertx_indices\n") +
+           vertices + "3 0 1 2\n",
+       "a.ply:7:1: error: faces without the list 'vertex_indices' or 'vertex_index'\n"
+       "element face 1\n^"},
       {with("element vertex 4000000000\n" + xyz) + vertices,
        "a.ply:3:1: error: 4000000000 'vertex' are announced, but the file has only 18 bytes for "
        "them\nelement vertex 4000000000\n^"},
       {triangle_header() + "0 0 0\n1 x 0\n",
-       "a.ply:11:3: error: no number where 'vertex' 1 of 3 should have one\n1 x 0\n  ^"},
+       "a.ply:11:3: error: no number where 'vertex' 2 of 3 should have one\n1 x 0\n  ^"},
       {triangle_header() + "0 0 0\n1 nan 0\n0 1 0\n",
-       "a.ply:11:7: error: vertex 1 has a position that is not finite\n1 nan 0\n      ^"},
+       "a.ply:11:7: error: 'vertex' 2 of 3 has a position that is not finite\n1 nan 0\n      ^"},
       {triangle_header() + vertices + "3 0 1 3\n",
-       "a.ply:13:7: error: 'face' 0 has corner 3, but there are 3 vertices (from 0)\n"
+       "a.ply:13:7: error: 'face' 1 of 1 has corner 3, but there are 3 vertices (from 0)\n"
        "3 0 1 3\n      ^"},
       {triangle_header() + vertices + "3 0 -1 2\n",
-       "a.ply:13:5: error: 'face' 0 has corner -1, but there are 3 vertices (from 0)\n"
+       "a.ply:13:5: error: 'face' 1 of 1 has corner -1, but there are 3 vertices (from 0)\n"
        "3 0 -1 2\n    ^"},
       {triangle_header() + vertices + "3 0 1.5 2\n",
-       "a.ply:13:5: error: 'face' 0 has corner 1.5, but there are 3 vertices (from 0)\n"
+       "a.ply:13:5: error: 'face' 1 of 1 has corner 1.5, but there are 3 vertices (from 0)\n"
        "3 0 1.5 2\n    ^"},
       {triangle_header() + vertices + "2 0 1\n",
-       "a.ply:13:5: error: face 0 has 2 corners; expected 3 or more\n2 0 1\n    ^"},
+       "a.ply:13:5: error: 'face' 1 of 1 has 2 corners; expected 3 or more\n2 0 1\n    ^"},
       {triangle_header() + vertices + "4000000000 0 1\n",
-       "a.ply:13:1: error: 'face' 0 announces 4000000000 corners, more than the file has bytes "
+       "a.ply:13:1: error: 'face' 1 of 1 announces 4000000000 corners, more than the file has "
+       "bytes "
        "for\n4000000000 0 1\n^"},
       {triangle_header("", "2") + vertices + "3 0 1 2\n",
-       "a.ply:14:1: error: no number where 'face' 1 of 2 should have one\n\n^"},
+       "a.ply:14:1: error: no number where 'face' 2 of 2 should have one\n\n^"},
   };
   for (const auto& [text, expected] : cases) {
     const Outcome outcome = outcome_of(text);
@@ -255,11 +261,11 @@ TEST(Errors_Ply, BinaryFilesAreAnsweredByByte) {
   const Outcome outcome = outcome_of(whole.substr(0, whole.size() - 10));
   EXPECT_FALSE(outcome.mesh);
   ASSERT_EQ(outcome.diagnostics.list().size(), 1u);
-  EXPECT_EQ(
-      outcome.diagnostics.list()[0].message,
-      fmt::format("'face' 1 announces 5 corners, more than the file has bytes for (before byte "
-                  "{})",
-                  whole.size() - 24));
+  EXPECT_EQ(outcome.diagnostics.list()[0].message,
+            fmt::format(
+                "'face' 2 of 2 announces 5 corners, more than the file has bytes for (before byte "
+                "{})",
+                whole.size() - 24));
 }
 
 // Headers that promise much get no memory: each of these would need gigabytes.
