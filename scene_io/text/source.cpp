@@ -37,9 +37,29 @@ std::size_t character_begin(std::string_view text, std::size_t offset) {
   return offset;
 }
 
-std::string without_controls(std::string_view text, char replacement) {
-  std::string clean(text);
-  std::replace_if(clean.begin(), clean.end(), is_control, replacement);
+// In bytes, of the character of UTF-8 that the text begins with; 0 where it begins with none.
+std::size_t character_length(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text[0]);
+  if (lead < 0x80) return 1;
+  if (lead < 0xC2 || lead > 0xF4) return 0;
+  const std::size_t length = lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+  const std::string_view others = text.substr(1, length - 1);
+  const bool is_whole = others.size() == length - 1 &&
+                        std::all_of(others.begin(), others.end(), is_utf8_continuation);
+  return is_whole ? length : 0;
+}
+
+// With `replacement` in place of control characters and of bytes that are no UTF-8.
+std::string printable(std::string_view text, char replacement) {
+  std::string clean;
+  while (!text.empty()) {
+    const std::size_t length = character_length(text);
+    if (length == 0 || is_control(text[0]))
+      clean += replacement;
+    else
+      clean += text.substr(0, length);
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
   return clean;
 }
 
@@ -77,9 +97,10 @@ std::string excerpt_at(const Source& source, std::size_t offset) {
   }
   std::size_t end = std::min(text.find('\n', offset), text.size());
   end = character_begin(text, std::min(end, begin + excerpt_width));
-  std::string line = without_controls(text.substr(begin, end - begin), ' ');
+  std::string line = printable(text.substr(begin, end - begin), ' ');
   line.erase(line.find_last_not_of(' ') + 1);
-  return line + '\n' + std::string(count_characters(text.substr(begin, offset - begin)), ' ') + '^';
+  const std::string before = printable(text.substr(begin, offset - begin), ' ');
+  return line + '\n' + std::string(count_characters(before), ' ') + '^';
 }
 
 Diagnostic diagnose(const Source& source, std::size_t offset, Severity severity,
@@ -111,11 +132,11 @@ void report(Diagnostics& diagnostics, const Source& source, std::size_t offset, 
 std::string quoted(std::string_view word) {
   const bool is_long = word.size() > quote_width;
   const std::size_t end = is_long ? character_begin(word, quote_width) : word.size();
-  return '\'' + without_controls(word.substr(0, end), '?') + (is_long ? "...'" : "'");
+  return '\'' + printable(word.substr(0, end), '?') + (is_long ? "...'" : "'");
 }
 
 std::string quoted_path(std::string_view path) {
-  return '\'' + without_controls(path, '?') + '\'';
+  return '\'' + printable(path, '?') + '\'';
 }
 
 }  // namespace candela::text

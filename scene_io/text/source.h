@@ -25,7 +25,7 @@ struct Source {
 [[nodiscard]] SourceSpan span_at(const Source& source, std::size_t offset);
 
 // The line around `offset` with a caret below that byte: at most 100 characters of it, control
-// characters as blanks, so that it is safe on a terminal.
+// characters and bytes that are no UTF-8 as blanks, so that it is safe on a terminal.
 [[nodiscard]] std::string excerpt_at(const Source& source, std::size_t offset);
 
 // A diagnostic with span and excerpt.
@@ -52,7 +52,8 @@ class SpanFinder {
   std::uint32_t line_ = 1;
 };
 
-// `word` in quotes, shortened to 40 characters, control characters as '?'.
+// `word` in quotes, shortened to 40 characters, control characters and bytes that are no UTF-8 as
+// '?'.
 [[nodiscard]] std::string quoted(std::string_view word);
 // A path in quotes, whole: its end tells most.
 [[nodiscard]] std::string quoted_path(std::string_view path);

@@ -46,6 +46,16 @@ TEST(Unit_Source, QuotedWordsAreShortAndClean) {
   EXPECT_EQ(text::quoted(std::string(41, 'x')), "'" + std::string(40, 'x') + "...'");
 }
 
+TEST(Unit_Source, BytesThatAreNoUtf8AreNotPrinted) {
+  const std::string whole = "\xC3\xB6\xE2\x82\xAC\xF0\x9F\x98\x80";
+  EXPECT_EQ(text::quoted(whole), "'" + whole + "'");
+  EXPECT_EQ(text::quoted("a\xFF\xFEz"), "'a??z'");
+  EXPECT_EQ(text::quoted("\xC3z\x80"), "'?z?'");
+  EXPECT_EQ(text::quoted_path("a\xE2\x82"), "'a?\?'");
+  const std::string text = "\x80\xFFx";
+  EXPECT_EQ(excerpt_at(make_source("a", text), 2), "  x\n  ^");
+}
+
 TEST(Unit_Cursor, WordsLinesAndContinuations) {
   Cursor cursor("  a\tb\\\n c \r\n d\\x # e\\\n# f\\\ng");
   Cursor line(cursor.next_logical_line());
