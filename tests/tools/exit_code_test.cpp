@@ -68,10 +68,16 @@ TEST(Errors_CommandLine, UsageErrorsAreSentencesWithSuggestions) {
   expect_refused({"render", "s.yaml", "--accel", "embre"}, "did you mean 'embree'?");
   expect_refused({"render", "s.yaml", "--tonemap", "acess"}, "did you mean 'aces'?");
   expect_refused({"render", "s.yaml", "--size", "640"}, "such as 640x480");
-  expect_refused({"render", "s.yaml", "--quiet=maybe"}, "--quiet");
+  for (const char* word : {"--quiet=maybe", "--quiet=0", "--transparent=5", "--strict=false"})
+    expect_refused({"render", "s.yaml", "-q", word},
+                   fmt::format("candela render: {} takes no value\n",
+                               std::string_view(word).substr(0, std::string_view(word).find('='))));
   expect_refused({"info", "s.yaml", "--spp", "3"}, "unknown option '--spp'");
   expect_refused({"--spp", "3", "render", "s.yaml"},
                  "candela render: '--spp' stands before the command; its options come behind it");
+  expect_refused({"-q", "render", "s.yaml"},
+                 "candela render: '-q' stands before the command; its options come behind it");
+  expect_refused({"-q", "info", "s.yaml"}, "candela info: unknown option '-q'");
 }
 
 TEST(Errors_CommandLine, WhatTheSceneDoesNotHaveIsAUsageError) {

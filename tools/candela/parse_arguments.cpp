@@ -42,6 +42,11 @@ void add_choice(CLI::App& command, const std::string& names, const std::string& 
       [kind, choices](const std::string& text) { return choose(kind, text, choices); }, help);
 }
 
+// On where it is given; takes no value.
+void add_flag(CLI::App& command, const std::string& names, bool& target, const std::string& help) {
+  command.add_flag(names, target, help)->disable_flag_override();
+}
+
 auto integer_between(std::int64_t low, std::int64_t high) {
   return [low, high](const std::string& text) { return parse_integer(text, low, high); };
 }
@@ -66,7 +71,7 @@ void add_reading(CLI::App& command, SceneArguments& scene) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   add_value(command, "--ambient", "R,G,B", scene.load.ambient, parse_rgb,
             "Radiance of the constant environment in place of the scene's AmbientIntensity");
-  command.add_flag("--strict", scene.is_strict, "Treat warnings as errors (exit 3)");
+  add_flag(command, "--strict", scene.is_strict, "Treat warnings as errors (exit 3)");
 }
 
 void add_threads(CLI::App& command, int& threads) {
@@ -75,7 +80,7 @@ void add_threads(CLI::App& command, int& threads) {
 }
 
 void add_json(CLI::App& command, bool& as_json) {
-  command.add_flag("--json", as_json, "Print JSON");
+  add_flag(command, "--json", as_json, "Print JSON");
 }
 
 void add_render_outputs(CLI::App& command, RenderArguments& render) {
@@ -97,8 +102,8 @@ void add_render_outputs(CLI::App& command, RenderArguments& render) {
              "How radiance becomes 8 bits [srgb]");
   add_value(command, "--aov", "LIST", render.aovs, parse_aovs,
             "Further EXR layers, by comma: " + joined_names(aov_choices()));
-  command.add_flag("--transparent", render.is_transparent, "Alpha in place of the background");
-  command.add_flag("-q,--quiet", render.is_quiet, "Print warnings and errors only");
+  add_flag(command, "--transparent", render.is_transparent, "Alpha in place of the background");
+  add_flag(command, "-q,--quiet", render.is_quiet, "Print warnings and errors only");
 }
 
 void add_render_picture(CLI::App& command, RenderArguments& render) {
@@ -172,9 +177,9 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
              "Of all cook_torrance materials [the scene's]");
   add_choice(command, "--specular", "highlight", render.specular, specular_choices(),
              "How whitted and raster shade highlights [blinn]");
-  command.add_flag("--lab-normals", render.has_lab_normals,
-                   "whitted and raster: normals as the lab interpolates them, neither made unit "
-                   "nor turned to the viewer");
+  add_flag(command, "--lab-normals", render.has_lab_normals,
+           "whitted and raster: normals as the lab interpolates them, neither made unit "
+           "nor turned to the viewer");
   add_value(command, "--rr", "P", render.report_p_rr, parse_probability,
             "With the report integrator: the probability to go on, above 0 up to 1 [0.8]");
   add_choice(command, "--filter", "filter", render.filter, filter_choices(),
@@ -197,8 +202,8 @@ void add_render_machinery(CLI::App& command, RenderArguments& render) {
       "bits [special]");
   add_value(command, "--without", "LIST", render.without, parse_savings,
             "Savings taken away, for comparisons, by comma: " + joined_names(saving_choices()));
-  command.add_flag("--ray-limit", render.measures_ray_limit,
-                   "Also measure CPU time over that of the rays alone");
+  add_flag(command, "--ray-limit", render.measures_ray_limit,
+           "Also measure CPU time over that of the rays alone");
 }
 
 struct CommandLine {
@@ -309,11 +314,11 @@ std::string unexpected_word(const CLI::App& app) {
   const std::string word = words.empty() ? "" : words.front();
   if (!word.starts_with('-')) return fmt::format("unexpected '{}'", word);
   const std::string name = word.substr(0, word.find('='));
+  if (selected(app).get_option_no_throw(name) != nullptr)
+    return fmt::format("'{}' stands before the command; its options come behind it", name);
   std::vector<std::string> names;
   for (const CLI::Option* option : selected(app).get_options())
     for (const std::string& long_name : option->get_lnames()) names.push_back("--" + long_name);
-  if (std::find(names.begin(), names.end(), name) != names.end())
-    return fmt::format("'{}' stands before the command; its options come behind it", name);
   return fmt::format("unknown option '{}'{}", name,
                      did_you_mean(name, {names.begin(), names.end()}));
 }
@@ -322,8 +327,12 @@ std::string sentence_of(const CLI::ParseError& error, const CLI::App& app) {
   const std::string text = error.what();
   // Before what is missing: a misspelt option is why.
   if (app.remaining_size(true) > 0) return unexpected_word(app);
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))
-    return text.substr(0, text.find(':')) + " needs a value";
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {
+    const std::size_t colon = text.find(':');  // behind the name, but not of a flag with a value
+    if (colon == std::string::npos)
+      return fmt::format("--{} takes no value", text.substr(0, text.find(' ')));
+    return text.substr(0, colon) + " needs a value";
+  }
   if (dynamic_cast<const CLI::RequiredError*>(&error) && app.get_subcommands().empty())
     return fmt::format("expected a command: {}", fmt::join(command_names(), ", "));
   if (dynamic_cast<const CLI::RequiredError*>(&error))
