@@ -108,6 +108,15 @@ ImageHandle read_image(Reader& reader, const Entry* entry, Encoding encoding, Wr
   return reader.images.add({path, encoding, wrap, reader.span(entry->value->offset)}, reader.scene);
 }
 
+ImageHandle read_image_over(Reader& reader, const Entry* factor, const Entry* map,
+                            Encoding encoding) {
+  const ImageHandle image = read_image(reader, map, encoding, Wrap::Repeat);
+  if (image && factor)
+    reader.warning(factor->key_offset,
+                   fmt::format("{} is not used: {} replaces it", factor->key, map->key));
+  return image;
+}
+
 ImageHandle read_required_image(Reader& reader, const Entry& entry, Encoding encoding, Wrap wrap) {
   const std::string path = required_file(reader, entry, "an image");
   if (path.empty()) return {};

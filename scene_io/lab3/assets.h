@@ -24,6 +24,12 @@ namespace candela::lab3 {
                                                   description::Encoding encoding,
                                                   description::Wrap wrap);
 
+// An image under `map` that takes the place of the number under `factor`, of which a warning tells.
+// Either may be null.
+[[nodiscard]] description::ImageHandle read_image_over(Reader& reader, const Entry* factor,
+                                                       const Entry* map,
+                                                       description::Encoding encoding);
+
 // An image that must be there.
 [[nodiscard]] description::ImageHandle read_required_image(Reader& reader, const Entry& entry,
                                                            description::Encoding encoding,

@@ -85,10 +85,12 @@ void read_skyboxes(Reader& reader, const Fields& root) {
 
 void read_environment(Reader& reader, const Fields& root) {
   const Entry* entry = root.find("Environment");
-  if (!entry || entry->value->is_null()) return;
+  if (!entry) return;
   reader.is_extended = true;
   const Fields fields(reader, *entry->value, "an Environment", keys);
   if (!entry->value->is_map()) return;
+  const Vec3d scale = fields.colour("Scale", not_negative).value_or(Vec3d(1.0));
+  const bool is_seen = fields.flag("VisibleToCamera", true);
   if (reader.has_environment) {
     reader.error(entry->key_offset,
                  "both Skyboxes and Environment are given, expected one of them");
@@ -101,8 +103,6 @@ void read_environment(Reader& reader, const Fields& root) {
                                         : "an Environment needs a Map or a Radiance");
     return;
   }
-  const Vec3d scale = fields.colour("Scale", not_negative).value_or(Vec3d(1.0));
-  const bool is_seen = fields.flag("VisibleToCamera", true);
   if (fields.has("Map"))
     read_map(reader, fields, scale, is_seen);
   else

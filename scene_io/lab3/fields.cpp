@@ -193,15 +193,15 @@ std::optional<double> Fields::number(std::string_view key, const Range& range) c
 }
 
 std::optional<std::int64_t> Fields::integer(std::string_view key, std::int64_t low,
-                                            std::int64_t high) const {
+                                            std::int64_t high, std::string_view alternative) const {
   const Entry* entry = find(key);
   if (!entry) return std::nullopt;
   const auto number = text::parse_integer(entry->value->text);
   if (entry->value->is_scalar() && number && number.value >= low && number.value <= high)
     return number.value;
-  reader_.error(
-      entry->value->offset,
-      found_expected(key, *entry->value, fmt::format("a whole number from {} to {}", low, high)));
+  reader_.error(entry->value->offset, found_expected(key, *entry->value,
+                                                     fmt::format("a whole number from {} to {}{}",
+                                                                 low, high, alternative)));
   return std::nullopt;
 }
 

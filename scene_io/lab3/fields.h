@@ -70,8 +70,10 @@ class Fields {
   [[nodiscard]] bool has_any(Names keys) const;
 
   [[nodiscard]] std::optional<double> number(std::string_view key, const Range& range) const;
+  // `alternative` ends the sentence where the number is wrong: " or none".
   [[nodiscard]] std::optional<std::int64_t> integer(std::string_view key, std::int64_t low,
-                                                    std::int64_t high) const;
+                                                    std::int64_t high,
+                                                    std::string_view alternative = "") const;
   [[nodiscard]] std::optional<Vec3d> vector(std::string_view key, const Range& range) const;
   // The extension's colour: a number (grey) or a list of exactly three.
   [[nodiscard]] std::optional<Vec3d> colour(std::string_view key, const Range& range) const;
@@ -90,6 +92,11 @@ class Fields {
   std::string_view what_;
   std::vector<std::pair<std::string_view, const Entry*>> known_;
 };
+
+// Nothing counts as a list without entries.
+[[nodiscard]] inline bool is_list(const Node& node) {
+  return node.is_sequence() || node.is_null();
+}
 
 // The list under `key`; null where nothing is there (or no value), or something else, an error.
 [[nodiscard]] const Node* list_under(Reader& reader, const Fields& fields, std::string_view key);

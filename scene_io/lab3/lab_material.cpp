@@ -46,14 +46,13 @@ std::optional<Vec4d> read_vector4(Reader& reader, const Entry& entry, double mos
   return vector;
 }
 
-void warn_of_replaced_factors(Reader& reader, const Fields& fields, const Entry* map,
+void warn_of_replaced_factors(Reader& reader, const Fields& fields, const Entry& map,
                               Names factors) {
-  if (!map) return;
   for (const std::string_view name : factors)
     if (const Entry* factor = fields.find(name))
       reader.warning(factor->key_offset,
                      fmt::format("{} is not used: {} replaces it (lab3 does not multiply them)",
-                                 factor->key, map->key));
+                                 factor->key, map.key));
 }
 
 void read_diffuse(Reader& reader, const Fields& fields, description::LabMaterial& material) {
@@ -63,8 +62,8 @@ void read_diffuse(Reader& reader, const Fields& fields, description::LabMaterial
     material.alpha = rgba.w;
   }
   const Entry* map = fields.last_of(diffuse_map_names);
-  warn_of_replaced_factors(reader, fields, map, diffuse_names);
   material.diffuse.map = read_image(reader, map, Encoding::LabGamma, Wrap::Repeat);
+  if (material.diffuse.map) warn_of_replaced_factors(reader, fields, *map, diffuse_names);
 }
 
 void read_specular(Reader& reader, const Fields& fields, description::LabMaterial& material) {
@@ -80,9 +79,10 @@ void read_specular(Reader& reader, const Fields& fields, description::LabMateria
           clamped(reader, entry->value->offset, entry->key, *shininess, largest_shininess);
   }
   const Entry* map = fields.last_of(specular_map_names);
-  warn_of_replaced_factors(reader, fields, map, specular_names);
-  warn_of_replaced_factors(reader, fields, map, shininess_names);
   material.specular.map = read_image(reader, map, Encoding::Linear, Wrap::Repeat);
+  if (!material.specular.map) return;
+  warn_of_replaced_factors(reader, fields, *map, specular_names);
+  warn_of_replaced_factors(reader, fields, *map, shininess_names);
 }
 
 }  // namespace

@@ -138,7 +138,8 @@ std::optional<description::TriangleLight> read_area(Reader& reader, const Fields
 void warn_of_keys_without_meaning(Reader& reader, const Fields& fields, Kind kind) {
   const auto warn = [&](std::string_view key) {
     if (const Entry* entry = fields.find(key))
-      reader.warning(entry->key_offset, fmt::format("{} has no meaning for a {} light", key,
+      reader.warning(entry->key_offset, fmt::format("{} has no meaning for {} {} light", key,
+                                                    kind == Kind::Area ? "an" : "a",
                                                     kinds[static_cast<std::size_t>(kind)]));
   };
   for (const std::string_view key : {"Position2", "Position3", "p0", "p1", "p2", "TwoSided"})

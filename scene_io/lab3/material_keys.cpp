@@ -72,6 +72,15 @@ Names material_keys(MaterialType type) {
   return all_keys()[static_cast<std::size_t>(type)];
 }
 
+Names all_material_keys() {
+  static const Keys keys = [] {
+    Keys all;
+    for (const Keys& some : all_keys()) all.insert(all.end(), some.begin(), some.end());
+    return all;
+  }();
+  return keys;
+}
+
 std::string hint_of_material_key(MaterialType type, std::string_view key) {
   const auto& table = all_keys();
   std::string owners;

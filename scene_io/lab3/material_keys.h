@@ -35,6 +35,8 @@ inline constexpr std::string_view reflectance_map_names[] = {"kd_map", "DiffuseM
 inline constexpr std::string_view height_map_names[] = {"HeightMap", "bump_map"};
 
 [[nodiscard]] Names material_keys(MaterialType type);
+// Of all Types, and of none: some are there several times.
+[[nodiscard]] Names all_material_keys();
 
 // "'roughness' is a key of materials with a Type", or "" for what no material knows.
 [[nodiscard]] std::string hint_of_material_key(MaterialType type, std::string_view key);

@@ -1,5 +1,8 @@
 #include "scene_io/lab3/materials.h"
 
+#include <algorithm>
+#include <optional>
+
 #include <fmt/format.h>
 
 #include "scene_io/lab3/assets.h"
@@ -15,16 +18,22 @@ namespace {
 using description::Encoding;
 using description::Wrap;
 
-// The Type decides which keys are known, so it is looked at before the rest.
-MaterialType peek_type(const Node& node) {
+// The Type decides which keys are known, so it is looked at before the rest. Nothing for an unknown
+// word.
+std::optional<MaterialType> peek_type(const Node& node) {
   for (const Entry& entry : node.entries) {
     if (!is_same_name(entry.key, "Type")) continue;
     for (std::size_t i = 0; i < std::size(material_type_words); ++i)
       if (is_same_name(entry.value->text, material_type_words[i]))
         return static_cast<MaterialType>(i + 1);
-    return MaterialType::Diffuse;  // an unknown word: an error is on its way
+    return std::nullopt;
   }
   return MaterialType::Lab;
+}
+
+bool has_misspelt_type(const Node& node) {
+  return std::any_of(node.entries.begin(), node.entries.end(),
+                     [](const Entry& entry) { return !nearest_name(entry.key, {"Type"}).empty(); });
 }
 
 template <MaterialType type>
@@ -52,6 +61,13 @@ Fields::Hint hint_of(MaterialType type) {
   return nullptr;
 }
 
+// Where nobody knows which Type is meant, the keys of all are known: one message is enough.
+Fields fields_of(Reader& reader, const Node& node, const std::optional<MaterialType>& type) {
+  const bool is_unclear = !type || (*type == MaterialType::Lab && has_misspelt_type(node));
+  if (is_unclear) return {reader, node, "a material", all_material_keys()};
+  return {reader, node, "a material", material_keys(*type), hint_of(*type)};
+}
+
 void read_emission(Reader& reader, const Fields& fields, description::Material& material) {
   const Entry* map = fields.find("EmissionMap");
   material.emission = fields.colour("Emission", not_negative).value_or(Vec3d(map ? 1.0 : 0.0));
@@ -69,9 +85,7 @@ void read_opacity(Reader& reader, const Fields& fields, description::Material& m
   material.opacity.factor = fields.number("opacity", zero_to_one).value_or(1);
   const Entry* map = fields.find("opacity_map");
   if (!map) return;
-  if (const Entry* factor = fields.find("opacity"))
-    reader.warning(factor->key_offset, "opacity is not used: opacity_map replaces it");
-  material.opacity.map = read_image(reader, map, Encoding::Linear, Wrap::Repeat);
+  material.opacity.map = read_image_over(reader, fields.find("opacity"), map, Encoding::Linear);
   material.opacity.channel = description::alpha_or_first;
 }
 
@@ -95,36 +109,52 @@ void remember_name(Reader& reader, const Fields& fields, const std::string& name
         fmt::format("material {} is defined twice: the last one counts", text::quoted(name)));
 }
 
-void read_material(Reader& reader, const Node& node) {
-  static constexpr std::string_view blends[] = {"Opaque", "Transparent"};
-  const MaterialType type = peek_type(node);
-  const Fields fields(reader, node, "a material", material_keys(type), hint_of(type));
-  if (!node.is_map()) return;
-  (void)fields.choice("Type", material_type_words);
-  (void)fields.choice("Blend", blends);  // of the rasteriser; alpha alone decides here
-  description::Material material;
-  material.span = reader.span(node.offset);
-  if (const auto name = fields.word("Name")) {
-    material.name = *name;
+std::string read_name(Reader& reader, const Fields& fields) {
+  const auto name = fields.word("Name");
+  if (name) {
     remember_name(reader, fields, *name);
-  } else if (!fields.has("Name")) {
-    reader.warning(node.offset, "this material has no Name: no model can use it by name");
-  }
-  if (type == MaterialType::Lab) {
-    material.model = read_lab_material(reader, fields);
+  } else if (fields.has("Name")) {
+    reader.lacks_material_names = true;
   } else {
-    material.model = read_typed_material(reader, fields, type);
-    reader.is_extended = true;
+    reader.warning(fields.offset(), "this material has no Name: no model can use it by name");
   }
+  return name.value_or("");
+}
+
+void read_look(Reader& reader, const Fields& fields, MaterialType type,
+               description::Material& material) {
+  static constexpr std::string_view blends[] = {"Opaque", "Transparent"};
+  (void)fields.choice("Blend", blends);  // of the rasteriser; alpha alone decides here
+  if (type == MaterialType::Lab)
+    material.model = read_lab_material(reader, fields);
+  else
+    material.model = read_typed_material(reader, fields, type);
   read_emission(reader, fields, material);
   read_opacity(reader, fields, material);
   read_relief(reader, fields, material);
+}
+
+void read_material(Reader& reader, const Node& node) {
+  const std::optional<MaterialType> type = peek_type(node);
+  const Fields fields = fields_of(reader, node, type);
+  if (!node.is_map()) {
+    reader.lacks_material_names = true;
+    return;
+  }
+  (void)fields.choice("Type", material_type_words);
+  if (type != MaterialType::Lab) reader.is_extended = true;
+  description::Material material;
+  material.span = reader.span(node.offset);
+  material.name = read_name(reader, fields);
+  if (type) read_look(reader, fields, *type, material);
   reader.scene.materials.push_back(std::move(material));
 }
 
 }  // namespace
 
 void read_materials(Reader& reader, const Fields& root) {
+  const Entry* materials = root.find("Materials");
+  reader.lacks_material_names = materials && !is_list(*materials->value);
   for_each_entry(reader, root, "Materials", [&](const Node& node) { read_material(reader, node); });
 }
 

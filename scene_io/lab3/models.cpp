@@ -40,9 +40,10 @@ MaterialHandle material_of(Reader& reader, const Fields& fields) {
   if (!name) return MaterialHandle(std::size_t{0});
   const auto found = reader.materials_by_name.find(*name);
   if (found != reader.materials_by_name.end()) return found->second;
-  reader.warning(fields.find("Material")->value->offset,
-                 fmt::format("unknown material {}: the first of the file is used, as in lab3{}",
-                             text::quoted(*name), advice_on_material(reader, *name)));
+  if (fields.has("Mesh") && !reader.lacks_material_names)
+    reader.warning(fields.find("Material")->value->offset,
+                   fmt::format("unknown material {}: the first of the file is used, as in lab3{}",
+                               text::quoted(*name), advice_on_material(reader, *name)));
   return MaterialHandle(std::size_t{0});
 }
 
@@ -56,8 +57,7 @@ std::vector<Placement> placements_of(Reader& reader, const Fields& fields) {
     placements.push_back({read_transform(reader, instance) * own, reader.span(node.offset)});
   });
   const Entry& instances = *fields.find("Instances");
-  const bool is_list = instances.value->is_sequence() || instances.value->is_null();
-  if (is_list && placements.empty())
+  if (is_list(*instances.value) && placements.empty())
     reader.warning(instances.key_offset, "Instances is empty: the model is nowhere");
   return placements;
 }
@@ -106,7 +106,9 @@ void read_complex_model(Reader& reader, const Node& node, MeshFiles& files) {
 void add_default_material(Reader& reader, const Fields& root) {
   const Entry* models = root.find("Models");
   if (!reader.scene.materials.empty() || !models || models->value->entries.empty()) return;
-  reader.warning(models->key_offset, "there are Models but no Materials: they are grey");
+  if (!reader.lacks_material_names)
+    reader.warning(models->key_offset, "there are Models but no Materials: they are grey");
+  reader.lacks_material_names = true;
   description::Material grey;
   grey.name = "default";
   grey.model = description::LabMaterial{{Vec3d(0.5), {}}, 1, {Vec3d(0.0), {}}, 0};

@@ -1,9 +1,11 @@
 #include "scene_io/lab3/read_lab3.h"
 
 #include <algorithm>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "renderer/description/used_materials.h"
 #include "scene_io/default_camera.h"
 #include "scene_io/lab3/camera.h"
 #include "scene_io/lab3/environment.h"
@@ -14,6 +16,7 @@
 #include "scene_io/lab3/models.h"
 #include "scene_io/lab3/render_defaults.h"
 #include "scene_io/text/file.h"
+#include "scene_io/text/source.h"
 
 namespace candela::lab3 {
 namespace {
@@ -33,22 +36,27 @@ void check_reflection(Reader& reader, const Fields& root) {
                                words[*reflection]));
 }
 
+// Of those that something wears; null where there is none.
+const description::Material* first_glowing_material(const description::SceneDescription& scene) {
+  const std::vector<bool> is_used = description::used_materials(scene);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+    if (is_used[i] && scene.materials[i].emission != Vec3d(0.0)) return &scene.materials[i];
+  return nullptr;
+}
+
 // In the forks that know both, the light and the glowing model stand for one lamp.
 void warn_of_double_lamps(Reader& reader) {
   const description::SceneDescription& scene = reader.scene;
   const auto is_area = [](const description::Light& light) {
     return std::holds_alternative<description::TriangleLight>(light.kind);
   };
-  const auto glows = [](const description::Material& material) {
-    return material.emission != Vec3d(0.0);
-  };
   const auto light = std::find_if(scene.lights.begin(), scene.lights.end(), is_area);
-  const auto material = std::find_if(scene.materials.begin(), scene.materials.end(), glows);
-  if (light == scene.lights.end() || material == scene.materials.end()) return;
+  const description::Material* material = first_glowing_material(scene);
+  if (light == scene.lights.end() || !material) return;
   reader.diagnostics.warning(
-      light->span, fmt::format("there are Area lights and materials with Emission ('{}'): both "
+      light->span, fmt::format("there are Area lights and materials with Emission ({}): both "
                                "shine; where they stand for the same lamp leave one out",
-                               material->name));
+                               text::quoted(material->name)));
 }
 
 void read_scene(Reader& reader, const Node& node) {

@@ -27,11 +27,14 @@ std::optional<int> to_int(const std::optional<std::int64_t>& number) {
   return static_cast<int>(*number);
 }
 
+bool is_none(const Entry& entry) {
+  return entry.value->is_scalar() && is_same_name(entry.value->text, "none");
+}
+
 std::optional<int> read_max_depth(const Fields& fields) {
   const Entry* entry = fields.find("MaxDepth");
-  if (!entry || (entry->value->is_scalar() && is_same_name(entry->value->text, "none")))
-    return std::nullopt;
-  return to_int(fields.integer("MaxDepth", 0, deepest));
+  if (!entry || is_none(*entry)) return std::nullopt;
+  return to_int(fields.integer("MaxDepth", 0, deepest, " or none"));
 }
 
 template <std::size_t n>
@@ -42,12 +45,30 @@ std::optional<std::string> word_of(const Fields& fields, std::string_view key,
   return std::string(words[*index]);
 }
 
+// What the scene's own integrator makes nothing of; the command line, which may name another one,
+// has rules of its own.
+void warn_of_idle_keys(Reader& reader, const Fields& fields,
+                       const description::RenderDefaults& defaults) {
+  const bool is_raster = defaults.integrator == "raster";
+  if (!is_raster && defaults.integrator != "whitted") return;
+  const auto warn = [&](const Entry* entry, std::string_view reason) {
+    reader.warning(entry->key_offset, fmt::format("{} has no effect: {} {}", entry->key,
+                                                  *defaults.integrator, reason));
+  };
+  if (defaults.filter && defaults.filter != "box")
+    warn(fields.find("Filter"), "averages its grid of samples, which is a box filter");
+  const Entry* depth = fields.find("MaxDepth");
+  if (depth && is_raster) warn(depth, "follows no ray beyond the first surface");
+  if (depth && !is_raster && is_none(*depth)) warn(depth, "needs a limit, which is 5 then");
+}
+
 }  // namespace
 
 void read_render_defaults(Reader& reader, const Fields& root) {
   const Entry* entry = root.find("Render");
-  if (!entry || entry->value->is_null()) return;
+  if (!entry) return;
   reader.is_extended = true;
+  if (entry->value->is_null()) return;  // as {}: all keys may be absent
   const Fields fields(reader, *entry->value, "Render", keys);
   static constexpr std::string_view sample_names[] = {"SamplesPerPixel", "spp"};
   description::RenderDefaults& defaults = reader.scene.defaults;
@@ -63,6 +84,7 @@ void read_render_defaults(Reader& reader, const Fields& root) {
   defaults.white_balance_kelvins = fields.number("WhiteBalance", kelvins);
   const auto seed = fields.integer("Seed", 0, std::numeric_limits<std::int64_t>::max());
   if (seed) defaults.seed = static_cast<std::uint64_t>(*seed);
+  warn_of_idle_keys(reader, fields, defaults);
 }
 
 }  // namespace candela::lab3

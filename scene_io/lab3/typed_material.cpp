@@ -16,7 +16,6 @@ using description::Encoding;
 using description::FresnelModel;
 using description::GeometryModel;
 using description::ScalarInput;
-using description::Wrap;
 
 // 0 is a mirror, which a cook_torrance cannot be: its highlight would be a delta.
 constexpr Range above_zero_to_one{0, 1, true, false, "a number above 0, at most 1"};
@@ -28,23 +27,17 @@ ColourInput read_colour_input(Reader& reader, const Fields& fields, Names factor
                               const Vec3d& otherwise) {
   const Entry* factor = fields.last_of(factors);
   const Entry* map = fields.last_of(maps);
-  if (factor && map)
-    reader.warning(factor->key_offset,
-                   fmt::format("{} is not used: {} replaces it", factor->key, map->key));
   ColourInput input{fields.colour(factor, zero_to_one).value_or(otherwise), {}};
   const Encoding encoding = map ? colour_encoding(map->value->text) : Encoding::Linear;
-  input.map = read_image(reader, map, encoding, Wrap::Repeat);
+  input.map = read_image_over(reader, factor, map, encoding);
   return input;
 }
 
 ScalarInput read_roughness(Reader& reader, const Fields& fields, const Range& range,
                            double otherwise) {
   ScalarInput input{fields.number("roughness", range).value_or(otherwise), {}, 0};
-  const Entry* map = fields.find("roughness_map");
-  if (map && fields.has("roughness"))
-    reader.warning(fields.find("roughness")->key_offset,
-                   "roughness is not used: roughness_map replaces it");
-  input.map = read_image(reader, map, Encoding::Linear, Wrap::Repeat);
+  input.map = read_image_over(reader, fields.find("roughness"), fields.find("roughness_map"),
+                              Encoding::Linear);
   return input;
 }
 
@@ -91,9 +84,11 @@ void read_fresnel(Reader& reader, const Fields& fields,
   static constexpr std::string_view geometries[] = {"schlick_ggx", "smith"};
   check_single_source(reader, fields);
   material.fresnel = static_cast<FresnelModel>(fields.choice("fresnel", fresnels).value_or(0));
-  material.geometry = static_cast<GeometryModel>(fields.choice("geometry", geometries).value_or(0));
+  const auto geometry = fields.choice("geometry", geometries);
+  material.geometry = static_cast<GeometryModel>(geometry.value_or(0));
   material.energy_compensation = fields.flag("energy_compensation", false);
-  if (material.energy_compensation && material.geometry != GeometryModel::Smith)
+  const bool is_refused = fields.has("geometry") && !geometry;
+  if (material.energy_compensation && !is_refused && material.geometry != GeometryModel::Smith)
     reader.error(
         fields.find("energy_compensation")->key_offset,
         "energy_compensation puts back what geometry: smith loses; expected that geometry");
@@ -127,14 +122,16 @@ void limit_sum(Reader& reader, const Fields& fields, description::CookTorranceMa
 }
 
 description::CookTorranceMaterial read_cook_torrance(Reader& reader, const Fields& fields) {
+  const std::size_t errors_before = reader.diagnostics.error_count();
   description::CookTorranceMaterial material;
   material.diffuse =
       read_colour_input(reader, fields, kd_names, kd_map_names, material.diffuse.factor);
   material.specular =
       read_colour_input(reader, fields, ks_names, ks_map_names, material.specular.factor);
+  const bool has_both = reader.diagnostics.error_count() == errors_before;
   material.roughness = read_roughness(reader, fields, above_zero_to_one, material.roughness.factor);
   read_fresnel(reader, fields, material);
-  limit_sum(reader, fields, material);
+  if (has_both) limit_sum(reader, fields, material);
   return material;
 }
 

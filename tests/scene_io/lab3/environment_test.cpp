@@ -42,8 +42,9 @@ TEST(Unit_Lab3Environment, AmbientDefaultsToTheLabs) {
 }
 
 TEST(Unit_Lab3Environment, FilesOfTheExtensionHaveNoAmbientUnlessTheySaySo) {
-  for (const char* text : {"Render: {Width: 5}\n", "Materials: [{Name: a, Type: diffuse}]\n",
-                           "Materials: [{Name: a, Emission: 0}]\n"}) {
+  for (const char* text :
+       {"Render: {Width: 5}\n", "Render: {}\n", "Render:\n",
+        "Materials: [{Name: a, Type: diffuse}]\n", "Materials: [{Name: a, Emission: 0}]\n"}) {
     EXPECT_TRUE(scene_of(text).lights.empty()) << text;
     EXPECT_EQ(scene_of(text).lab_ambient, Vec3d(0.0)) << text;
   }
@@ -124,6 +125,11 @@ TEST(Unit_Lab3Environment, Constants) {
 
 TEST(Errors_Lab3Environment, Environments) {
   EXPECT_EQ(error_in("Environment: {}\n"), "1:1: an Environment needs a Map or a Radiance");
+  EXPECT_EQ(error_in("Environment:\n"), "1:1: found nothing, expected the keys of an Environment");
+  EXPECT_EQ(error_in("Environment: {Scale: x, VisibleToCamera: 5}\n"),
+            "3 of them: 1:22: Scale: found 'x', expected a number of at least 0 | 1:42: "
+            "VisibleToCamera: found '5', expected true or false | 1:1: an Environment needs a Map "
+            "or a Radiance");
   EXPECT_EQ(error_in("Environment: {Map: sky.hdr, Radiance: 1}\n"),
             "1:1: both Map and Radiance are given, expected one of them");
   EXPECT_EQ(error_in(fmt::format("{}Environment: {{Radiance: 1}}\n", skybox)),
@@ -179,10 +185,24 @@ TEST(Errors_Lab3Render, Values) {
             "1:18: Filter: found 'tent', expected box, gaussian, blackman_harris, triangle, "
             "mitchell or sinc");
   EXPECT_EQ(error_in("Render: {MaxDepth: -1}\n"),
-            "1:20: MaxDepth: found '-1', expected a whole number from 0 to 1000000");
+            "1:20: MaxDepth: found '-1', expected a whole number from 0 to 1000000 or none");
   EXPECT_EQ(error_in("Render: 5\n"), "1:9: found '5', expected the keys of Render");
   EXPECT_EQ(warning_in("Render: {SamplesPerPixel: 4, spp: 8}\n"),
             "1:10: SamplesPerPixel is overridden by spp");
+}
+
+TEST(Unit_Lab3Render, WhatTheIntegratorMakesNothingOfIsWarnedOf) {
+  EXPECT_EQ(warning_in("Render: {Integrator: raster, MaxDepth: 3}\n"),
+            "1:30: MaxDepth has no effect: raster follows no ray beyond the first surface");
+  EXPECT_EQ(warning_in("Render: {Integrator: whitted, MaxDepth: none}\n"),
+            "1:31: MaxDepth has no effect: whitted needs a limit, which is 5 then");
+  EXPECT_EQ(warning_in("Render: {Integrator: whitted, Filter: gaussian}\n"),
+            "1:31: Filter has no effect: whitted averages its grid of samples, which is a box "
+            "filter");
+  for (const char* keys :
+       {"Integrator: whitted, MaxDepth: 3, Filter: box", "Integrator: raster, SamplesPerPixel: 4",
+        "MaxDepth: none, Filter: sinc"})
+    EXPECT_TRUE(said(Severity::Warning, fmt::format("Render: {{{}}}\n", keys)).empty()) << keys;
 }
 
 TEST(Unit_Lab3Reflection, IsReadAndIgnored) {

@@ -152,15 +152,23 @@ TEST(Unit_Lab3Lights, KeysOfOtherKindsAreWarnedOf) {
             "2:19: CutOff has no meaning for a Point light");
   EXPECT_EQ(warning_in(lights("Type: Directional, p0: [0, 0, 0]")),
             "2:25: p0 has no meaning for a Directional light");
+  EXPECT_EQ(
+      warning_in(lights("Type: Area, p0: [0, 0, 0], p1: [1, 0, 0], p2: [0, 1, 0], CutOff: 5")),
+      "2:63: CutOff has no meaning for an Area light");
 }
 
 TEST(Unit_Lab3Lights, LampsThatAreGivenTwiceAreWarnedOf) {
   const std::string area =
       "Lights:\n  - {Type: Area, p0: [0, 0, 0], p1: [1, 0, 0], p2: [0, 1, 0]}\n";
-  EXPECT_EQ(warning_in(area + "Materials: [{Name: lamp, Emission: [17, 12, 4]}]\n"),
+  const auto lamp = [&](std::string_view emission) {
+    return fmt::format("{}Materials: [{{Name: lamp, Emission: {}}}]\n", area, emission);
+  };
+  const std::string model = "Models: [{Mesh: triangle.obj, Material: lamp}]\n";
+  EXPECT_EQ(warning_in(lamp("[17, 12, 4]") + model),
             "2:5: there are Area lights and materials with Emission ('lamp'): both shine; where "
             "they stand for the same lamp leave one out");
-  EXPECT_TRUE(said(Severity::Warning, area + "Materials: [{Name: lamp, Emission: 0}]\n").empty());
+  EXPECT_TRUE(said(Severity::Warning, lamp("0") + model).empty());
+  EXPECT_TRUE(said(Severity::Warning, lamp("5")).empty()) << "no model has it";
 }
 
 }  // namespace

@@ -73,6 +73,19 @@ TEST(Unit_Lab3Models, WithoutMaterialsModelsAreGrey) {
   EXPECT_EQ(warning_in(text), "1:1: there are Models but no Materials: they are grey");
 }
 
+TEST(Unit_Lab3Models, NamesThatMayBeThoseOfUnreadMaterialsAreNotCalledUnknown) {
+  const std::string model = "Models: [{Mesh: triangle.obj, Material: a}]\n";
+  EXPECT_EQ(warning_in(model), "1:1: there are Models but no Materials: they are grey");
+  const auto expect_one_error = [&](const std::string& materials, const std::string& sentence) {
+    EXPECT_EQ(error_in(materials + model), sentence);
+    EXPECT_TRUE(said(Severity::Warning, materials + model).empty()) << materials;
+  };
+  expect_one_error("Materials: a\n", "1:12: Materials: found 'a', expected a list");
+  expect_one_error("Materials: [a]\n", "1:13: found 'a', expected the keys of a material");
+  expect_one_error("Materials: [{Name: [a]}]\n",
+                   "1:20: Name: found a list of 1 value, expected a name");
+}
+
 TEST(Unit_Lab3Models, TheTransformIsTheWrittenIntent) {
   // p' = T + R (S p): the framework's own grouping would give T + (R s) (.) p.
   const Transform transform = transform_of(
@@ -195,8 +208,10 @@ TEST(Unit_Lab3Models, ComplexModelsHaveNoPlace) {
 }
 
 TEST(Unit_Lab3Models, WithoutAMeshTheyAreLeftOut) {
-  EXPECT_EQ(warning_in("Materials: [{Name: a}]\nModels: [{Material: a}]\n"),
-            "2:10: this model has no Mesh and is left out");
+  for (const char* material : {"a", "b"})
+    EXPECT_EQ(
+        warning_in(fmt::format("Materials: [{{Name: a}}]\nModels: [{{Material: {}}}]\n", material)),
+        "2:10: this model has no Mesh and is left out");
 }
 
 TEST(Unit_Lab3Models, MaterialsThatNoModelUsesAreFoundByLint) {

@@ -221,6 +221,52 @@ TEST(Errors_TypedMaterials, WhatIsNoType) {
             "conductor, dielectric or thin_dielectric");
 }
 
+TEST(Errors_TypedMaterials, AnUnknownTypeIsAllThatIsSaidOfKeysOfAnyType) {
+  const std::string text = materials(
+      "Type: cook-torrance, kd: x, ks: .5, roughness: .3, metal: gold, Shininess: 3, "
+      "opacity: 7, kdd: 1");
+  EXPECT_EQ(error_in(text),
+            "2:21: Type: found 'cook-torrance', expected cook_torrance, diffuse, mirror, "
+            "conductor, dielectric or thin_dielectric, did you mean 'cook_torrance'?");
+  const auto warnings = said(Severity::Warning, text);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0], "2:105: unknown key 'kdd' in a material, did you mean 'kd'?");
+}
+
+TEST(Unit_TypedMaterials, AMisspeltTypeIsSaidOnce) {
+  const std::string text = materials("Typ: diffuse, kd: .5, roughness: .3, Diffuse: [1, 0, 0]");
+  EXPECT_EQ(warning_in(text), "2:15: unknown key 'Typ' in a material, did you mean 'Type'?");
+  EXPECT_TRUE(std::holds_alternative<LabMaterial>(scene_of(text).materials.at(0).model));
+}
+
+TEST(Errors_TypedMaterials, ABrokenValueIsNotJudgedByItsDefault) {
+  const auto expect_one_error = [](std::string_view keys, const std::string& sentence) {
+    EXPECT_EQ(error_in(materials(keys)), sentence);
+    EXPECT_TRUE(said(Severity::Warning, materials(keys)).empty()) << keys;
+  };
+  expect_one_error("Type: cook_torrance, kd: x, ks: .9",
+                   "2:40: kd: found 'x', expected a number from 0 to 1");
+  expect_one_error("Type: cook_torrance, kd: .9, ks: [1, 1]",
+                   "2:48: ks: found a list of 2 values, expected a number or a list of 3 numbers");
+  expect_one_error("Type: cook_torrance, energy_compensation: true, geometry: smithh",
+                   "2:73: geometry: found 'smithh', expected schlick_ggx or smith, did you mean "
+                   "'smith'?");
+}
+
+TEST(Errors_TypedMaterials, AnImageThatIsNotNamedReplacesNothing) {
+  const auto expect_one_error = [](std::string_view keys, std::string_view place_and_key) {
+    const std::string text = materials(keys);
+    EXPECT_EQ(error_in(text),
+              fmt::format("{}: found nothing, expected the name of a file", place_and_key));
+    EXPECT_TRUE(said(Severity::Warning, text).empty()) << text;
+  };
+  expect_one_error("Type: diffuse, kd: .3, kd_map: ", "2:38: kd_map");
+  expect_one_error("Type: conductor, roughness: .3, roughness_map: ", "2:47: roughness_map");
+  expect_one_error("Type: diffuse, opacity: .3, opacity_map: ", "2:43: opacity_map");
+  expect_one_error("Diffuse: [1, 0, 0], DiffuseMap: ", "2:35: DiffuseMap");
+  expect_one_error("Shininess: 3, SpecularMap: ", "2:29: SpecularMap");
+}
+
 TEST(Errors_TypedMaterials, NumbersOutOfRange) {
   EXPECT_EQ(error_in(materials("Type: diffuse, kd: 1.5")),
             "2:34: kd: found '1.5', expected a number from 0 to 1");
