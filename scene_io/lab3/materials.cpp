@@ -31,9 +31,10 @@ std::optional<MaterialType> peek_type(const Node& node) {
   return MaterialType::Lab;
 }
 
-bool has_misspelt_type(const Node& node) {
+// Whether another key than `key` is nearly that word, and unknown: no other key is near it.
+bool has_misspelt(const Node& node, std::string_view key) {
   return std::any_of(node.entries.begin(), node.entries.end(),
-                     [](const Entry& entry) { return !nearest_name(entry.key, {"Type"}).empty(); });
+                     [&](const Entry& entry) { return !nearest_name(entry.key, {key}).empty(); });
 }
 
 template <MaterialType type>
@@ -63,7 +64,7 @@ Fields::Hint hint_of(MaterialType type) {
 
 // Where nobody knows which Type is meant, the keys of all are known: one message is enough.
 Fields fields_of(Reader& reader, const Node& node, const std::optional<MaterialType>& type) {
-  const bool is_unclear = !type || (*type == MaterialType::Lab && has_misspelt_type(node));
+  const bool is_unclear = !type || (*type == MaterialType::Lab && has_misspelt(node, "Type"));
   if (is_unclear) return {reader, node, "a material", all_material_keys()};
   return {reader, node, "a material", material_keys(*type), hint_of(*type)};
 }
@@ -109,14 +110,14 @@ void remember_name(Reader& reader, const Fields& fields, const std::string& name
         fmt::format("material {} is defined twice: the last one counts", text::quoted(name)));
 }
 
-std::string read_name(Reader& reader, const Fields& fields) {
+std::string read_name(Reader& reader, const Fields& fields, const Node& node) {
   const auto name = fields.word("Name");
   if (name) {
     remember_name(reader, fields, *name);
-  } else if (fields.has("Name")) {
+  } else if (fields.has("Name") || has_misspelt(node, "Name")) {
     reader.lacks_material_names = true;
   } else {
-    reader.warning(fields.offset(), "this material has no Name: no model can use it by name");
+    reader.warning(node.offset, "this material has no Name: no model can use it by name");
   }
   return name.value_or("");
 }
@@ -145,7 +146,7 @@ void read_material(Reader& reader, const Node& node) {
   if (type != MaterialType::Lab) reader.is_extended = true;
   description::Material material;
   material.span = reader.span(node.offset);
-  material.name = read_name(reader, fields);
+  material.name = read_name(reader, fields, node);
   if (type) read_look(reader, fields, *type, material);
   reader.scene.materials.push_back(std::move(material));
 }

@@ -84,6 +84,8 @@ TEST(Unit_Lab3Models, NamesThatMayBeThoseOfUnreadMaterialsAreNotCalledUnknown) {
   expect_one_error("Materials: [a]\n", "1:13: found 'a', expected the keys of a material");
   expect_one_error("Materials: [{Name: [a]}]\n",
                    "1:20: Name: found a list of 1 value, expected a name");
+  EXPECT_EQ(warning_in("Materials: [{Nam: a}]\n" + model),
+            "1:14: unknown key 'Nam' in a material, did you mean 'Name'?");
 }
 
 TEST(Unit_Lab3Models, TheTransformIsTheWrittenIntent) {
