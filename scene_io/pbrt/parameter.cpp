@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "scene_io/pbrt/directives.h"
 #include "scene_io/text/number.h"
 
 namespace candela::pbrt {
@@ -138,15 +139,32 @@ class ListReader {
   }
 
   bool read_values(Parameter& parameter) {
-    const Token first = tokens_.next();
+    const Token first = tokens_.peek();
+    if (ends_values(first))
+      return fail_at(parameter.place.offset, parameter, first, expected_value(parameter.type));
+    tokens_.next();
     if (first.kind != TokenKind::Open) return read_value(first, parameter);
     while (true) {
+      const Tokenizer before = tokens_;
       const Token token = tokens_.next();
       if (token.kind == TokenKind::Close) return true;
-      if (token.kind == TokenKind::End)
-        return fail(first.offset, "a [ that no ] closes before the end of the file");
+      if (ends_values(token)) {
+        tokens_ = before;
+        return fail_at(first.offset, parameter, token, "the ] of this list");
+      }
       if (!read_value(token, parameter)) return false;
     }
+  }
+
+  // What no value is, whatever is missing before it.
+  static bool ends_values(const Token& token) {
+    return token.kind == TokenKind::End || begins_directive(token);
+  }
+
+  bool fail_at(std::size_t offset, const Parameter& parameter, const Token& found,
+               std::string_view expected) {
+    return fail(offset, fmt::format("\"{} {}\": found {}, expected {}", name_of(parameter.type),
+                                    parameter.name, described(found), expected));
   }
 
   bool read_value(const Token& token, Parameter& parameter) {
@@ -163,11 +181,7 @@ class ListReader {
     if (token.kind == TokenKind::Word && takes_numbers(parameter.type) &&
         parameter.type != ParameterType::Bool)
       return read_number(token, parameter);
-    return fail(
-        token.offset,
-        fmt::format("\"{} {}\": found {}, expected {}", name_of(parameter.type), parameter.name,
-                    token.kind == TokenKind::End ? "the end of the file" : text::quoted(token.text),
-                    expected_value(parameter.type)));
+    return fail_at(token.offset, parameter, token, expected_value(parameter.type));
   }
 
   // pbrt-v3 puts quotes around them.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "scene_io/pbrt/directives.h"
 #include "scene_io/pbrt/graphics_state.h"
 #include "scene_io/pbrt/program.h"
 #include "scene_io/pbrt/source_files.h"
@@ -66,9 +67,12 @@ class Parser {
     GraphicsState state;
     Place place;
     enum class Kind : std::uint8_t { Attribute, Object, Import } kind = Kind::Attribute;
+    std::string_view directive;  // that began it
   };
 
   void statement(const Token& directive);
+  const Directive* known_directive();
+  void check_side_of_world(const Directive& directive);
   void skip_to_directive();
   void end_file();
 
@@ -82,10 +86,13 @@ class Parser {
   template <std::size_t n>
   std::optional<std::array<double, n>> read_numbers();
   std::optional<double> read_number();
-  std::optional<Token> read_value(std::string_view what);
+  // `place`: of what it is the value of.
+  std::optional<Token> read_value(std::string_view what, const Place& place);
   ParameterList read_list();
   // A type and parameters: Shape "sphere" "float radius" 2.
   std::optional<Statement> read_statement(std::optional<AttributeTarget> target = std::nullopt);
+  // Of several statements of one directive the last counts.
+  void keep(std::optional<Statement> statement, std::optional<Statement>& kept);
   void apply(const Transform& transform);
   void set_seed(const Token& value);
 
@@ -105,6 +112,7 @@ class Parser {
   std::set<std::string> warned_;
   std::deque<ShapeStatement>* object_ = nullptr;  // being defined
   bool is_in_world_ = false;
+  bool lacks_world_ = false;       // said: something stands before WorldBegin
   std::size_t default_bytes_ = 0;  // that statements have from Attribute
 
   // Of the directive being read.

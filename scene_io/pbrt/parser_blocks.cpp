@@ -34,10 +34,8 @@ std::optional<std::string> Parser::read_string(std::string_view what) {
     tokens_->next();
     return unescaped(token.text);
   }
-  error(token.offset,
-        fmt::format("{}: found {}, expected {} in quotes", directive_.text,
-                    token.kind == TokenKind::End ? "the end of the file" : text::quoted(token.text),
-                    what));
+  error(token.offset, fmt::format("{}: found {}, expected {} in quotes", directive_.text,
+                                  described(token), what));
   skip_to_directive();
   return std::nullopt;
 }
@@ -51,12 +49,11 @@ std::optional<double> Parser::read_number() {
     tokens_->next();
     return number.value;
   }
-  error(token.offset, token.kind == TokenKind::Word
-                          ? fmt::format("{}: {} {}, expected a number", directive_.text,
-                                        text::quoted(token.text), describe(number.fault))
-                          : fmt::format("{}: found {}, expected a number", directive_.text,
-                                        token.kind == TokenKind::End ? "the end of the file"
-                                                                     : text::quoted(token.text)));
+  error(token.offset,
+        token.kind == TokenKind::Word
+            ? fmt::format("{}: {} {}, expected a number", directive_.text, text::quoted(token.text),
+                          describe(number.fault))
+            : fmt::format("{}: found {}, expected a number", directive_.text, described(token)));
   skip_to_directive();
   return std::nullopt;
 }
@@ -95,7 +92,7 @@ bool Parser::push(Block::Kind kind) {
     error_here(fmt::format("blocks lie in each other more than {} deep", deepest));
     return false;
   }
-  blocks_.push_back({state_, here(), kind});
+  blocks_.push_back({state_, here(), kind, directive_.text});
   return true;
 }
 
@@ -120,12 +117,11 @@ void Parser::attribute_end() {
 void Parser::object_begin() {
   const Place place = here();
   const auto name = read_string("the name of an object");
-  if (!name) return;
   if (is_in_object())
     return report_.error(place, "ObjectBegin within an ObjectBegin, expected ObjectEnd first");
   if (!push(Block::Kind::Object)) return;
-  const auto [at, is_new] = program_.objects.try_emplace(*name);
-  if (!is_new)
+  const auto [at, is_new] = program_.objects.try_emplace(name.value_or(""));
+  if (name && !is_new)
     report_.error(place, fmt::format("the object {} is defined twice", text::quoted(*name)));
   object_ = &at->second;
 }

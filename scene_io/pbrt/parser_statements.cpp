@@ -41,23 +41,30 @@ void Parser::camera() {
   if (!statement) return;
   if (is_singular(state_.transform))
     return report_.error(statement->place, "the camera's transform is singular");
-  program_.camera = std::move(*statement);
+  keep(std::move(statement), program_.camera);
   program_.camera_from_world = state_.transform;
   program_.around_camera = state_.media.outside;
   systems_["camera"] = inverse(state_.transform);
 }
 
 void Parser::film() {
-  if (auto statement = read_statement()) program_.film = std::move(*statement);
+  keep(read_statement(), program_.film);
 }
 void Parser::sampler() {
-  if (auto statement = read_statement()) program_.sampler = std::move(*statement);
+  keep(read_statement(), program_.sampler);
 }
 void Parser::integrator() {
-  if (auto statement = read_statement()) program_.integrator = std::move(*statement);
+  keep(read_statement(), program_.integrator);
 }
 void Parser::pixel_filter() {
-  if (auto statement = read_statement()) program_.filter = std::move(*statement);
+  keep(read_statement(), program_.filter);
+}
+
+void Parser::keep(std::optional<Statement> statement, std::optional<Statement>& kept) {
+  if (!statement) return;
+  if (kept && !is_in_world_)
+    report_.warning(here(), fmt::format("{} is given twice; the last one counts", directive_.text));
+  kept = std::move(statement);
 }
 
 // How pbrt finds its way to the picture changes nothing in it.
@@ -75,7 +82,7 @@ void Parser::option() {
   const std::size_t blank = words.find_last_of(" \t");
   const std::string name =
       normalized(words.substr(blank == std::string_view::npos ? 0 : blank + 1));
-  const auto value = read_value(name);
+  const auto value = read_value(name, place);
   if (!value) return;
   if (name == "seed") return set_seed(*value);
   const bool is_known = std::find(options.begin(), options.end(), name) != options.end();
@@ -87,11 +94,12 @@ void Parser::option() {
 }
 
 // A number or a string; in brackets, too.
-std::optional<Token> Parser::read_value(std::string_view what) {
+std::optional<Token> Parser::read_value(std::string_view what, const Place& place) {
   const bool is_list = tokens_->peek().kind == TokenKind::Open;
   if (is_list) tokens_->next();
   const Token value = tokens_->peek();
-  if (value.kind == TokenKind::Word || value.kind == TokenKind::String) {
+  const bool is_value = value.kind == TokenKind::Word || value.kind == TokenKind::String;
+  if (is_value && !begins_directive(value)) {
     tokens_->next();
     if (!is_list) return value;
     if (tokens_->peek().kind == TokenKind::Close) {
@@ -100,9 +108,9 @@ std::optional<Token> Parser::read_value(std::string_view what) {
     }
   }
   const Token token = tokens_->peek();
-  error(token.offset,
-        fmt::format("{}: found {}, expected one value of {}", directive_.text,
-                    token.kind == TokenKind::End ? "the end of the file" : text::quoted(token.text),
+  const bool is_missing = token.kind == TokenKind::End || begins_directive(token);
+  error(is_missing ? place.offset : token.offset,
+        fmt::format("{}: found {}, expected one value of {}", directive_.text, described(token),
                     text::quoted(what)));
   skip_to_directive();
   return std::nullopt;

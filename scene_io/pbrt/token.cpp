@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scene_io/text/source.h"
+
 namespace candela::pbrt {
 namespace {
 
@@ -64,6 +66,12 @@ Token Tokenizer::read_string(std::size_t offset) {
   const bool is_closed = end < rest.size() && rest[end] == '"';
   cursor_.skip(is_closed ? end + 1 : end);
   return {is_closed ? TokenKind::String : TokenKind::Broken, rest.substr(1, end - 1), offset};
+}
+
+std::string described(const Token& token) {
+  if (token.kind == TokenKind::End) return "the end of the file";
+  if (token.kind == TokenKind::Broken) return "a quote that is not closed on its line";
+  return text::quoted(token.text);
 }
 
 std::string unescaped(std::string_view text) {

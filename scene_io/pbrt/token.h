@@ -45,6 +45,9 @@ class Tokenizer {
   text::Cursor cursor_;
 };
 
+// In quotes, for messages; what is no word of the file in words of ours.
+[[nodiscard]] std::string described(const Token& token);
+
 // A string with its escapes (\n \t \r \b \f \\ \" \') replaced.
 [[nodiscard]] std::string unescaped(std::string_view text);
 

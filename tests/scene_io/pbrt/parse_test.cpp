@@ -11,6 +11,7 @@ namespace {
 using test::parse_pbrt_text;
 using test::pbrt_error;
 using test::pbrt_scene;
+using test::pbrt_warning;
 using test::pbrt_world;
 using test::pbrt_world_error;
 using test::pbrt_world_warning;
@@ -184,6 +185,16 @@ TEST(Errors_PbrtParse, UnknownParametersAreWarnedOf) {
             "2:31: 'radius' is given twice; the last one counts");
 }
 
+TEST(Errors_PbrtParse, StatementsThatAnotherReplaces) {
+  const std::vector<std::string> statements{"Camera \"perspective\"", "Sampler \"halton\"",
+                                            "Integrator \"path\"", "Film \"rgb\"",
+                                            "PixelFilter \"box\""};
+  for (const std::string& statement : statements)
+    EXPECT_EQ(pbrt_warning(statement + "\n" + statement + "\nWorldBegin"),
+              "2:1: " + statement.substr(0, statement.find(' ')) +
+                  " is given twice; the last one counts");
+}
+
 TEST(Errors_PbrtParse, ThoseThatAreNotToldAreCounted) {
   std::string errors, warnings;
   for (int i = 0; i < 50; ++i) {
@@ -211,6 +222,7 @@ TEST(Errors_PbrtParse, AllErrorsAtOnce) {
 TEST(Errors_PbrtParse, BlocksThatDoNotMatch) {
   EXPECT_EQ(pbrt_world_error("AttributeBegin\nAttributeBegin\nAttributeEnd"),
             "2:1: this AttributeBegin has no end");
+  EXPECT_EQ(pbrt_world_error("TransformBegin"), "2:1: this TransformBegin has no end");
   EXPECT_EQ(pbrt_world_error("AttributeEnd"), "2:1: AttributeEnd without a begin");
   EXPECT_EQ(pbrt_world_error("ObjectBegin \"a\"\nObjectInstance \"a\"\nObjectEnd"),
             "3:1: an instance of 'a' within an ObjectBegin: objects cannot be made of instances");

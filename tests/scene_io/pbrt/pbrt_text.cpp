@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -41,6 +42,10 @@ std::string make_folder() {
   write("world.pbrt", "Shape \"disk\"\n");
   write("state.pbrt", "Material \"conductor\"\nTranslate 1 0 0\nShape \"disk\"\n");
   write("self.pbrt", "Include \"self.pbrt\"\n");
+  write("broken.pbrt", "Foo\n");
+  write("spot.pbrt", "LightSource \"spot\" \"point from\" [ 0 0 1 ] \"point to\" [ 0 0 ]\n");
+  write("mesh.pbrt",
+        "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 0 1 0 ] \"integer indices\" [ -1 ]\n");
   write("unclosed.pbrt", "AttributeBegin\nShape \"disk\"\n");
   for (const char* picture : {"picture.png", "picture.exr"})
     write(picture, "not looked into by the reader");
@@ -55,11 +60,12 @@ std::string without_file(const Diagnostic& diagnostic) {
   return fmt::format("{}:{}: {}", diagnostic.span.line, diagnostic.span.column, diagnostic.message);
 }
 
-std::string only_one(Severity severity, std::string_view text) {
+// Of any severity where none is given.
+std::string only_one(std::optional<Severity> severity, std::string_view text) {
   std::vector<std::string> found;
   const auto scene = parse_pbrt_text(text);
   for (const Diagnostic& diagnostic : scene.diagnostics.list())
-    if (diagnostic.severity == severity) found.push_back(without_file(diagnostic));
+    if (!severity || diagnostic.severity == *severity) found.push_back(without_file(diagnostic));
   return found.size() == 1 ? found[0]
                            : fmt::format("{} of them: {}", found.size(), fmt::join(found, " | "));
 }
@@ -95,6 +101,12 @@ std::string pbrt_error(std::string_view text) {
 }
 std::string pbrt_warning(std::string_view text) {
   return only_one(Severity::Warning, text);
+}
+std::string pbrt_message(std::string_view text) {
+  return only_one(std::nullopt, text);
+}
+std::string pbrt_world_message(std::string_view text) {
+  return pbrt_message(in_world(text));
 }
 std::string pbrt_world_error(std::string_view text) {
   return pbrt_error(in_world(text));

@@ -1,6 +1,7 @@
 // pbrt texts in memory, beside a folder of small files that they may name: triangle.ply and
 // quad.ply (4 x 4; both without normals and uvs), picture.png, picture.exr, white.spd, world.pbrt
-// (a shape), self.pbrt (includes itself), folder/, a FIFO "pipe".
+// (a shape), self.pbrt (includes itself), broken.pbrt, spot.pbrt and mesh.pbrt (an error each),
+// folder/, a FIFO "pipe".
 #pragma once
 
 #include <string>
@@ -28,5 +29,8 @@ namespace candela::test {
 [[nodiscard]] std::string pbrt_warning(std::string_view text);
 [[nodiscard]] std::string pbrt_world_error(std::string_view text);
 [[nodiscard]] std::string pbrt_world_warning(std::string_view text);
+// The same of the only one of any severity.
+[[nodiscard]] std::string pbrt_message(std::string_view text);
+[[nodiscard]] std::string pbrt_world_message(std::string_view text);
 
 }  // namespace candela::test
