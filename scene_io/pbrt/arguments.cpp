@@ -89,6 +89,46 @@ std::optional<Vec3d> Arguments::point(std::string_view name) {
   return Vec3d(parameter->numbers[0], parameter->numbers[1], parameter->numbers[2]);
 }
 
+std::optional<double> Arguments::positive(std::string_view name) {
+  const auto value = number(name);
+  if (!value || *value > 0) return value;
+  warning(*find(name), fmt::format("is {}, expected above 0: it is ignored", *value));
+  return std::nullopt;
+}
+
+double Arguments::clamped(std::string_view name, double value, double low, double high) {
+  const double nearest = std::clamp(value, low, high);
+  const Parameter* parameter = find(name);
+  if (!parameter || nearest == value) return nearest;
+  const std::string range =
+      high == no_limit ? fmt::format("at least {}", low) : fmt::format("{} to {}", low, high);
+  warning(*parameter, fmt::format("is {}, expected {}: {} is used", value, range, nearest));
+  return nearest;
+}
+
+const Parameter* Arguments::file(std::string_view name, std::string_view whose) {
+  const Parameter* parameter = find(name, {ParameterType::String});
+  if (parameter) return has_count(*parameter, 1) ? parameter : nullptr;
+  if (!has(name))
+    report_.error(statement_.place,
+                  fmt::format("{} without its file: expected \"string {}\"", whose, name));
+  return nullptr;
+}
+
+// A parameter whose name is nearly that is what is wrong.
+std::optional<std::string> Arguments::type_of(std::string_view what, std::string_view name) {
+  if (has("type")) return string("type");
+  std::vector<std::string_view> names;
+  for (const Parameter& parameter : statement_.parameters) names.push_back(parameter.name);
+  if (const Parameter* misspelled = find(nearest_name("type", names)))
+    error(*misspelled,
+          fmt::format("is not a parameter of {}, did you mean 'type'?", statement_.directive));
+  else
+    report_.error(statement_.place, fmt::format("the {} {} has no type: expected \"string type\"",
+                                                what, text::quoted(name)));
+  return std::nullopt;
+}
+
 bool Arguments::flag(std::string_view name, bool otherwise) {
   const Parameter* parameter = find(name, {ParameterType::Bool});
   if (!parameter || !has_count(*parameter, 1)) return otherwise;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,8 +24,11 @@ struct Statement {
 
 class Arguments {
  public:
+  static constexpr double no_limit = std::numeric_limits<double>::infinity();
+
   // Both outlive it. Marks the statement's parameters as used.
-  Arguments(Statement& statement, const Report& report) : statement_(statement), report_(report) {}
+  Arguments(Statement& statement, const Report& report)
+      : statement_(statement), report_(report), errors_before_(report.error_count()) {}
   Arguments(const Arguments&) = delete;
   Arguments& operator=(const Arguments&) = delete;
 
@@ -40,6 +44,17 @@ class Arguments {
   std::optional<std::string> string(std::string_view name);
   std::optional<Vec3d> point(std::string_view name);
   bool flag(std::string_view name, bool otherwise);
+  // A number above 0; nothing where it is absent or, with a warning, another.
+  std::optional<double> positive(std::string_view name);
+  // What is nearest to the value within [low, high]; where that is another, a warning at the
+  // parameter that it is of.
+  double clamped(std::string_view name, double value, double low, double high = no_limit);
+  // The file that a directive cannot do without: one name. Null after an error, which says what
+  // (`whose`) lacks it where it is absent.
+  const Parameter* file(std::string_view name, std::string_view whose);
+  // The type of what a directive names: MakeNamedMaterial "a" "string type" "diffuse". Nothing
+  // after an error.
+  std::optional<std::string> type_of(std::string_view what, std::string_view name);
   // All values; empty where it is absent or in error.
   std::vector<double> numbers(std::string_view name);
   std::vector<std::uint32_t> indices(std::string_view name);
@@ -55,6 +70,8 @@ class Arguments {
   // Warns of what was never asked for.
   void warn_of_unknown() const;
 
+  // Whether something was wrong since they are being read.
+  [[nodiscard]] bool has_errors() const { return report_.error_count() > errors_before_; }
   [[nodiscard]] Statement& statement() const { return statement_; }
   [[nodiscard]] const Report& report() const { return report_; }
   void error(const Parameter& parameter, std::string_view message) const;
@@ -65,6 +82,7 @@ class Arguments {
 
   Statement& statement_;
   const Report& report_;
+  std::size_t errors_before_;
   std::vector<std::string> asked_;
 };
 

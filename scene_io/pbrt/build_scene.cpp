@@ -90,7 +90,7 @@ class Meshes {
         if (parameter.numbers.size() > 16) parameter.numbers = {};  // it is in the mesh
     });
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
-      context_.report.diagnostics().append(jobs_[i].diagnostics);
+      context_.report.append(jobs_[i].diagnostics);
       if (!meshes[i]) continue;
       jobs_[i].handle = MeshHandle(context_.scene.meshes.size());
       jobs_[i].count = meshes[i]->count;

@@ -176,15 +176,16 @@ void read_filter(Context& context) {
     context.warn_once("yradius", statement.place, "filters are square: the xradius is used");
 }
 
-// An error where no version of pbrt has a type of that name.
+// Whether pbrt has a type of that name, in some version; else an error.
 template <class Names>
-void check_type(const Statement& statement, std::string_view what, const Names& names,
+bool check_type(const Statement& statement, std::string_view what, const Names& names,
                 const Report& report) {
-  if (std::find(std::begin(names), std::end(names), statement.type) != std::end(names)) return;
+  if (std::find(std::begin(names), std::end(names), statement.type) != std::end(names)) return true;
   const std::string_view word = std::string_view(statement.type).substr(0, 100);
   report.error(statement.place,
                fmt::format("{} is no {}{}", text::quoted(statement.type), what,
                            did_you_mean(word, {std::begin(names), std::end(names)})));
+  return false;
 }
 
 // pbrt-v4's and those of pbrt-v3.
@@ -216,7 +217,7 @@ void read_sampler(Context& context) {
   if (context.program.seed) defaults.seed = *context.program.seed;
   if (!context.program.sampler) return;
   Arguments sampler(*context.program.sampler, context.report);
-  check_type(sampler.statement(), "sampler", samplers, context.report);
+  (void)check_type(sampler.statement(), "sampler", samplers, context.report);
   const auto count = integer(sampler, "pixelsamples", 1, most_samples);
   const int x = integer(sampler, "xsamples", 1, 32768).value_or(4);
   const int y = integer(sampler, "ysamples", 1, 32768).value_or(4);
@@ -249,7 +250,7 @@ void read_integrator(Context& context) {
   Arguments integrator(statement, context.report);
   defaults.max_depth = integer(integrator, "maxdepth", 0, deepest).value_or(5);
   read_own_wishes(integrator, context);
-  check_type(statement, "integrator", integrators, context.report);
+  if (!check_type(statement, "integrator", integrators, context.report)) return;
   if (!is_one_of(statement.type, {"path", "volpath"}))
     context.warn_once(
         "integrator", statement.place,

@@ -99,7 +99,7 @@ class LightReader {
   // From -> to.
   Vec3d axis(const Vec3d& from, const Vec3d& to) {
     const Vec3d along = light_.world_from_light.vector(to - from);
-    if (along == Vec3d(0.0))
+    if (along == Vec3d(0.0) && !arguments_.has_errors())
       context_.report.error(light_.statement.place, "\"from\" and \"to\" are the same point");
     return unit_or(along, Vec3d(0, 0, 1));
   }
@@ -152,11 +152,9 @@ class LightReader {
     light.power = positive("power");
     light.angle_degrees = arguments_.number("fov").value_or(90);
     light.world_from_map = map_axes(Mat3d(1.0));
-    const Parameter* file = arguments_.find("filename", {ParameterType::String});
-    if (!file) file = arguments_.find("mapname", {ParameterType::String});  // pbrt-v3
-    if (!file)
-      return context_.report.error(light_.statement.place,
-                                   "a projection without its image: expected \"string filename\"");
+    const bool is_v3 = arguments_.has("mapname") && !arguments_.has("filename");
+    const Parameter* file = arguments_.file(is_v3 ? "mapname" : "filename", "a projection");
+    if (!file) return;
     if (!(light.angle_degrees > 0 && light.angle_degrees < 180))
       return arguments_.error(
           *arguments_.find("fov"),

@@ -58,6 +58,12 @@ ScalarInput mix_amount(Arguments& arguments, Textures& textures, bool is_v3) {
   return amount;
 }
 
+// Of a mix of pbrt-v3; without a name where it is absent or in error.
+MaterialUse named_part(Arguments& arguments, std::string_view name) {
+  const auto part = arguments.string(name);
+  return part ? MaterialUse{none, *part, arguments.find(name)->place} : MaterialUse{};
+}
+
 }  // namespace
 
 ColourInput MaterialReader::reflectance(std::string_view name, double otherwise) {
@@ -80,10 +86,11 @@ double MaterialReader::scalar(std::string_view name, double otherwise) {
       arguments.warning(*parameter, fmt::format("must be a number here: {} is used", otherwise));
     return otherwise;
   }
-  if (parameter->type == ParameterType::Spectrum)
+  const auto mean = mean_value(*parameter, context.scene, context.report);
+  if (mean && parameter->type == ParameterType::Spectrum)
     context.warn_once("dispersion", parameter->place,
                       "a spectrum here counts by its mean: light is not dispersed");
-  return mean_value(*parameter, context.scene, context.report).value_or(otherwise);
+  return mean.value_or(otherwise);
 }
 
 Widths read_widths(MaterialReader& reader, std::string_view prefix) {
@@ -212,18 +219,15 @@ void Materials::read_all() {
 // The type of a named material is a parameter.
 Materials::Made Materials::make(MaterialStatement& statement) {
   Arguments arguments(statement.statement, context_.report);
-  if (const auto type = arguments.string("type")) {
-    if (statement.statement.type.empty()) statement.statement.type = *type;
-  } else if (!statement.name.empty()) {
-    context_.report.error(statement.statement.place,
-                          fmt::format("the material {} has no type: expected \"string type\"",
-                                      text::quoted(statement.name)));
-  }
+  const auto named_type = statement.name.empty() ? arguments.string("type")
+                                                 : arguments.type_of("material", statement.name);
+  if (statement.statement.type.empty()) statement.statement.type = named_type.value_or("");
   const std::string& type = statement.statement.type;
   Material material;
   material.name = statement.name.empty() ? type : statement.name;
   material.span = statement.statement.place.span();
   material.model = description::DiffuseMaterial{};
+  if (!statement.name.empty() && !named_type) return {material, {}};
   if (type == "mix" && !arguments.has("model")) {
     Made made = mix(arguments).value_or(Made{material, {}});
     made.material.name = material.name;
@@ -262,17 +266,16 @@ std::optional<Materials::Made> Materials::mix(Arguments& arguments) {
   const bool is_v3 = !names && arguments.has("namedmaterial1");
   const ScalarInput amount = mix_amount(arguments, textures_, is_v3);
   std::array<MaterialUse, 2> uses;
-  uses.fill({none, {}, statement.place});
   if (names && names->strings.size() == 2) {
-    for (std::size_t i = 0; i < 2; ++i) uses[i].name = names->strings[i];
+    for (std::size_t i = 0; i < 2; ++i) uses[i] = {none, names->strings[i], names->place};
   } else if (is_v3) {  // where the amount is that of the first
-    uses[0].name = arguments.string("namedmaterial2").value_or("");
-    uses[1].name = arguments.string("namedmaterial1").value_or("");
+    uses = {named_part(arguments, "namedmaterial2"), named_part(arguments, "namedmaterial1")};
   }
   arguments.warn_of_unknown();
   if (uses[0].name.empty() || uses[1].name.empty()) {
-    context_.report.error(statement.place,
-                          "a mix without its two materials: expected \"string materials\"");
+    if (!arguments.has_errors())
+      context_.report.error(statement.place,
+                            "a mix without its two materials: expected \"string materials\"");
     return std::nullopt;
   }
   const std::array<std::size_t, 2> parts{index_of(uses[0]), index_of(uses[1])};

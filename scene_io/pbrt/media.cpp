@@ -62,10 +62,15 @@ MediumHandle Media::find(const MediumUse& use) {
   return {};
 }
 
-void Media::check_type(const Statement& statement, const std::string& type) {
+// Of those that are as clear as air.
+void Media::warn_of_type(const Statement& statement, const std::string& type,
+                         const std::string& name) {
   static constexpr std::string_view types[] = {"homogeneous", "uniformgrid", "rgbgrid",
                                                "cloud",       "nanovdb",     "heterogeneous"};
-  if (std::find(std::begin(types), std::end(types), type) != std::end(types)) return;
+  if (std::find(std::begin(types), std::end(types), type) != std::end(types))
+    return context_.report.warning(
+        statement.place, fmt::format("media of type {} are not rendered: {} is as clear as air",
+                                     text::quoted(type), text::quoted(name)));
   context_.report.error(statement.place,
                         fmt::format("{} is no type of media{}", text::quoted(type),
                                     did_you_mean(std::string_view(type).substr(0, 100),
@@ -74,12 +79,10 @@ void Media::check_type(const Statement& statement, const std::string& type) {
 
 MediumHandle Media::read(Statement& statement, const std::string& name) {
   Arguments arguments(statement, context_.report);
-  const std::string type = arguments.string("type").value_or("");
-  if (type != "homogeneous") {
-    check_type(statement, type);
-    context_.report.warning(statement.place,
-                            fmt::format("media of type {} are not rendered: {} is as clear as air",
-                                        text::quoted(type), text::quoted(name)));
+  const auto type = arguments.type_of("medium", name);
+  if (!type) return {};
+  if (*type != "homogeneous") {
+    warn_of_type(statement, *type, name);
     return {};
   }
   Medium medium;

@@ -17,7 +17,7 @@ class Media {
 
  private:
   description::MediumHandle find(const MediumUse& use);
-  void check_type(const Statement& statement, const std::string& type);
+  void warn_of_type(const Statement& statement, const std::string& type, const std::string& name);
   description::MediumHandle read(Statement& statement, const std::string& name);
 
   Context& context_;

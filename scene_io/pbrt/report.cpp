@@ -35,14 +35,29 @@ SourceSpan SourceFile::span(std::size_t offset) const {
   return {source_.name, number, text::span_at({source_.name, line}, line.size()).column};
 }
 
+bool Report::has_said(const Diagnostic& diagnostic) const {
+  const auto& said = diagnostics_.list();
+  return std::any_of(said.begin(), said.end(), [&](const Diagnostic& other) {
+    return other.span.file == diagnostic.span.file && other.span.line == diagnostic.span.line &&
+           other.span.column == diagnostic.span.column && other.message == diagnostic.message;
+  });
+}
+
+void Report::append(const Diagnostics& others) const {
+  const auto& list = others.list();
+  if (!std::all_of(list.begin(), list.end(), [&](const auto& other) { return has_said(other); }))
+    diagnostics_.append(others);
+}
+
 void Report::add(Severity severity, const Place& place, std::string message) const {
   if (!place.file) {
     diagnostics_.add({severity, {}, std::move(message), {}});
   } else if (!text::is_kept(diagnostics_, severity)) {
     diagnostics_.add({severity, {}, {}, {}});  // counted only
   } else {
-    diagnostics_.add({severity, place.span(), std::move(message),
-                      text::excerpt_at(place.file->source(), place.offset)});
+    Diagnostic diagnostic{severity, place.span(), std::move(message),
+                          text::excerpt_at(place.file->source(), place.offset)};
+    if (!has_said(diagnostic)) diagnostics_.add(std::move(diagnostic));
   }
 }
 

@@ -35,12 +35,14 @@ struct Place {
   [[nodiscard]] SourceSpan span() const { return file ? file->span(offset) : SourceSpan{}; }
 };
 
-// Collects what is wrong, with the line's text and a caret. One a thread.
+// Collects what is wrong, with the line's text and a caret. What files say that are included twice
+// is said once. One a thread.
 class Report {
  public:
   explicit Report(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
   void error(const Place& place, std::string message) const {
+    ++error_count_;
     add(Severity::Error, place, std::move(message));
   }
   void warning(const Place& place, std::string message) const {
@@ -49,17 +51,23 @@ class Report {
   void note(const Place& place, std::string message) const {
     add(Severity::Note, place, std::move(message));
   }
+  // What another thread collected of one statement.
+  void append(const Diagnostics& others) const;
   // False: further warnings are only counted, so their sentences need not be made.
   [[nodiscard]] bool wants_warnings() const {
     return text::is_kept(diagnostics_, Severity::Warning);
   }
+  // Those that were said before are counted again.
+  [[nodiscard]] std::size_t error_count() const { return error_count_; }
   [[nodiscard]] bool is_full() const { return diagnostics_.is_full(); }
   [[nodiscard]] Diagnostics& diagnostics() const { return diagnostics_; }
 
  private:
+  [[nodiscard]] bool has_said(const Diagnostic& diagnostic) const;
   void add(Severity severity, const Place& place, std::string message) const;
 
   Diagnostics& diagnostics_;
+  mutable std::size_t error_count_ = 0;
 };
 
 }  // namespace candela::pbrt

@@ -101,20 +101,16 @@ ShapeMesh of_triangles(Mesh mesh) {
 }
 
 std::optional<IndexedFaces> indexed_faces(Arguments& arguments, std::size_t corners) {
-  const std::size_t errors_before = arguments.report().diagnostics().error_count();
   IndexedFaces faces{arguments.points3("P"), arguments.points3("N"), arguments.points2("uv"),
                      arguments.indices("indices")};
   if (faces.uvs.empty()) faces.uvs = arguments.points2("st");  // pbrt-v3
+  if (arguments.has_errors()) return std::nullopt;
   const std::size_t count = faces.positions.size();
   const auto fail = [&](std::string message) {
     arguments.report().error(arguments.statement().place, std::move(message));
     return std::nullopt;
   };
-  if (count == 0) {
-    const bool was_said = arguments.report().diagnostics().error_count() > errors_before;
-    if (was_said) return std::nullopt;
-    return fail("a mesh without positions: expected \"point3 P\"");
-  }
+  if (count == 0) return fail("a mesh without positions: expected \"point3 P\"");
   if (faces.indices.empty() && !arguments.has("indices") && count == corners)
     for (std::uint32_t i = 0; i < corners; ++i) faces.indices.push_back(i);
   if (faces.indices.empty() || faces.indices.size() % corners != 0)
@@ -186,12 +182,8 @@ void add_face_uvs(ply::PolygonMesh& faces) {
 MaybeMesh ply_mesh(Arguments& arguments, const ShapeOptions& options) {
   arguments.ignore("displacement", "meshes are not displaced");
   arguments.accept({"edgelength"});
-  const Parameter* file = arguments.find("filename", {ParameterType::String});
-  if (!file || file->strings.size() != 1) {
-    arguments.report().error(arguments.statement().place,
-                             "a plymesh without its file: expected \"string filename\"");
-    return std::nullopt;
-  }
+  const Parameter* file = arguments.file("filename", "a plymesh");
+  if (!file) return std::nullopt;
   std::optional<ply::PolygonMesh> faces = read_faces(arguments, *file, options);
   if (!faces) return std::nullopt;
   if (options.needs_uvs && faces->mesh.uvs.empty()) add_face_uvs(*faces);

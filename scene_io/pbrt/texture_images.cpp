@@ -170,21 +170,16 @@ void Textures::note_filter(Arguments& arguments) {
 
 Textures::Value Textures::image(Kind kind, const TextureStatement& statement, Arguments& arguments,
                                 const std::string& name) {
-  const Parameter* file = arguments.find("filename", {ParameterType::String});
+  const Parameter* file = arguments.file("filename", "an imagemap");
   note_filter(arguments);
   arguments.accept({"maxanisotropy"});
   const Wrap wrap = wrap_of(arguments);
-  const Encoding encoding =
-      encoding_of(arguments, file && file->strings.size() == 1 ? file->strings[0] : "");
+  const Encoding encoding = encoding_of(arguments, file ? file->strings[0] : "");
   description::ImageTexture texture;
   texture.mapping = mapping(statement, arguments);
   texture.factor = arguments.number("scale").value_or(1);
   texture.is_inverted = arguments.flag("invert", false);
-  if (!file) {
-    context_.report.error(arguments.statement().place,
-                          "an imagemap without its file: expected \"string filename\"");
-    return std::nullopt;
-  }
+  if (!file) return std::nullopt;
   texture.image = add_image(context_, *file, encoding, wrap);
   if (!texture.image) return std::nullopt;
   const bool is_grey = arguments.flag("scalar", false);  // candela's own

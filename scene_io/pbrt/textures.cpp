@@ -170,7 +170,7 @@ Textures::Value Textures::make(Kind kind, TextureStatement& texture, const std::
   else
     return stand_in(arguments);
   arguments.warn_of_unknown();
-  return value;
+  return arguments.has_errors() ? std::nullopt : value;
 }
 
 Textures::Value Textures::stand_in(Arguments& arguments) {

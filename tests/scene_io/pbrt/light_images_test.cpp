@@ -101,7 +101,7 @@ TEST(Errors_PbrtLightImages, SkiesOfAnImageAndMore) {
 
 TEST(Errors_PbrtLightImages, WhatIsWrongWithThem) {
   EXPECT_EQ(pbrt_world_error("LightSource \"projection\""),
-            "2:13: a projection without its image: expected \"string filename\"");
+            "2:13: a projection without its file: expected \"string filename\"");
   EXPECT_EQ(pbrt_world_error("LightSource \"projection\" \"string filename\" \"picture.png\" "
                              "\"float fov\" 180"),
             "2:58: 'fov' is 180, expected degrees above 0 and below 180");

@@ -126,7 +126,7 @@ TEST(Errors_PbrtMixtures, WhatIsWrongWithThem) {
             "2:10: a mix without its two materials: expected \"string materials\"");
   EXPECT_EQ(pbrt_world_error("MakeNamedMaterial \"red\" \"string type\" \"diffuse\" " +
                              mix_of("red", "rde")),
-            "2:58: there is no material 'rde', did you mean 'red'?");
+            "2:64: there is no material 'rde', did you mean 'red'?");
   EXPECT_EQ(
       pbrt_world_error("MakeNamedMaterial \"m\" \"string type\" \"mix\" \"string materials\" [ "
                        "\"n\" \"n\" ] MakeNamedMaterial \"n\" \"string type\" \"mix\" \"string "
