@@ -174,7 +174,7 @@ class ShapeMaterials {
     if (std::holds_alternative<description::LabMaterial>(key.base->model)) return;
     const auto alpha = textures_.scalar(arguments, "alpha");
     if (!alpha) return;
-    key.opacity = std::clamp(alpha->factor, 0.0, 1.0);
+    key.opacity = arguments.clamped("alpha", alpha->factor, 0, 1);
     key.opacity_map = alpha->map.index;
     key.opacity_texture = alpha->texture.index;
   }

@@ -29,8 +29,8 @@ void set_frame(const Transform& world_from_camera, const Vec3d& look, const Vec3
 
 std::optional<ScreenWindow> screen_window(Arguments& arguments) {
   const Parameter* parameter = arguments.find("screenwindow", {ParameterType::Float});
-  const auto aspect = arguments.number("frameaspectratio");
-  if (!parameter && aspect && *aspect > 0 && std::isfinite(*aspect)) {
+  const auto aspect = arguments.positive("frameaspectratio");
+  if (!parameter && aspect && std::isfinite(*aspect)) {
     const double x = std::max(*aspect, 1.0);
     const double y = std::max(1 / *aspect, 1.0);
     return ScreenWindow{-x, x, -y, y};
@@ -43,9 +43,9 @@ std::optional<ScreenWindow> screen_window(Arguments& arguments) {
 }
 
 void set_lens(Arguments& arguments, double scale, Camera& camera) {
-  camera.lens_radius = std::max(arguments.number("lensradius").value_or(0), 0.0) * scale;
-  const double focus = arguments.number("focaldistance").value_or(1e6);
-  camera.focus_distance = (focus > 0 ? focus : 1e6) * scale;
+  const double radius = arguments.number("lensradius").value_or(0);
+  camera.lens_radius = arguments.clamped("lensradius", radius, 0) * scale;
+  camera.focus_distance = arguments.positive("focaldistance").value_or(1e6) * scale;
 }
 
 // The angle of view is of the shorter side.

@@ -55,7 +55,7 @@ void read_white_balance(Context& context, Arguments& film) {
   if (kelvins == 0 && !is_plain) kelvins = 6500;
   if (kelvins == 0) return;
   if (kelvins > 0 && std::isfinite(kelvins))
-    context.scene.defaults.white_balance_kelvins = kelvins;
+    context.scene.defaults.white_balance_kelvins = film.clamped("whitebalance", kelvins, 100, 1e9);
   else
     film.error(*film.find("whitebalance"),
                fmt::format("is {}, expected kelvins, or 0 for no balance", kelvins));
@@ -87,10 +87,14 @@ void read_crop(Context& context, Arguments& film) {
   if (!given) return;
   if (given->numbers.size() != 4) return film.error(*given, "expected 4 numbers: x0, x1, y0, y1");
   std::array<double, 4> shares{};
+  bool is_cut = false;
   for (std::size_t i = 0; i < 4; ++i) {
     const double side = given == bounds ? (i < 2 ? *defaults.width : *defaults.height) : 1;
     shares[i] = std::clamp(given->numbers[i] / side, 0.0, 1.0);
+    is_cut = is_cut || shares[i] != given->numbers[i] / side;
   }
+  if (is_cut && given == bounds)
+    film.warning(*bounds, "reaches beyond the picture: what lies outside is cut");
   if (shares[1] < shares[0]) std::swap(shares[0], shares[1]);
   if (shares[3] < shares[2]) std::swap(shares[2], shares[3]);
   if (!(shares[0] < shares[1] && shares[2] < shares[3]))

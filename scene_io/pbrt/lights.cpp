@@ -27,6 +27,18 @@ bool is_own(const Place& place) {
          std::string_view::npos;
 }
 
+// What light is multiplied by: at least 0. pbrt-v3 gives a colour.
+double scale_of(Arguments& arguments) {
+  const Parameter* given = arguments.find("scale");
+  if (!given) return 1;
+  const bool is_colour = given->type == ParameterType::Rgb && given->numbers.size() == 3;
+  const double factor = is_colour ? (given->numbers[0] + given->numbers[1] + given->numbers[2]) / 3
+                                  : arguments.number("scale").value_or(1);
+  if (factor >= 0) return factor;
+  arguments.error(*given, fmt::format("is {}, expected at least 0", factor));
+  return 0;
+}
+
 // One light being read.
 class LightReader {
  public:
@@ -77,23 +89,7 @@ class LightReader {
   // The light's colour times `scale`, as the film sees it.
   Vec3d colour(std::string_view name) {
     const auto given = light_colour(arguments_, name, context_.scene);
-    return given.value_or(Vec3d(1.0)) * (scale() * context_.imaging_ratio);
-  }
-  double scale() {
-    double factor = 1;
-    if (const Parameter* given = arguments_.find("scale")) {
-      // pbrt-v3 gives a colour.
-      if (given->type == ParameterType::Rgb && given->numbers.size() == 3)
-        factor = (given->numbers[0] + given->numbers[1] + given->numbers[2]) / 3;
-      else
-        factor = arguments_.number("scale").value_or(1);
-    }
-    return std::max(factor, 0.0);
-  }
-  // A positive number, or nothing.
-  std::optional<double> positive(std::string_view name) {
-    const auto number = arguments_.number(name);
-    return number && *number > 0 ? number : std::nullopt;
+    return given.value_or(Vec3d(1.0)) * (scale_of(arguments_) * context_.imaging_ratio);
   }
   Vec3d place(const Vec3d& p) const { return light_.world_from_light.point(p); }
   // From -> to.
@@ -106,7 +102,7 @@ class LightReader {
 
   void point() {
     Vec3d intensity = colour("I");
-    if (const auto power = positive("power")) intensity *= *power / (4 * pi_double);
+    if (const auto power = arguments_.positive("power")) intensity *= *power / (4 * pi_double);
     const Vec3d position = place(arguments_.point("from").value_or(Vec3d(0.0)));
     check(intensity, position);
     add(description::PointLight{position, intensity});
@@ -124,7 +120,8 @@ class LightReader {
     const double start = std::cos(light.inner_angle_radians);
     const double end = std::cos(light.outer_angle_radians);
     const double share = (1 - start) + (start - end) / 2;
-    if (const auto power = positive("power"))  // a cone without an inside has none to give
+    // A cone without an inside has none to give.
+    if (const auto power = arguments_.positive("power"))
       light.intensity *= share > 0 ? *power / (2 * pi_double * share) : 0.0;
     check(light.intensity, light.position);
     add(light);
@@ -135,7 +132,7 @@ class LightReader {
     description::GoniometricLight light;
     light.position = place(Vec3d(0.0));
     light.intensity = colour("I");
-    light.power = positive("power");
+    light.power = arguments_.positive("power");
     light.world_from_map = map_axes(Mat3d(1, 0, 0, 0, 0, 1, 0, 1, 0));
     if (const Parameter* file = arguments_.find("filename", {ParameterType::String})) {
       light.image = light_image(*file);
@@ -148,8 +145,8 @@ class LightReader {
   void projection() {
     description::ProjectionLight light;
     light.position = place(Vec3d(0.0));
-    light.intensity = Vec3d(scale() * context_.imaging_ratio);
-    light.power = positive("power");
+    light.intensity = Vec3d(scale_of(arguments_) * context_.imaging_ratio);
+    light.power = arguments_.positive("power");
     light.angle_degrees = arguments_.number("fov").value_or(90);
     light.world_from_map = map_axes(Mat3d(1.0));
     const bool is_v3 = arguments_.has("mapname") && !arguments_.has("filename");
@@ -169,7 +166,7 @@ class LightReader {
     const Vec3d from = arguments_.point("from").value_or(Vec3d(0.0));
     const Vec3d to = arguments_.point("to").value_or(Vec3d(0, 0, 1));
     Vec3d irradiance = colour("L");
-    if (const auto illuminance = positive("illuminance")) irradiance *= *illuminance;
+    if (const auto illuminance = arguments_.positive("illuminance")) irradiance *= *illuminance;
     check(irradiance);
     add(description::DirectionalLight{-axis(from, to), irradiance});
   }
@@ -177,7 +174,7 @@ class LightReader {
   void infinite() {
     arguments_.ignore("portal", "light comes from all of the sky");
     arguments_.accept({"samples", "nsamples"});
-    const auto illuminance = positive("illuminance");
+    const auto illuminance = arguments_.positive("illuminance");
     const Parameter* file = arguments_.find("filename", {ParameterType::String});
     const Parameter* v3_file = arguments_.find("mapname", {ParameterType::String});
     const Vec3d colour_and_scale = colour("L");
@@ -283,10 +280,9 @@ Emission read_emission(Context& context, Statement& statement) {
     const std::string name = file->strings.size() == 1 ? file->strings[0] : "";
     emission.map = add_light_image(context, *file, encoding_of_file(name));
   }
-  const double scale = std::max(arguments.number("scale").value_or(1), 0.0);
+  const double scale = scale_of(arguments);
   emission.radiance *= (has_own_radiance ? 1 : scale) * context.imaging_ratio;
-  emission.power = arguments.number("power");
-  if (emission.power && !(*emission.power > 0)) emission.power.reset();
+  emission.power = arguments.positive("power");
   emission.is_maps_mean = emission.map && emission.power;
   if (has_own_radiance) emission.power.reset();
   arguments.warn_of_unknown();

@@ -74,9 +74,9 @@ Coat read_coat(MaterialReader& reader, std::string_view prefix) {
   Coat coat;
   set_widths(reader, prefix, coat);
   coat.ior = read_ior(reader, fmt::format("{}eta", prefix));
-  coat.thickness = std::max(reader.scalar("thickness", 0.01), 0.0);
-  const auto depth = reader.arguments.integer("maxdepth").value_or(10);
-  coat.max_depth = static_cast<int>(std::clamp<std::int64_t>(depth, 1, 1000));
+  coat.thickness = reader.arguments.clamped("thickness", reader.scalar("thickness", 0.01), 0);
+  const auto depth = static_cast<double>(reader.arguments.integer("maxdepth").value_or(10));
+  coat.max_depth = static_cast<int>(reader.arguments.clamped("maxdepth", depth, 1, 1000));
   reader.arguments.accept({"nsamples", "g", "twosided"});
   const auto albedo = reader.textures.colour(reader.arguments, "albedo");
   if (albedo && (albedo->map || albedo->texture || albedo->factor != Vec3d(0.0)))

@@ -29,10 +29,8 @@ bool is_constant(const ScalarInput& input) {
 }
 
 // [Pharr23, section 9.6]: the square root of what the author writes.
-ScalarInput width_of(MaterialReader& reader, ScalarInput input, bool remaps) {
-  if (remaps) input = reader.textures.square_root(input, reader.arguments.statement().place);
-  if (is_constant(input)) input.factor = std::clamp(input.factor, 0.0, 1.0);
-  return input;
+ScalarInput width_of(MaterialReader& reader, const ScalarInput& input, bool remaps) {
+  return remaps ? reader.textures.square_root(input, reader.arguments.statement().place) : input;
 }
 
 // pbrt takes what is smoother than this for smooth.
@@ -54,7 +52,7 @@ ScalarInput mix_amount(Arguments& arguments, Textures& textures, bool is_v3) {
     amount.factor = (given->numbers[0] + given->numbers[1] + given->numbers[2]) / 3;
   else
     amount = textures.scalar(arguments, "amount").value_or(amount);
-  amount.factor = std::clamp(amount.factor, 0.0, 1.0);
+  amount.factor = arguments.clamped("amount", amount.factor, 0, 1);
   return amount;
 }
 
@@ -94,8 +92,12 @@ double MaterialReader::scalar(std::string_view name, double otherwise) {
 }
 
 Widths read_widths(MaterialReader& reader, std::string_view prefix) {
-  const auto read = [&](std::string_view name) {
-    return reader.textures.scalar(reader.arguments, fmt::format("{}{}", prefix, name));
+  const auto read = [&](std::string_view suffix) {
+    const std::string name = fmt::format("{}{}", prefix, suffix);
+    auto width = reader.textures.scalar(reader.arguments, name);
+    if (width && is_constant(*width))
+      width->factor = reader.arguments.clamped(name, width->factor, 0, 1);
+    return width;
   };
   const ScalarInput both = read("roughness").value_or(ScalarInput{0.0, {}, 0, {}});
   const ScalarInput u = read("uroughness").value_or(both);

@@ -150,6 +150,10 @@ MaybeMesh make_mesh(ShapeStatement& shape, const ShapeOptions& options, const Re
     mesh.sphere->faces_inwards = shape.is_reversed;
     return made;
   }
+  if (mesh.triangles.empty()) {
+    report.warning(shape.statement.place, "this shape has no area: it is left out");
+    return std::nullopt;
+  }
   orient(mesh, shape.is_reversed);
   if (options.needs_uvs && mesh.uvs.empty()) add_default_uvs(mesh);
   return made;

@@ -122,11 +122,12 @@ void subdivide(std::vector<Vec3d>& positions, Triangles& triangles) {
 
 MaybeMesh loop_subdivision(Arguments& arguments) {
   arguments.accept({"scheme"});
-  std::optional<std::int64_t> levels = arguments.integer("levels");
-  if (!levels) levels = arguments.integer("nlevels");  // pbrt-v3
+  const bool is_v3 = arguments.has("nlevels") && !arguments.has("levels");
+  const std::string_view name = is_v3 ? "nlevels" : "levels";
+  const auto levels = static_cast<double>(arguments.integer(name).value_or(3));
   const auto faces = indexed_faces(arguments, 3);
   if (!faces) return std::nullopt;
-  std::int64_t left = std::max<std::int64_t>(levels.value_or(3), 0);
+  auto left = static_cast<std::int64_t>(arguments.clamped(name, levels, 0));
   if (left > 20 || (faces->indices.size() / 3) > (most_triangles >> (2 * left))) {
     arguments.report().error(
         arguments.statement().place,

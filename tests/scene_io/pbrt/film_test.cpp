@@ -186,6 +186,21 @@ TEST(Errors_PbrtFilm, WhatCannotBeHonouredIsNamed) {
             "1:8: the shutter closes at 0, expected after it opens at 1");
 }
 
+TEST(Errors_PbrtFilm, NumbersOutOfTheirRange) {
+  const auto warning = [](const std::string& text) { return pbrt_warning(text + "\nWorldBegin"); };
+  EXPECT_EQ(warning("Camera \"perspective\" \"float frameaspectratio\" -1"),
+            "1:22: 'frameaspectratio' is -1, expected above 0: it is ignored");
+  EXPECT_EQ(warning("Camera \"perspective\" \"float lensradius\" -.3"),
+            "1:22: 'lensradius' is -0.3, expected at least 0: 0 is used");
+  EXPECT_EQ(warning("Camera \"perspective\" \"float focaldistance\" 0"),
+            "1:22: 'focaldistance' is 0, expected above 0: it is ignored");
+  EXPECT_EQ(warning("Film \"rgb\" \"float whitebalance\" 10"),
+            "1:12: 'whitebalance' is 10, expected 100 to 1000000000: 100 is used");
+  EXPECT_EQ(warning("Film \"rgb\" \"integer xresolution\" 32 \"integer yresolution\" 32 "
+                    "\"integer pixelbounds\" [ 0 40 0 40 ]"),
+            "1:62: 'pixelbounds' reaches beyond the picture: what lies outside is cut");
+}
+
 // Only where their values would change the picture.
 TEST(Errors_PbrtFilm, WhatIsIgnored) {
   const std::string begin = "\nWorldBegin";

@@ -116,6 +116,8 @@ TEST(Unit_PbrtMixtures, BoundTheShapesMedium) {
 }
 
 TEST(Errors_PbrtMixtures, WhatIsWrongWithThem) {
+  EXPECT_EQ(pbrt_world_warning(parts + mix_of("red", "glass", "\"float amount\" -2")),
+            "7:53: 'amount' is -2, expected 0 to 1: 0 is used");
   EXPECT_EQ(pbrt_world_warning("MakeNamedMaterial \"red\" \"string type\" \"diffuse\" "
                                "MakeNamedMaterial \"nothing\" \"string type\" \"interface\"\n" +
                                mix_of("red", "nothing", "\"float amount\" .5") +

@@ -61,6 +61,17 @@ TEST(Unit_PbrtLights, ConesWithoutAnInsideGiveNothing) {
   expect_near(std::get<SpotLight>(scene.lights.at(0).kind).intensity, Vec3d(0.0));
 }
 
+TEST(Errors_PbrtLights, BrightnessBelowZero) {
+  EXPECT_EQ(pbrt_world_error("LightSource \"point\" \"float scale\" -1"),
+            "2:21: 'scale' is -1, expected at least 0");
+  EXPECT_EQ(pbrt_world_error("AreaLightSource \"diffuse\" \"float scale\" -2 Shape \"disk\""),
+            "2:27: 'scale' is -2, expected at least 0");
+  EXPECT_EQ(pbrt_world_warning("LightSource \"point\" \"float power\" -1"),
+            "2:21: 'power' is -1, expected above 0: it is ignored");
+  EXPECT_EQ(pbrt_world_warning("AreaLightSource \"diffuse\" \"float power\" -2 Shape \"disk\""),
+            "2:27: 'power' is -2, expected above 0: it is ignored");
+}
+
 TEST(Errors_PbrtLights, InvisibleLampsAreNamed) {
   EXPECT_EQ(
       pbrt_world_warning("AreaLightSource \"diffuse\" Shape \"disk\" \"float alpha\" 0 "
@@ -271,6 +282,25 @@ TEST(Errors_PbrtMaterials, WhatIsIgnored) {
   EXPECT_EQ(pbrt_world_warning("Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ] "
                                "\"vector3 S\" [ 1 0 0  1 0 0  1 0 0 ]"),
             "2:57: 'S' is ignored: tangents are those of the texture coordinates");
+}
+
+TEST(Errors_PbrtMaterials, NumbersOutOfTheirRange) {
+  const auto warning = [](const std::string& parameters) {
+    return pbrt_world_warning("Material " + parameters);
+  };
+  EXPECT_EQ(warning("\"conductor\" \"float roughness\" -2"),
+            "2:22: 'roughness' is -2, expected 0 to 1: 0 is used");
+  EXPECT_EQ(warning("\"conductor\" \"float uroughness\" 3"),
+            "2:22: 'uroughness' is 3, expected 0 to 1: 1 is used");
+  EXPECT_EQ(warning("\"coateddiffuse\" \"float thickness\" -1"),
+            "2:26: 'thickness' is -1, expected at least 0: 0 is used");
+  EXPECT_EQ(warning("\"coateddiffuse\" \"integer maxdepth\" -1"),
+            "2:26: 'maxdepth' is -1, expected 1 to 1000: 1 is used");
+  EXPECT_EQ(warning("\"diffuse\" Shape \"disk\" \"float alpha\" -1"),
+            "2:33: 'alpha' is -1, expected 0 to 1: 0 is used");
+  EXPECT_EQ(warning("\"diffuse\" Shape \"loopsubdiv\" \"integer levels\" -3 \"integer indices\" "
+                    "[ 0 1 2 ] \"point3 P\" [ 0 0 0 1 0 0 0 1 0 ]"),
+            "2:39: 'levels' is -3, expected at least 0: 0 is used");
 }
 
 // In the space of their own directive.

@@ -321,6 +321,15 @@ TEST(Unit_PbrtShapes, SubdivisionGoesToLoopsLimit) {
   EXPECT_LT(length(open.positions[0] - Vec3d(5, 5, 0) / 6.0), 1e-12);
 }
 
+TEST(Errors_PbrtShapes, ThoseWithoutAnAreaAreNamed) {
+  for (const char* shape :
+       {"\"cylinder\" \"float zmin\" 1 \"float zmax\" 1", "\"sphere\" \"float zmin\" 5",
+        "\"disk\" \"float innerradius\" 2", "\"sphere\" \"float phimax\" 0",
+        "\"disk\" \"float phimax\" 0", "\"cylinder\" \"float phimax\" 0"})
+    EXPECT_EQ(pbrt_world_warning(fmt::format("Shape {}\nShape \"disk\"", shape)),
+              "2:7: this shape has no area: it is left out");
+}
+
 TEST(Errors_PbrtShapes, WhatAMeshLacks) {
   EXPECT_EQ(pbrt_world_error("Shape \"trianglemesh\""),
             "2:7: a mesh without positions: expected \"point3 P\"");
