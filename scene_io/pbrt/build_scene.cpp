@@ -287,6 +287,8 @@ class SceneBuilder {
       for (ShapeStatement& shape : shapes) meshes_.add(shape, keeps_shape(shape, uses, name));
     meshes_.make();
     place_all();
+    textures_.check_unused();
+    media_.check_unused();
   }
 
  private:

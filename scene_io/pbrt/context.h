@@ -18,6 +18,11 @@ struct Context {
   std::set<std::string> warned = {};
   ImageIndex images = {};
 
+  // The same for another scene: what nothing uses is read for its errors alone.
+  [[nodiscard]] Context for_unused(description::SceneDescription& unused) const {
+    unused.path = scene.path;
+    return {program, unused, report, imaging_ratio, warned};
+  }
   // Of several like it the first is enough.
   void warn_once(const std::string& key, const Place& place, std::string message) {
     if (warned.insert(key).second) report.warning(place, std::move(message));

@@ -51,6 +51,15 @@ MediumHandle Media::of(const MediumUse& use) {
   return read_[use.name] = find(use);
 }
 
+void Media::check_unused() const {
+  description::SceneDescription unused;
+  Context context = context_.for_unused(unused);
+  Media media(context);
+  media.read_ = read_;
+  for (const auto& [name, statement] : context_.program.media)
+    (void)media.of({name, statement.place});
+}
+
 MediumHandle Media::find(const MediumUse& use) {
   const auto found = context_.program.media.find(use.name);
   if (found != context_.program.media.end()) return read(found->second, use.name);

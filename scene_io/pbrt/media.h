@@ -14,6 +14,8 @@ class Media {
 
   // The medium in the scene, made when it is first asked for; invalid: none.
   [[nodiscard]] description::MediumHandle of(const MediumUse& use);
+  // Of those that were not asked for; nothing of them comes to the scene.
+  void check_unused() const;
 
  private:
   description::MediumHandle find(const MediumUse& use);

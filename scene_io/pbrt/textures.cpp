@@ -104,10 +104,9 @@ ColourInput Textures::scaled(const ColourInput& input, double factor, const Plac
 }
 
 void Textures::report_unknown(Kind kind, const Place& place, const std::string& name) const {
-  const Program& program = context_.program;
   const bool is_float = kind == Kind::Float;
-  const auto& wanted = is_float ? program.float_textures : program.spectrum_textures;
-  const auto& others = is_float ? program.spectrum_textures : program.float_textures;
+  const auto& wanted = statements(kind);
+  const auto& others = statements(is_float ? Kind::Spectrum : Kind::Float);
   const auto words = [](bool of_float) { return of_float ? "float" : "spectrum"; };
   const std::string hint =
       others.contains(name)
@@ -115,6 +114,22 @@ void Textures::report_unknown(Kind kind, const Place& place, const std::string& 
           : did_you_mean(std::string_view(name).substr(0, 100), names_of(wanted));
   context_.report.error(
       place, fmt::format("there is no {} texture {}{}", words(is_float), text::quoted(name), hint));
+}
+
+std::map<std::string, TextureStatement>& Textures::statements(Kind kind) const {
+  Program& program = context_.program;
+  return kind == Kind::Float ? program.float_textures : program.spectrum_textures;
+}
+
+void Textures::check_unused() const {
+  description::SceneDescription unused;
+  Context context = context_.for_unused(unused);
+  Textures textures(context);
+  textures.made_ = made_;
+  for (const Kind kind : {Kind::Float, Kind::Spectrum})
+    for (const auto& [name, texture] : statements(kind))
+      (void)textures.named(kind,
+                           {ParameterType::Texture, name, texture.statement.place, {}, {name}});
 }
 
 Textures::Value Textures::named(Kind kind, const Parameter& parameter) {
@@ -126,8 +141,7 @@ Textures::Value Textures::named(Kind kind, const Parameter& parameter) {
   auto& made = made_[static_cast<std::size_t>(kind)];
   const auto known = made.find(name);
   if (known != made.end()) return known->second;
-  auto& textures =
-      kind == Kind::Float ? context_.program.float_textures : context_.program.spectrum_textures;
+  auto& textures = statements(kind);
   const auto found = textures.find(name);
   if (found == textures.end()) {
     report_unknown(kind, parameter.place, name);

@@ -1,6 +1,7 @@
 // Textures, and parameters that may be one.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -33,6 +34,8 @@ class Textures {
   void set_heights(Arguments& arguments, description::Material& material);
   // A file of normals.
   description::ImageHandle normal_map(Arguments& arguments);
+  // Of those that were not asked for; nothing of them comes to the scene.
+  void check_unused() const;
 
  private:
   enum class Kind : std::uint8_t { Float, Spectrum };
@@ -41,6 +44,7 @@ class Textures {
   using Value = std::optional<description::ColourInput>;
   void set_height_texture(const Parameter& parameter, description::Material& material);
   bool set_own_heights(Arguments& arguments, description::Material& material);
+  [[nodiscard]] std::map<std::string, TextureStatement>& statements(Kind kind) const;
   Value named(Kind kind, const Parameter& parameter);
   void report_unknown(Kind kind, const Place& place, const std::string& name) const;
   Value make(Kind kind, TextureStatement& texture, const std::string& name);
@@ -68,7 +72,7 @@ class Textures {
   description::ColourInput add(Texture kind, const std::string& name, const Place& place);
 
   Context& context_;
-  std::map<std::string, Value> made_[2];  // by kind
+  std::array<std::map<std::string, Value>, 2> made_;  // by kind
   int depth_ = 0;
 };
 

@@ -69,6 +69,13 @@ TEST(Unit_PbrtMedia, WithoutCoefficientsItIsMilk) {
   EXPECT_EQ(ketchup.absorption, Vec3d(.061, .97, 1.45) * 10.0);
 }
 
+// Nothing of them comes to the scene.
+TEST(Unit_PbrtMedia, UnusedOnesAreChecked) {
+  EXPECT_EQ(pbrt_world_error("MakeNamedMedium \"m\" \"string type\" \"homogenous\""),
+            "2:17: 'homogenous' is no type of media, did you mean 'homogeneous'?");
+  EXPECT_TRUE(pbrt_world(green).media.empty());
+}
+
 TEST(Errors_PbrtMedia, WhatIsNotRenderedIsNamed) {
   EXPECT_EQ(pbrt_world_error(green + "MediumInterface \"gren\" \"\"\nShape \"disk\""),
             "3:17: there is no medium 'gren', did you mean 'green'?");

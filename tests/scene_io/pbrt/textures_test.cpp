@@ -118,6 +118,20 @@ TEST(Errors_PbrtTextures, NamesThatAreNotThere) {
             "3:1: the float texture 't' is defined twice");
 }
 
+// Nothing of them comes to the scene.
+TEST(Unit_PbrtTextures, UnusedOnesAreChecked) {
+  EXPECT_EQ(pbrt_world_error("Texture \"t\" \"spectrum\" \"cnstant\""),
+            "2:24: 'cnstant' is no texture, did you mean 'constant'?");
+  EXPECT_EQ(test::pbrt_world_warning("Texture \"t\" \"float\" \"constant\" \"float valeu\" 1"),
+            "2:32: 'valeu' is not a parameter of Texture \"constant\" and is ignored, did you mean "
+            "'value'?");
+  const auto scene = pbrt_world(
+      "Texture \"a\" \"spectrum\" \"imagemap\" \"string filename\" \"not there.png\"\n"
+      "Texture \"b\" \"spectrum\" \"scale\" \"texture tex\" \"a\" \"float scale\" .5");
+  EXPECT_TRUE(scene.images.empty());
+  EXPECT_TRUE(scene.textures.empty());
+}
+
 TEST(Errors_PbrtTextures, CheckerboardsHaveTwoOrThreeDimensions) {
   EXPECT_EQ(pbrt_world_error("Texture \"t\" \"spectrum\" \"checkerboard\" \"integer dimension\" 4 "
                              "Material \"diffuse\" \"texture reflectance\" \"t\" Shape \"disk\""),
