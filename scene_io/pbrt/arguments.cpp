@@ -89,9 +89,10 @@ std::optional<Vec3d> Arguments::point(std::string_view name) {
   return Vec3d(parameter->numbers[0], parameter->numbers[1], parameter->numbers[2]);
 }
 
-std::optional<double> Arguments::positive(std::string_view name) {
+std::optional<double> Arguments::positive(std::string_view name, std::optional<double> unset) {
   const auto value = number(name);
-  if (!value || *value > 0) return value;
+  if (!value || value == unset) return std::nullopt;
+  if (*value > 0) return value;
   warning(*find(name), fmt::format("is {}, expected above 0: it is ignored", *value));
   return std::nullopt;
 }

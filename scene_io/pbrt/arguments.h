@@ -44,8 +44,8 @@ class Arguments {
   std::optional<std::string> string(std::string_view name);
   std::optional<Vec3d> point(std::string_view name);
   bool flag(std::string_view name, bool otherwise);
-  // A number above 0; nothing where it is absent or, with a warning, another.
-  std::optional<double> positive(std::string_view name);
+  // A number above 0; nothing where it is absent, `unset` or, with a warning, another.
+  std::optional<double> positive(std::string_view name, std::optional<double> unset = {});
   // What is nearest to the value within [low, high]; where that is another, a warning at the
   // parameter that it is of.
   double clamped(std::string_view name, double value, double low, double high = no_limit);

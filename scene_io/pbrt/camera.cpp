@@ -45,7 +45,10 @@ std::optional<ScreenWindow> screen_window(Arguments& arguments) {
 void set_lens(Arguments& arguments, double scale, Camera& camera) {
   const double radius = arguments.number("lensradius").value_or(0);
   camera.lens_radius = arguments.clamped("lensradius", radius, 0) * scale;
-  camera.focus_distance = arguments.positive("focaldistance").value_or(1e6) * scale;
+  constexpr double far = 1e6;
+  const auto focus = camera.lens_radius > 0 ? arguments.positive("focaldistance")
+                                            : arguments.number("focaldistance");  // of no effect
+  camera.focus_distance = (focus && *focus > 0 ? *focus : far) * scale;
 }
 
 // The angle of view is of the shorter side.

@@ -27,6 +27,8 @@ bool is_own(const Place& place) {
          std::string_view::npos;
 }
 
+constexpr double unset = -1;  // as pbrt-v4 writes a power or illuminance that is none
+
 // What light is multiplied by: at least 0. pbrt-v3 gives a colour.
 double scale_of(Arguments& arguments) {
   const Parameter* given = arguments.find("scale");
@@ -102,7 +104,8 @@ class LightReader {
 
   void point() {
     Vec3d intensity = colour("I");
-    if (const auto power = arguments_.positive("power")) intensity *= *power / (4 * pi_double);
+    if (const auto power = arguments_.positive("power", unset))
+      intensity *= *power / (4 * pi_double);
     const Vec3d position = place(arguments_.point("from").value_or(Vec3d(0.0)));
     check(intensity, position);
     add(description::PointLight{position, intensity});
@@ -121,7 +124,7 @@ class LightReader {
     const double end = std::cos(light.outer_angle_radians);
     const double share = (1 - start) + (start - end) / 2;
     // A cone without an inside has none to give.
-    if (const auto power = arguments_.positive("power"))
+    if (const auto power = arguments_.positive("power", unset))
       light.intensity *= share > 0 ? *power / (2 * pi_double * share) : 0.0;
     check(light.intensity, light.position);
     add(light);
@@ -132,7 +135,7 @@ class LightReader {
     description::GoniometricLight light;
     light.position = place(Vec3d(0.0));
     light.intensity = colour("I");
-    light.power = arguments_.positive("power");
+    light.power = arguments_.positive("power", unset);
     light.world_from_map = map_axes(Mat3d(1, 0, 0, 0, 0, 1, 0, 1, 0));
     if (const Parameter* file = arguments_.find("filename", {ParameterType::String})) {
       light.image = light_image(*file);
@@ -146,7 +149,7 @@ class LightReader {
     description::ProjectionLight light;
     light.position = place(Vec3d(0.0));
     light.intensity = Vec3d(scale_of(arguments_) * context_.imaging_ratio);
-    light.power = arguments_.positive("power");
+    light.power = arguments_.positive("power", unset);
     light.angle_degrees = arguments_.number("fov").value_or(90);
     light.world_from_map = map_axes(Mat3d(1.0));
     const bool is_v3 = arguments_.has("mapname") && !arguments_.has("filename");
@@ -166,7 +169,8 @@ class LightReader {
     const Vec3d from = arguments_.point("from").value_or(Vec3d(0.0));
     const Vec3d to = arguments_.point("to").value_or(Vec3d(0, 0, 1));
     Vec3d irradiance = colour("L");
-    if (const auto illuminance = arguments_.positive("illuminance")) irradiance *= *illuminance;
+    if (const auto illuminance = arguments_.positive("illuminance", unset))
+      irradiance *= *illuminance;
     check(irradiance);
     add(description::DirectionalLight{-axis(from, to), irradiance});
   }
@@ -174,7 +178,7 @@ class LightReader {
   void infinite() {
     arguments_.ignore("portal", "light comes from all of the sky");
     arguments_.accept({"samples", "nsamples"});
-    const auto illuminance = arguments_.positive("illuminance");
+    const auto illuminance = arguments_.positive("illuminance", unset);
     const Parameter* file = arguments_.find("filename", {ParameterType::String});
     const Parameter* v3_file = arguments_.find("mapname", {ParameterType::String});
     const Vec3d colour_and_scale = colour("L");
@@ -282,7 +286,7 @@ Emission read_emission(Context& context, Statement& statement) {
   }
   const double scale = scale_of(arguments);
   emission.radiance *= (has_own_radiance ? 1 : scale) * context.imaging_ratio;
-  emission.power = arguments.positive("power");
+  emission.power = arguments.positive("power", unset);
   emission.is_maps_mean = emission.map && emission.power;
   if (has_own_radiance) emission.power.reset();
   arguments.warn_of_unknown();

@@ -192,8 +192,9 @@ TEST(Errors_PbrtFilm, NumbersOutOfTheirRange) {
             "1:22: 'frameaspectratio' is -1, expected above 0: it is ignored");
   EXPECT_EQ(warning("Camera \"perspective\" \"float lensradius\" -.3"),
             "1:22: 'lensradius' is -0.3, expected at least 0: 0 is used");
-  EXPECT_EQ(warning("Camera \"perspective\" \"float focaldistance\" 0"),
+  EXPECT_EQ(warning("Camera \"perspective\" \"float focaldistance\" 0 \"float lensradius\" 1"),
             "1:22: 'focaldistance' is 0, expected above 0: it is ignored");
+  EXPECT_EQ(warning("Camera \"perspective\" \"float focaldistance\" 0"), "0 of them: ");
   EXPECT_EQ(warning("Film \"rgb\" \"float whitebalance\" 10"),
             "1:12: 'whitebalance' is 10, expected 100 to 1000000000: 100 is used");
   EXPECT_EQ(warning("Film \"rgb\" \"integer xresolution\" 32 \"integer yresolution\" 32 "

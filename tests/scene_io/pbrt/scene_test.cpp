@@ -66,8 +66,10 @@ TEST(Errors_PbrtLights, BrightnessBelowZero) {
             "2:21: 'scale' is -1, expected at least 0");
   EXPECT_EQ(pbrt_world_error("AreaLightSource \"diffuse\" \"float scale\" -2 Shape \"disk\""),
             "2:27: 'scale' is -2, expected at least 0");
-  EXPECT_EQ(pbrt_world_warning("LightSource \"point\" \"float power\" -1"),
-            "2:21: 'power' is -1, expected above 0: it is ignored");
+  EXPECT_EQ(pbrt_world_warning("LightSource \"point\" \"float power\" 0"),
+            "2:21: 'power' is 0, expected above 0: it is ignored");
+  EXPECT_EQ(pbrt_world_warning("LightSource \"point\" \"float power\" -1 Shape \"disk\""),
+            "0 of them: ");
   EXPECT_EQ(pbrt_world_warning("AreaLightSource \"diffuse\" \"float power\" -2 Shape \"disk\""),
             "2:27: 'power' is -2, expected above 0: it is ignored");
 }
