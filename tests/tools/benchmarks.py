@@ -149,10 +149,10 @@ def adaptive_gain(off, on, twice):
     return adaptive.compared(*(runs_of(json.loads(runs)) for runs in (off, on, twice)))
 
 
-def before_and_now(pairs, fewer):
-    """`fewer`: of half the samples."""
+def before_and_now(pairs, ladder):
+    """`ladder`: of half the samples, and of all."""
     return before.compared([runs_of(pair) for pair in json.loads(pairs)],
-                           runs_of(json.loads(fewer)))
+                           [runs_of(runs) for runs in json.loads(ladder)])
 
 
 def times(pairs):

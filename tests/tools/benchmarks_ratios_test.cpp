@@ -308,7 +308,7 @@ TEST_F(Unit_BenchmarksRatios, EarlierBuildsAreHeldAgainstThisOne) {
   const Json row =
       ask({"before_and_now",
            "[[[0.2, 3, 2], [0.1, 1, 1]], [[0.4, 6, 4], [0.1, 2, 4]], [[0.4, 8, 8], [0.1, 2, 2]]]",
-           "[[0.1, 1, 1], [0.1, 2, 2], [0.1, 2, 2]]"});
+           "[[[0.1, 1, 1], [0.1, 2, 2], [0.1, 2, 2]], [[0.1, 1, 1], [0.1, 2, 4], [0.1, 2, 2]]]"});
   EXPECT_NEAR(row["relmse_ratio"], 4, 1e-12);
   EXPECT_NEAR(row["cpu_low"], 6, 1e-12);
   EXPECT_NEAR(row["cpu_ratio"], 12, 1e-12);

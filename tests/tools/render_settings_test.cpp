@@ -303,9 +303,8 @@ TEST(Unit_RenderSettings, TheScenesSamplesAreLoweredToASquareWithAWarning) {
       settings(with_integrator(IntegratorKind::Whitted), scene_with_wishes());  // 7
   EXPECT_EQ(lowered.options.samples_per_pixel, 4);
   ASSERT_EQ(lowered.warnings.size(), 1u);
-  EXPECT_EQ(
-      lowered.warnings[0],
-      "the scene's Render block asks for 7 samples a pixel, whitted takes 4: a grid of 2 x 2");
+  EXPECT_EQ(lowered.warnings[0],
+            "the scene asks for 7 samples a pixel, whitted takes 4: a grid of 2 x 2");
   EXPECT_TRUE(settings({}, scene_with_wishes()).warnings.empty());
 }
 

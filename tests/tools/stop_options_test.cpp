@@ -21,6 +21,8 @@ TEST(Errors_StopOptions, AreRefusedInSentences) {
                  "--error needs an error to go by, and --replicates 1 states none");
   expect_refused({cornell_box, "--relmse", "1e-3", "--integrator", "whitted"}, 2,
                  "--relmse is for path and report, this is whitted");
+  expect_refused({cornell_box, "--without", "opacity-grids", "--integrator", "raster"}, 2,
+                 "--without opacity-grids is for path and report, this is raster");
   expect_refused({cornell_box, "--time", "1s", "--ray-limit"}, 2, "--ray-limit needs --spp");
 }
 

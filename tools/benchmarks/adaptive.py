@@ -1,6 +1,6 @@
-"""What adaptive sampling gains: relMSE and time with it over those without, alternating.
+"""What adaptive sampling gains: pictures with it and without, alternating.
 
-error_gain is the ratio of relMSE, off over on; efficiency the time to the same error without over
+error_gain is the ratio of relMSE, off over on; time_ratio that of CPU time, on over off; efficiency the time to the same error without over
 with, by the rate at which the error falls from as many samples to twice as many: what adaptive
 sampling gains lies there. Each seed tells such ratios of its own: of them the geometric mean, with
 twice the standard error of its logarithm (plus_minus, low and high), in which the rate's own is.
@@ -16,7 +16,7 @@ from fits import geometric_mean, ratio_of_errors, with_factor
 from references import square
 from turns import in_turn
 
-ABOUT = "what adaptive sampling gains: error and CPU time with it over those without"
+ABOUT = "what adaptive sampling gains: error and CPU time with it and without"
 
 REFERENCE_FACTOR = 32  # samples over those of the largest count
 

@@ -80,8 +80,11 @@ def row(programs, right, spp, seeds):
     """`programs`: the earlier one and this one."""
     told = programs[0].told & programs[1].told
     pairs = [[program.measured(spp, seed, right, told) for program in programs] for seed in seeds]
-    fewer = [programs[1].measured(spp // 2, seed, right, told) for seed in seeds]
-    return (compared(pairs, fewer)
+    # Without adaptive sampling, which begins at some number of samples: error would look as if it
+    # fell the faster there.
+    ladder = [[programs[1].measured(count, seed, right, told, "--adaptive", "off")
+               for seed in seeds] for count in (spp // 2, spp)]
+    return (compared(pairs, ladder)
             | {"reference": truth.judged(right, *([run.relmse for run in runs]
                                                   for runs in zip(*pairs)))})
 
@@ -95,32 +98,32 @@ class Program:
         self.start = statistics.median(self.process_cpu_seconds(1, seed) for seed in range(5))
         self.told = set(self.read_stats().get("cpu_seconds", {}))
 
-    def process_cpu_seconds(self, spp, seed):
+    def process_cpu_seconds(self, spp, seed, *words):
         return cpu_seconds_of([self.path, "render", *self.words, "--spp", spp, "--seed", seed,
-                               "--filter", "box", "-o", self.exr, "--stats", self.stats, "--quiet"])
+                               "--filter", "box", "-o", self.exr, "--stats", self.stats, "--quiet",
+                               *words])
 
     def read_stats(self):
         return json.loads(self.stats.read_text())
 
-    def measured(self, spp, seed, right, told):
-        """`told`: of `cpu_seconds`, what both programs tell."""
+    def measured(self, spp, seed, right, told, *words):
+        """`told`: of `cpu_seconds`, what both programs tell. `words`: further options."""
         from exr import read_exr
-        process, stats = self.process_cpu_seconds(spp, seed), self.read_stats()
+        process, stats = self.process_cpu_seconds(spp, seed, *words), self.read_stats()
         cpu = (rendering_cpu_seconds({key: stats["cpu_seconds"][key] for key in told})
                if "render" in told else max(process - self.start, 1e-6) * spp / (spp - 1))
         return truth.run_of(read_exr(self.exr), right, cpu, stats["seconds"]["render"], spp)
 
 
-def compared(pairs, fewer):
+def compared(pairs, ladder):
     """`pairs`: [before, now] each. Ratios before / now, pair by pair, so that ranges have the
-    errors' noise. `fewer`: runs of half the samples now, of the same seeds."""
+    errors' noise. `ladder`: runs now of half the samples and of all, of the same seeds."""
     errors = [ratio_of_errors(before.relmse, now.relmse) for before, now in pairs]
-    more = [now for _, now in pairs]
-    rate = truth.rate_of_runs(fewer, more)
+    rate = truth.rate_of_runs(*ladder)
 
     def columns(key, seconds):
         times = [getattr(before, seconds) / getattr(now, seconds) for before, now in pairs]
-        _, factor = truth.time_to_same_error(times, errors, fewer, more)
+        _, factor = truth.time_to_same_error(times, errors, *ladder)
         return ratio_columns(key, [times_to_same_error(time, error, rate)
                                    for time, error in zip(times, errors)], factor)
 

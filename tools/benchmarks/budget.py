@@ -96,12 +96,16 @@ def kernel_row(options, name, scene, own):
             "without_embree": (own.all - own.embree) / (general.all - general.embree)}
 
 
+def described(counts):
+    """What figures must have in common to be compared."""
+    return {"measured_with": next(iter(counts.values())).measured_with, "size": SIZE, "spp": SPP}
+
+
 def write_record(path, counts):
-    with_what = next(iter(counts.values())).measured_with
     path.write_text(json.dumps(
-        {"measured_with": with_what, "size": SIZE, "spp": SPP,
-         "instructions_per_sample": {name: {"all": count.all, "embree": count.embree}
-                                     for name, count in counts.items()}}, indent=1) + "\n")
+        described(counts)
+        | {"instructions_per_sample": {name: {"all": count.all, "embree": count.embree}
+                                       for name, count in counts.items()}}, indent=1) + "\n")
 
 
 def run(options):
@@ -133,10 +137,10 @@ def run(options):
 
 def judged(results, file, record, counts):
     """What has grown too much, a sentence each; none where the record is of something else."""
-    now = next(iter(counts.values())).measured_with
-    if record and file["measured_with"] != now:
-        results.note(f"not judged: the figures on record are of {file['measured_with']}, these of "
-                     f"{now}")
+    now = described(counts)
+    of_record = {key: file.get(key) for key in now}
+    if record and of_record != now:
+        results.note(f"not judged: the figures on record are of {of_record}, these of {now}")
         return []
     sentences = grown(record, counts)
     for sentence in sentences or ["within the budget"]:

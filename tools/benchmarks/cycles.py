@@ -48,7 +48,7 @@ def add_arguments(parser):
     parser.add_argument("--quick", action="store_true", help="fewer samples: under 2 minutes")
     parser.add_argument("--spp", type=at_least(1), metavar="N",
                         help="samples a pixel and seed (128)")
-    parser.add_argument("--seeds", type=at_least(2), metavar="N",
+    parser.add_argument("--seeds", type=at_least(6), metavar="N",  # fewer tell no spread of spreads
                         help="seeds of each renderer (16)")
     parser.add_argument("--scene", action="append", choices=SCENES, metavar="NAME",
                         help="only this one; may be given several times: " + ", ".join(SCENES))

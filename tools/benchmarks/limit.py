@@ -102,7 +102,7 @@ def profile(results, candela, name, scene, quick):
 
 
 def perf_rows(candela, file, scene, seconds):
-    """Of one thread that renders for so long; what starts the program is left out."""
+    """Of one thread that renders for so long; what links the program is left out."""
     words = [candela.program, "render", scene, "-o", file.with_suffix(".exr"), "--size", "256x256",
              "--time", seconds, "--threads", 1, "--quiet"]
     perf("record", "-q", "-e", "cpu-clock", "-F", "1999", "-o", file, "--", *words)

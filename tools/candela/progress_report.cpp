@@ -22,6 +22,11 @@ std::string seconds_left_text(const ProgressState& state) {
   return duration_text(std::max(0.0, state.elapsed_seconds * (1 / fraction - 1)));
 }
 
+// Or all before the point.
+std::string two_digits(double number) {
+  return number < 99.5 ? fmt::format("{:.2g}", number) : fmt::format("{:.0f}", number);
+}
+
 }  // namespace
 
 std::string percent_text(const ProgressState& state) {
@@ -37,17 +42,13 @@ std::string duration_text(double seconds) {
   return fmt::format("{}:{:02}", minutes, whole % 60);
 }
 
-// Two digits, or all before the point.
-std::string percent_text(double share) {
-  return share < 1 ? fmt::format("{:.2g}", share * 100) : fmt::format("{:.0f}", share * 100);
-}
 std::string error_text(double rmse) {
-  return percent_text(rmse) + " %";
+  return two_digits(100 * rmse) + " %";
 }
 
 std::string error_text(const StatedError& error) {
-  return fmt::format("{} ({} to {})", error_text(error.rmse), percent_text(error.low),
-                     percent_text(error.high));
+  return fmt::format("{} ({} to {})", error_text(error.rmse), two_digits(100 * error.low),
+                     two_digits(100 * error.high));
 }
 
 std::string progress_line(const ProgressState& state) {

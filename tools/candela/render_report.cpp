@@ -55,7 +55,8 @@ std::string without_text(const RenderReport& report) {
   return report.without == 0 ? "" : " without=" + savings_text(report.without);
 }
 
-// Everything that decides the pixels, in one line.
+// What decides the pixels beside the scene, in one line; what the scene is made to be otherwise
+// (--ambient, --materials, --fresnel, --geometry) stands in the command.
 std::string options_text(const RenderReport& report) {
   const RenderOptions& options = report.options;
   const PixelRect crop = report.rect();

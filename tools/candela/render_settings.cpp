@@ -23,7 +23,7 @@ template <class T>
 T scene_choice(std::string_view kind, const std::string& word, std::span<const Choice<T>> choices) {
   const Result<T> value = choose(kind, word, choices);
   if (!value)
-    throw Refusal{"the scene's Render block: " + value.diagnostics.list()[0].message,
+    throw Refusal{"what the scene asks for: " + value.diagnostics.list()[0].message,
                   ExitCode::Scene};
   return *value;
 }
@@ -45,7 +45,7 @@ void settle_size(const RenderArguments& arguments, const description::RenderDefa
   if (arguments.size) options.height = arguments.size->height;
   if (std::min(options.width, options.height) < 1 ||
       std::max(options.width, options.height) > max_side)
-    throw Refusal{fmt::format("the scene's Render block: a picture of {}x{}; sides are 1 to {}",
+    throw Refusal{fmt::format("the scene asks for a picture of {}x{}; sides are 1 to {}",
                               options.width, options.height, max_side),
                   ExitCode::Scene};
   options.width = scaled_side(options.width, arguments.scale);
@@ -102,7 +102,7 @@ void settle_grid(bool is_said, RenderOptions& options, std::vector<std::string>&
         ExitCode::Usage};
   options.samples_per_pixel = side * side;
   warnings.push_back(
-      fmt::format("the scene's Render block asks for {} samples a pixel, {} takes {}: a grid of "
+      fmt::format("the scene asks for {} samples a pixel, {} takes {}: a grid of "
                   "{} x {}",
                   asked, integrator_name(options), side * side, side, side));
 }
@@ -152,8 +152,9 @@ void refuse_savings(const RenderArguments& arguments) {
                   ExitCode::Usage};
 }
 
-// What draws nothing at random has no error to state, and a grid is complete or has gaps.
-void refuse_stop_rules(const RenderArguments& arguments, const RenderOptions& options) {
+// What draws nothing at random has no error to state, a grid is complete or has gaps, and holes are
+// looked at by the shading itself.
+void refuse_for_lab_shading(const RenderArguments& arguments, const RenderOptions& options) {
   const auto refuse = [&](bool is_said, std::string_view option) {
     if (is_said)
       throw Refusal{
@@ -163,6 +164,7 @@ void refuse_stop_rules(const RenderArguments& arguments, const RenderOptions& op
   if (is_lab_shading(options.integrator)) {
     refuse(arguments.error_goal.has_value(), "--error");
     refuse(arguments.relmse_goal.has_value(), "--relmse");
+    refuse(has(arguments.without, Saving::OpacityGrids), "--without opacity-grids");
     refuse(arguments.time_limit_seconds.has_value(), "--time");
     refuse(arguments.replicates.has_value(), "--replicates");
     refuse(arguments.clamp.has_value(), "--clamp");
@@ -203,7 +205,7 @@ void settle_stop_rules(const RenderArguments& arguments, RenderOptions& options)
   refuse_what_only_path_does(arguments, options);
   refuse_reuse(options);
   refuse_savings(arguments);
-  refuse_stop_rules(arguments, options);
+  refuse_for_lab_shading(arguments, options);
 }
 
 void settle_samples(const RenderArguments& arguments, const description::RenderDefaults& defaults,
@@ -218,7 +220,7 @@ void settle_samples(const RenderArguments& arguments, const description::RenderD
   options.samples_per_pixel = arguments.samples_per_pixel.value_or(
       defaults.samples_per_pixel.value_or(options.samples_per_pixel));
   if (options.samples_per_pixel < 1 || options.samples_per_pixel > max_samples_per_pixel)
-    throw Refusal{fmt::format("the scene's Render block: {} samples a pixel; expected 1 to {}",
+    throw Refusal{fmt::format("the scene asks for {} samples a pixel; expected 1 to {}",
                               options.samples_per_pixel, max_samples_per_pixel),
                   ExitCode::Scene};
   if (is_lab_shading(options.integrator))
