@@ -1,6 +1,7 @@
 #include "integrators/guiding/training.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "integrators/guiding/training_log.h"
 #include "integrators/seed_stream.h"
@@ -58,16 +59,18 @@ void Training::iterate(std::uint32_t blocks) {
   constexpr std::uint32_t blocks_at_once = 32;
   settings_.guide = field_.cells() > 0 ? &field_ : nullptr;
   std::vector<Records> groups((blocks + blocks_at_once - 1) / blocks_at_once);
+  std::vector<std::uint32_t> done(groups.size());  // blocks: the time may be over
   parallel_for(groups.size(), [&](std::size_t group) {
     const std::uint32_t first = static_cast<std::uint32_t>(group) * blocks_at_once;
     for (std::uint32_t i = first; i < std::min(first + blocks_at_once, blocks); ++i) {
       if (is_over_()) return;
       const Records found = records_of_block(options_, render_tile_, settings_, blocks_ + i);
       groups[group].insert(groups[group].end(), found.begin(), found.end());
+      ++done[group];
     }
   });
   field_ = GuidingField(thinned(groups));
-  blocks_ += blocks;
+  blocks_ = std::accumulate(done.begin(), done.end(), blocks_);
 }
 
 }  // namespace candela

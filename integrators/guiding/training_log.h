@@ -41,7 +41,8 @@ class TrainingLog final : public PathObserver {
     for (Vertex& vertex : open_[lane]) {
       const Rgb brought = (radiance - vertex.radiance) / vertex.throughput;
       vertex.record.weight = sum_of(brought);
-      if (vertex.has_met && vertex.record.weight > 0) records_.push_back(vertex.record);
+      const bool is_apart = vertex.record.target != vertex.record.position;  // else no direction
+      if (vertex.has_met && is_apart && vertex.record.weight > 0) records_.push_back(vertex.record);
     }
     open_[lane].clear();
   }

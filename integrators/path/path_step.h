@@ -165,7 +165,7 @@ inline void set_material_frame(const Scene& scene, const Material& material, con
     point.is_flat = false;
   }
   set_shading_frame(point, wo);
-  if (material.is_anisotropic)
+  if (material.follows_tangents)
     point.shading = frame_from_normal_and_tangent(point.shading.z, point.dpdu);
   if (!is_transmissive(material.model)) point.receiving_normal = point.shading.z;
 }

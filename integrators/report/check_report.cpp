@@ -78,7 +78,7 @@ void check_material(const Material& material, const SceneDescription& scene,
     diagnostics.error(material.span, fmt::format("material '{}' is {}; expected diffuse, "
                                                  "cook_torrance or a lab3 material",
                                                  material.name, unknown));
-  if (material.emission_map || material.emission_texture)
+  if (material.emission_map)
     diagnostics.error(material.span, fmt::format("material '{}' emits by a texture; the report "
                                                  "integrator knows lamps that emit evenly",
                                                  material.name));

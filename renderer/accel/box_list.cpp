@@ -18,15 +18,8 @@ Boxes boxes_of(const Scene& scene, std::span<const GeometryHandle> geometries) {
   Boxes boxes;
   for (const GeometryHandle handle : geometries) {
     const Geometry& geometry = scene.geometries[handle.index];
-    for (const auto& corners : geometry.triangles) {
-      Bounds3f box;
-      bool is_usable = true;
-      for (const std::uint32_t corner : corners) {
-        is_usable = is_usable && is_usable_vertex(geometry.positions[corner]);
-        if (is_usable) box.include(geometry.positions[corner]);
-      }
-      if (is_usable) boxes.push_back(box);
-    }
+    for (std::size_t i = 0; i < geometry.triangles.size(); ++i)
+      if (const std::optional<Bounds3f> box = usable_box(geometry, i)) boxes.push_back(*box);
     for (const Sphere& sphere : geometry.spheres) boxes.push_back(bounds_of(sphere));
   }
   return boxes;

@@ -30,7 +30,7 @@ class BoxList {
   [[nodiscard]] LaneMask entered_lanes(const RayBlock& rays) const;
 
   std::size_t size_ = 0;
-  Vec3Lanes lower_, upper_;  // of lanes without a box: a point beyond anything
+  Vec3Lanes lower_, upper_;  // of lanes without a box: a point that few rays meet
 };
 
 }  // namespace candela

@@ -33,15 +33,10 @@ void collect_triangles(const Scene& scene, GeometryHandle handle, std::vector<Tr
                        std::vector<Bounds3f>& boxes) {
   const Geometry& geometry = scene.geometries[handle.index];
   for (std::size_t i = 0; i < geometry.triangles.size(); ++i) {
-    Bounds3f box;
-    bool is_usable = true;
-    for (const std::uint32_t vertex : geometry.triangles[i]) {
-      is_usable = is_usable && is_usable_vertex(geometry.positions[vertex]);
-      if (is_usable) box.include(geometry.positions[vertex]);
-    }
-    if (!is_usable) continue;
+    const std::optional<Bounds3f> box = usable_box(geometry, i);
+    if (!box) continue;
     names.push_back({handle.index, static_cast<std::uint32_t>(i)});
-    boxes.push_back(box);
+    boxes.push_back(*box);
   }
 }
 

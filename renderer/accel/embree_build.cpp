@@ -3,6 +3,8 @@
 #include <new>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "renderer/accel/alpha_test.h"
 #include "renderer/accel/embree_state.h"
 #include "renderer/accel/placement.h"
@@ -88,7 +90,12 @@ PacketRules packet_rules_of(RTCDevice device) {
 
 void EmbreeAccel::State::open_device() {
   device.reset(rtcNewDevice(nullptr));
-  if (!device) throw std::runtime_error("Embree cannot open a device on this processor");
+  if (!device) {
+    const RTCError why = rtcGetDeviceError(nullptr);
+    if (why == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+    throw std::runtime_error(
+        fmt::format("Embree cannot open a device on this processor (error {})", int{why}));
+  }
   packets = options.packets ? packet_rules_of(device.get()) : no_packets;
   callbacks.begin();
   rtcSetDeviceErrorFunction(device.get(), record_error, this);

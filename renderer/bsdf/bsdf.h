@@ -35,8 +35,8 @@ struct Bsdf {
   BsdfModel model = BsdfModel::Diffuse;
   FresnelTerm fresnel = FresnelTerm::Schlick;
   GeometryTerm geometry = GeometryTerm::SchlickGgx;
-  bool is_smooth = false;  // Conductor, Dielectric: delta lobes
-  float alpha = 1;         // GGX width, > 0 unless smooth
+  bool is_smooth = false;  // conductors, coated or not, and dielectrics: all lobes are delta
+  float alpha = 1;         // GGX width; 0: of a smooth coat
   Rgb diffuse{0};          // kd; Mirror: reflectance
   Rgb specular{0};         // ks
   Rgb f0{0.04f};

@@ -22,4 +22,13 @@ namespace candela {
   return fresnel_dielectric(cosine, bsdf.coat->eta()).reflectance;
 }
 
+// What is left after so many bounces of light that comes again by `again` each time; 0: nothing,
+// since all of them count.
+[[nodiscard]] inline Rgb left_after(int bounces, const Rgb& again) {
+  if (bounces == 0) return Rgb{0};
+  Rgb left = again;
+  for (int i = 1; i < bounces; ++i) left *= again;
+  return left;
+}
+
 }  // namespace candela

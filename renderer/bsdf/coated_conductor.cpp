@@ -32,11 +32,7 @@ Rgb smooth_metal_albedo(const Bsdf& bsdf, float cos_o) {
   const Rgb metal = fresnel_conductor(cos_within, bsdf.eta, bsdf.k);
   const float left = through / (1 - f);  // of one crossing's absorption
   const Rgb again = metal * (f * square(left));
-  Rgb cut{0};
-  if (bsdf.metal_bounces > 0) {
-    cut = again;
-    for (int i = 1; i < bsdf.metal_bounces; ++i) cut *= again;
-  }
+  const Rgb cut = left_after(bsdf.metal_bounces, again);
   return metal * square(through) * (Rgb{1} - cut) / glm::max(Rgb{1} - again, Rgb{1e-6f});
 }
 

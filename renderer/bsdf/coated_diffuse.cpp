@@ -30,11 +30,7 @@ CoatedLobes coated_lobes_of(const Bsdf& bsdf, float cos_o) {
 
 Rgb coated_reflectance(const CoatTable& coat, float alpha, const Rgb& kd, int bounces) {
   const Rgb again = kd * coat.internal_reflectance(alpha);
-  Rgb cut{0};
-  if (bounces > 0) {
-    cut = again;
-    for (int i = 1; i < bounces; ++i) cut *= again;
-  }
+  const Rgb cut = left_after(bounces, again);
   // Where eta is so high and absorption so low that float sees no way out, there is none.
   const Rgb trapped = glm::max(Rgb{1} - again, Rgb{1e-6f});
   return kd * (Rgb{1} - cut) / (trapped * square(coat.eta()));

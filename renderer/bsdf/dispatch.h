@@ -46,7 +46,7 @@ template <ModelSet models = all_models>
 // Those whose sample_bsdf() reads the number that picks a lobe.
 inline constexpr ModelSet models_with_lobes =
     all_models & ~(model_bit(BsdfModel::Diffuse) | model_bit(BsdfModel::Mirror) |
-                   model_bit(BsdfModel::Conductor));
+                   model_bit(BsdfModel::Conductor) | model_bit(BsdfModel::AnisotropicConductor));
 
 // The sum of the non-delta lobes. wo.z > 0 always holds; wi is of unit length.
 template <ModelSet models = all_models>

@@ -148,7 +148,6 @@ struct Material {
   Vec3d emission{0.0};  // radiance; the geometric normal's side, or both
   bool emits_both_sides = false;
   ImageHandle emission_map{};          // a factor of the emission by place
-  TextureHandle emission_texture{};    // the same by a texture that looks at uv alone
   bool emission_is_maps_mean = false;  // white emission is the radiance where the map is as bright
                                        // as its texels' mean luminance
   ScalarInput opacity{1.0, {}, 0};     // coverage in [0,1]: the probability of a hit

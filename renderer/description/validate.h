@@ -11,7 +11,7 @@ inline constexpr double largest_radiance = 1e30;
 
 // Errors for what cannot be rendered (handles out of range, numbers that are not finite, eye at
 // target, singular transforms, ...) and warnings for what will be but surprises (no light at all,
-// kd + ks above 1, cameras in the wrong place). compile() may rely on all that this calls an error.
+// kd + ks above 1). compile() may rely on all that this calls an error.
 // Touches no file; linear in the size of the scene.
 [[nodiscard]] Diagnostics validate(const SceneDescription& scene);
 

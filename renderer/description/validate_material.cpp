@@ -62,14 +62,10 @@ class Check {
     if (across) input(*across, what);
   }
   void coat(const Coat& layer) const {
-    at_least(layer.ior, 1, "the refractive index of the coat");
+    number(layer.ior, 1, largest_ior, "the refractive index of the coat");
     widths(layer.roughness, layer.roughness_across, "the roughness of the coat");
     at_least(layer.thickness, 0, "the thickness of the coat");
-    if (layer.max_depth < 0)
-      diagnostics_.error(material_.span,
-                         fmt::format("material '{}': the depth of the coat is {}, expected at "
-                                     "least 0",
-                                     material_.name, layer.max_depth));
+    number(layer.max_depth, 0, deepest_coat, "the depth of the coat");
   }
   [[nodiscard]] static bool is_textured(const ColourInput& input) {
     return input.map.is_valid() || input.texture.is_valid();
@@ -89,7 +85,7 @@ class Check {
     input(rough.specular, "ks");
     input(rough.roughness, "the roughness");
     colour(rough.f0, "F0");
-    if (rough.ior) at_least(*rough.ior, 1, "the refractive index");
+    if (rough.ior) number(*rough.ior, 1, largest_ior, "the refractive index");
     if (rough.eta_k) positive_colour((*rough.eta_k)[0], "eta");
     if (rough.eta_k) positive_colour((*rough.eta_k)[1], "k");
     if (rough.fresnel == FresnelModel::Exact && !rough.ior && !rough.eta_k)
@@ -101,10 +97,11 @@ class Check {
       diagnostics_.error(
           material_.span,
           fmt::format("material '{}': energy compensation needs Smith's geometry", material_.name));
-    const bool is_constant = !rough.diffuse.map && !rough.specular.map;
+    const bool is_constant = !is_textured(rough.diffuse) && !is_textured(rough.specular);
     const double most = max_component(rough.diffuse.factor + rough.specular.factor);
     if (is_constant && most > 1 + 1e-9)  // sums of decimal fractions miss 1 by some 1e-16
-      warn(fmt::format("kd + ks reaches {:.4g} in a channel, more than 1", most));
+      warn(fmt::format(
+          "kd + ks reaches {:.4g} in a channel, more than 1: both are scaled down there", most));
   }
   void operator()(const DiffuseMaterial& diffuse) const {
     input(diffuse.reflectance, "the reflectance");
@@ -124,7 +121,7 @@ class Check {
     widths(conductor.roughness, conductor.roughness_across, "the roughness");
   }
   void operator()(const DielectricMaterial& glass) const {
-    at_least(glass.ior, glass.is_thin ? 1 : least_ior, "the refractive index");
+    number(glass.ior, glass.is_thin ? 1 : least_ior, largest_ior, "the refractive index");
     widths(glass.roughness, glass.roughness_across, "the roughness");
     colour(glass.transmittance, "the transmittance");
   }
@@ -191,7 +188,6 @@ void check_material(const SceneDescription& scene, const Material& material,
         fmt::format("material '{}': the emission is {}, expected at most {:g}", material.name,
                     max_component(material.emission), largest_radiance));
   check.image(material.emission_map, "the emission");
-  check.texture(material.emission_texture, "the emission");
   check.input(material.opacity, "the opacity");
   check.image(material.height, "heights");
   check.texture(material.height_texture, "heights");

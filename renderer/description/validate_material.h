@@ -8,9 +8,11 @@ namespace candela::description {
 
 // Of dielectrics that are no sheets: the surroundings may be denser than what is within.
 inline constexpr double least_ior = 0.1;
+inline constexpr double largest_ior = 1000;  // products of larger ones leave what float can tell
+inline constexpr int deepest_coat = 1000;    // each bounce is a product at every hit
 
 // Handles of images in range, numbers finite and within what the models stand for; a warning for
-// kd + ks above 1, which lets a surface reflect more than it gets.
+// kd + ks above 1, which both are made smaller for.
 void check_material(const SceneDescription& scene, const Material& material,
                     Diagnostics& diagnostics);
 

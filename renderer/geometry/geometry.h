@@ -19,7 +19,6 @@ struct Instance;
 struct Material;
 using GeometryHandle = Handle<Geometry>;
 using ObjectHandle = Handle<Object>;
-using InstanceHandle = Handle<Instance>;
 using MaterialHandle = Handle<Material>;
 
 // Triangles, or spheres, that share one material and one kind of visibility. What is absent is

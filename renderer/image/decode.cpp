@@ -146,7 +146,7 @@ Result<T> dispatch(const std::string& name, Bytes bytes, Decode&& decode) {
     if (!guarded) return named(name, guarded.diagnostics);
     return named(name, decode(*format, std::move(*guarded)));
   } catch (const std::bad_alloc&) {
-    return failure(fmt::format("'{}' needs more memory than there is", name));
+    throw;  // no picture may depend on how much memory is free
   } catch (const std::exception& exception) {
     return failure(fmt::format("'{}' cannot be decoded: {}", name, exception.what()));
   }

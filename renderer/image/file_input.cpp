@@ -33,7 +33,7 @@ Diagnostics check_is_regular(const std::string& path, const struct stat& status)
   return failure(fmt::format("'{}' is {}, not a regular file", path, kind_of(status.st_mode)));
 }
 
-// Reads until the end, however far that is from the size that the file system claims.
+// As many bytes as the file system claims, or what is left of them.
 Result<Bytes> read_all(const std::string& path, int descriptor, std::size_t size) {
   Bytes bytes(size);
   std::size_t count = 0;

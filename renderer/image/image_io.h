@@ -36,7 +36,7 @@ using Metadata = std::vector<std::pair<std::string, MetadataValue>>;
 // .hdr .tif .tiff (float, linear; R G B (A)), .png .jpg .jpeg (8 bit, through `display`).
 // PNG and TIFF keep alpha where there is a channel "A" (EXR: premultiplied as rendered; PNG:
 // straight); JPEG and HDR drop it. Of the metadata other formats than EXR keep at most "DateTime";
-// EXR, PNG and TIFF note the time of day where it is not given. The error names the file and what
+// EXR and TIFF note the time of day where it is not given. The error names the file and what
 // failed: a channel without a name or two of one name, metadata that an EXR needs for itself
 // ("channels", "compression").
 struct WriteOptions {
@@ -51,7 +51,7 @@ struct WriteOptions {
                                       const WriteOptions& options);
 
 // Whether `path` can be written later: known extension, existing folder, permission, no directory,
-// and what encodes it is there (codecs.h: it is loaded for others than EXR).
+// and what encodes it is there (codecs.h: it is loaded for others than EXR and PNG).
 // Empty where all is well.
 [[nodiscard]] Diagnostics check_writable_image(const std::string& path);
 
@@ -66,7 +66,8 @@ struct WriteOptions {
 [[nodiscard]] Diagnostics write_file_atomically(const std::string& path, const std::string& bytes);
 
 // Reads a whole image as linear floats: integers, of 8 bits and of 16, are decoded from sRGB (alpha
-// is not) and premultiplied where the file's alpha is straight; floats are linear as they stand.
+// is not), floats are linear as they stand; where the file's alpha is straight, colour is
+// premultiplied.
 // `max_bytes` limits width * height * channels * 4.
 [[nodiscard]] Result<Image> read_image(const std::string& path,
                                        std::size_t max_bytes = std::size_t{4} << 30);

@@ -44,17 +44,25 @@ int flush_to_disk(int descriptor) {
   return errno;
 }
 
-int create(const std::string& path) {
-  set_current(path);  // before it is there, so that no signal comes between
-  return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+// A killed process of the same number, as containers have, may have left a file of such a name:
+// then another one.
+int create(const std::string& folder, std::string& path) {
+  constexpr int most_tries = 1000;
+  for (int i = 0; i < most_tries; ++i) {
+    path = unused_name(folder);
+    set_current(path);  // before it is there, so that no signal comes between
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0 || errno != EEXIST) return descriptor;
+    current.is_there.store(false);
+  }
+  return -1;
 }
 
 }  // namespace
 
 TemporaryFile::TemporaryFile(const std::string& folder)
     : only_one_(current.mutex),
-      path_(unused_name(folder)),
-      file_(create(path_)),
+      file_(create(folder, path_)),
       error_(file_.is_open() ? 0 : errno),
       was_created_(error_ == 0) {
   if (!was_created_) current.is_there.store(false);

@@ -158,7 +158,8 @@ struct MetalIndex {
           .k = metal.k};
 }
 
-// The smaller of two widths counts as at least the smallest where the larger one is rough.
+// As they are given: of two the smaller one counts as at least the smallest (ggx_width()) where the
+// larger one is rough.
 [[nodiscard]] inline Vec2f widths_at(const Material& material, const TextureStore& textures,
                                      const TexturePoint& at) {
   const float along = scalar_at(material.roughness, textures, at);

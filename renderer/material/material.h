@@ -79,7 +79,8 @@ struct Material {
   ColourParameter specular{Rgb{0}, {}};  // ks; Lab with a map: alpha * 256 is the exponent
   ScalarParameter roughness{0, {}, 0};   // GGX width a; Lab: from the exponent at compile time
   ScalarParameter roughness_across{0, {}, 0};  // along dp/dv, where is_anisotropic
-  bool is_anisotropic = false;                 // frames follow dp/du
+  bool is_anisotropic = false;                 // there are two of them
+  bool follows_tangents = false;               // some lobe has two widths: frames follow dp/du
   float shininess = 0;                         // Lab: the exponent itself, for whitted
   Rgb f0{0.04f};
   Rgb eta{1.5f};  // Dielectric: all channels alike

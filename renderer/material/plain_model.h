@@ -40,9 +40,13 @@ namespace candela {
       return PlainModel::Mirror;
     case MaterialModel::Dielectric:
       return is_smooth_glass(material) ? PlainModel::Glass : PlainModel::None;
-    default:
+    case MaterialModel::ThinDielectric:
+    case MaterialModel::DiffuseTransmission:
+    case MaterialModel::CoatedConductor:
+    case MaterialModel::Mix:
       return PlainModel::None;
   }
+  return PlainModel::None;
 }
 
 }  // namespace candela

@@ -131,6 +131,7 @@ Result<Scene> compile(const SceneDescription& description, const CompileOptions&
   if (diagnostics.has_errors()) return diagnostics;
   const std::vector<bool> used = used_materials(description);
   compile_materials(description, options, used, scene, dropped, diagnostics);
+  if (diagnostics.has_errors()) return diagnostics;
   for (const description::Camera& camera : description.cameras)
     scene.cameras.push_back(compile_camera(camera, scene.normalisation, options));
   if (options.keeps_media) compile_media(description, used, scene, dropped);
@@ -138,10 +139,12 @@ Result<Scene> compile(const SceneDescription& description, const CompileOptions&
   if (options.opacity_grids) compile_coverage(scene);
   scene.bounds = bounds_of(scene);
   compile_lights(description, options, scene, dropped, diagnostics);
+  if (diagnostics.has_errors()) return diagnostics;
   scene.features = features_of(scene);
   scene.plain_models = plain_models_of(scene);
   for (const auto& [what, count] : dropped) scene.dropped.push_back({what, count});
-  for (const char* reason : {out_of_reach, spheres_out_of_reach, instances_out_of_range, too_small})
+  for (const char* reason :
+       {out_of_reach, spheres_out_of_reach, instances_out_of_range, too_small, spheres_too_small})
     if (const auto lost = dropped.find(reason); lost != dropped.end())
       diagnostics.warning({}, fmt::format("{} {} are left out", lost->second, lost->first));
   warn_of_lost_surfaces(description, scene, dropped, diagnostics);

@@ -7,6 +7,7 @@
 
 #include "renderer/base/parallel.h"
 #include "renderer/geometry/geometry_bounds.h"
+#include "renderer/geometry/world_to_object.h"
 #include "renderer/scene/compile_spheres.h"
 #include "renderer/scene/instance_errors.h"
 #include "renderer/scene/instance_range.h"
@@ -33,7 +34,6 @@ struct Placement {
 std::uint32_t material_of(const description::Mesh& mesh, const Placement& placement,
                           std::size_t triangle) {
   if (placement.material_override) return placement.material_override.index;
-  if (mesh.materials.empty()) return 0;
   return mesh.materials[mesh.materials.size() == 1 ? 0 : triangle].index;
 }
 
@@ -354,13 +354,7 @@ Bounds3f bounds_of(const Scene& scene) {
   const std::vector<Bounds3f> objects = bounds_of_objects(scene);
   for (const Instance& instance : scene.instances) {
     const Bounds3f& box = objects[instance.object.index];
-    if (box.is_empty()) continue;
-    for (int corner = 0; corner < 8; ++corner) {
-      const Vec3f p{(corner & 1) != 0 ? box.upper.x : box.lower.x,
-                    (corner & 2) != 0 ? box.upper.y : box.lower.y,
-                    (corner & 4) != 0 ? box.upper.z : box.lower.z};
-      bounds.include(instance.point(p));
-    }
+    if (!box.is_empty()) bounds.include(bounds_of(instance, box));
   }
   return bounds;
 }

@@ -19,8 +19,8 @@ namespace candela {
                                      const Vec3f& position, float unit, TextureHandle image,
                                      const TextureStore& textures);
 
-// Sets the mean luminance of the textured triangle lights of a geometry, by which they are picked:
-// from a grid of points on each, and above 0 wherever its texture has any light.
+// Sets the mean luminance of the textured lights of a geometry, triangles or spheres, by which they
+// are picked: from a grid of points on each, and above 0 wherever its texture has any light.
 void set_mean_emission(const Geometry& geometry, const TextureStore& textures,
                        std::vector<Light>& lights);
 

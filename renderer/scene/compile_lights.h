@@ -8,8 +8,9 @@
 
 namespace candela {
 
-// Appends the surfaces of triangle lights to the description's geometry: a black material for each
-// distinct radiance and a mesh with its triangles. Before materials and geometry are compiled.
+// Appends the surfaces of triangle lights to the description's geometry: a black material and a
+// mesh for each lamp, which is triangles alike that share corners. Before materials and geometry
+// are compiled.
 void add_triangle_light_surfaces(description::SceneDescription& description);
 
 // Fills lights, environment, ambient and light_sampler, and first_light of emissive geometries.

@@ -158,6 +158,7 @@ struct ModelCompiler {
     out.metal_roughness_across =
         m.roughness_across ? scalar(*m.roughness_across, texture) : out.metal_roughness;
     set_coat(m.coat);
+    out.follows_tangents |= are_apart(out.metal_roughness, out.metal_roughness_across);
     set_metal_table();
   }
   void operator()(const description::DiffuseTransmissionMaterial& m) const {
@@ -180,10 +181,11 @@ struct ModelCompiler {
     out.roughness = scalar(along, texture);
     if (!across) return;
     out.roughness_across = scalar(*across, texture);
-    const ScalarParameter& a = out.roughness;
-    const ScalarParameter& b = out.roughness_across;
-    out.is_anisotropic = a.texture != b.texture || a.channel != b.channel ||
-                         (!a.texture && a.constant != b.constant);
+    out.is_anisotropic = out.follows_tangents = are_apart(out.roughness, out.roughness_across);
+  }
+  static bool are_apart(const ScalarParameter& a, const ScalarParameter& b) {
+    return a.texture != b.texture || a.channel != b.channel ||
+           (!a.texture && a.constant != b.constant);
   }
   // Of mean widths; where textures vary them there is none, and light of further bounces lacks.
   void set_metal_table() const {
@@ -220,17 +222,11 @@ struct ModelCompiler {
   }
 };
 
-// The same by a map or texture; times the map's mean where the emission is to be that.
+// The same by a map; times the map's mean where the emission is to be that.
 void set_emission(const description::Material& material, TextureCompiler& texture, Material& out) {
   out.emission = Rgb(material.emission);
   out.emits_both_sides = material.emits_both_sides;
   if (is_black(out.emission)) return;
-  if (material.emission_texture) {
-    const TextureValue value = texture.texture(material.emission_texture);
-    out.emission_map = value.texture;
-    out.emission *= Rgb(value.constant);
-    return;
-  }
   out.emission_map = texture.image(material.emission_map);
   if (!out.emission_map || !material.emission_is_maps_mean) return;
   const double mean = mean_luminance(texture.store(), out.emission_map);
@@ -240,7 +236,7 @@ void set_emission(const description::Material& material, TextureCompiler& textur
 bool has_texture(const Material& m) {
   return m.diffuse.texture || m.specular.texture || m.roughness.texture ||
          m.roughness_across.texture || m.metal_roughness.texture ||
-         m.metal_roughness_across.texture || m.is_anisotropic || m.height || m.normal_map ||
+         m.metal_roughness_across.texture || m.follows_tangents || m.height || m.normal_map ||
          m.amount.texture || m.emission_map;
 }
 
@@ -269,7 +265,7 @@ Material compile_material(const description::Material& material, const CompileOp
   out.normal_map = texture.image(material.normal_map);
   out.normal_map_is_right_handed = material.normal_map_is_right_handed;
   out.reads_uv = has_texture(out);
-  out.reads_tangents = out.is_anisotropic || out.height || out.normal_map;
+  out.reads_tangents = out.follows_tangents || out.height || out.normal_map;
   return out;
 }
 

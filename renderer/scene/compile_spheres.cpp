@@ -30,7 +30,7 @@ bool is_in_reach(const Sphere& sphere) {
 }
 
 // Squares of the radius must be floats.
-bool has_area(const Sphere& sphere) {
+bool is_large_enough(const Sphere& sphere) {
   return sphere.radius * sphere.radius >= std::numeric_limits<float>::min();
 }
 
@@ -53,8 +53,8 @@ std::optional<Geometry> compile_sphere(const Scene& scene, const description::Sp
       decides_cutouts ? coverage_of(scene, scene.materials[material]) : Coverage::Opaque;
   if (!is_in_reach(compiled)) {
     ++dropped[spheres_out_of_reach];
-  } else if (!has_area(compiled)) {
-    ++dropped["spheres without area"];
+  } else if (!is_large_enough(compiled)) {
+    ++dropped[spheres_too_small];
   } else if (coverage == Coverage::Clear) {
     ++dropped["spheres that are wholly clear"];
   } else {

@@ -147,9 +147,9 @@ TextureValue TextureCompiler::texture(description::TextureHandle handle) {
   if (!known) {
     const description::Texture& texture = scene_.textures[handle.index];
     const auto* const plain = plain_image(texture);
-    if (plain && (!plain->is_scalar || scalar(plain->image).channel == 0))
-      known = TextureValue{Vec4f(1),
-                           plain->is_scalar ? scalar(plain->image).texture : image(plain->image)};
+    const auto of_image = plain && plain->is_scalar ? scalar(plain->image) : Scalar{};
+    if (plain && of_image.channel == 0)
+      known = TextureValue{Vec4f(1), plain->is_scalar ? of_image.texture : image(plain->image)};
     else
       known = added(std::visit(Builder{*this}, texture.kind));
   }

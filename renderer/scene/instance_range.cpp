@@ -45,7 +45,7 @@ double reach_of_rays(const Scene& scene, const Bounds3f& world, std::span<const 
     if (!object.is_empty()) reach = std::max(reach, farthest(bounds_of(instance, object)));
   }
   for (const Camera& camera : scene.cameras)
-    for (const Vec3f& part : {camera.eye, camera.right, camera.up})
+    for (const Vec3f& part : {camera.eye, camera.right, camera.up, Vec3f(camera.lens_radius)})
       reach = std::max<double>(reach, max_component(glm::abs(part)));
   return std::min<double>(reach, farthest_traceable);
 }

@@ -34,28 +34,35 @@ struct Primitive {
   [[nodiscard]] std::size_t votes() const { return is_sphere ? 1 : end - begin; }
 };
 
+// How many vertices of each instance are enough for a sample of them all.
+std::size_t points_an_instance(const SceneDescription& description) {
+  constexpr std::size_t fewest = 8, most_of_all = std::size_t{1} << 20;
+  const std::size_t instances = std::max<std::size_t>(description.instances.size(), 1);
+  return std::max(fewest, std::min(most_points_an_instance, most_of_all / instances));
+}
+
+// From one vertex of a sample to the next.
+std::size_t stride_of(const std::vector<Vec3d>& positions, std::size_t most) {
+  return std::max<std::size_t>(1, positions.size() / most);
+}
+
 // A sample of the vertices in world space, evenly strided, and which of them are which instance's.
 std::vector<Vec3d> sampled_points(const SceneDescription& description,
                                   std::vector<Primitive>& primitives) {
   std::vector<Vec3d> points;
-  const std::size_t instances = std::max<std::size_t>(description.instances.size(), 1);
-  const std::size_t most = std::max<std::size_t>(
-      8, std::min(most_points_an_instance, (std::size_t{1} << 20) / instances));
+  const std::size_t most = points_an_instance(description);
   for (const description::Instance& instance : description.instances) {
     const description::Mesh& mesh = description.meshes[instance.mesh.index];
     const std::size_t begin = points.size();
     if (mesh.sphere) append_corners(*mesh.sphere, instance.object_to_world, points);
     const auto& positions = mesh.positions;
-    const std::size_t stride = std::max<std::size_t>(1, positions.size() / most);
+    const std::size_t stride = stride_of(positions, most);
     for (std::size_t i = 0; i < positions.size(); i += stride) {
       const Vec3d p = instance.object_to_world.point(positions[i]);
       if (is_finite(p)) points.push_back(p);
     }
     primitives.push_back({begin, points.size(), mesh.sphere.has_value()});
   }
-  for (const description::Light& light : description.lights)
-    if (const auto* triangle = std::get_if<description::TriangleLight>(&light.kind))
-      points.insert(points.end(), triangle->vertices.begin(), triangle->vertices.end());
   return points;
 }
 
@@ -85,13 +92,14 @@ bool is_well_within(const Bounds3d& bounds, const Bounds3d& box, const Transform
 // of the instance `left_out`.
 Bounds3d full_bounds(const SceneDescription& description, const std::vector<Vec3d>& points,
                      std::optional<std::size_t> left_out) {
+  const std::size_t most = points_an_instance(description);
   Bounds3d bounds;
   for (const Vec3d& p : points) bounds.include(p);
   std::vector<std::optional<Bounds3d>> boxes(description.meshes.size());
   for (std::size_t i = 0; i < description.instances.size(); ++i) {
     const description::Instance& instance = description.instances[i];
     const auto& positions = description.meshes[instance.mesh.index].positions;
-    if (positions.size() <= most_points_an_instance || i == left_out) continue;
+    if (stride_of(positions, most) == 1 || i == left_out) continue;
     std::optional<Bounds3d>& box = boxes[instance.mesh.index];
     if (!box) box = bounds_of(positions);
     if (!box->is_empty() && is_well_within(bounds, *box, instance.object_to_world)) continue;
@@ -200,8 +208,7 @@ Normalisation normalisation_of(const description::Mesh& mesh) {
   std::vector<Vec3d> points;
   if (mesh.sphere) append_corners(*mesh.sphere, {}, points);
   for (const Vec3d& corner : points) bounds.include(corner);
-  const std::size_t stride =
-      std::max<std::size_t>(1, mesh.positions.size() / most_points_an_instance);
+  const std::size_t stride = stride_of(mesh.positions, most_points_an_instance);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     if (!is_finite(mesh.positions[i])) continue;
     bounds.include(mesh.positions[i]);

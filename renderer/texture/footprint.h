@@ -1,7 +1,8 @@
 // Where a bilinear lookup reads: two columns, two rows and the weights between them.
 //
-// Texel centres lie at (i + 0.5) / size. Any float is a valid coordinate: what is not finite counts
-// as 0, and from 2^23 on every float is a whole number of repeats.
+// Texel centres lie at (i + 0.5) / size. Any float is a valid coordinate. Of repeats what is not
+// finite counts as 0, and from 2^23 on every float is a whole number of them; clamped, NaN counts
+// as 0; of Wrap::Black it lies outside.
 #pragma once
 
 #include <cmath>
@@ -19,7 +20,7 @@ using description::Wrap;
 struct AxisFootprint {
   std::int32_t first = 0;
   std::int32_t second = 0;
-  float weight = 0;  // of the second, in [0, 1)
+  float weight = 0;  // of the second, in [0, 1]
 };
 
 // x - floor(x) in [0, 1]; 1 only by rounding, of tiny negative x. No call to std::floor, which

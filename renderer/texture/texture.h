@@ -2,7 +2,7 @@
 // bilinearly; and textures made of them (procedural.h).
 //
 // uv: v = 0 is the image's bottom row, texel centres lie at (i + 0.5) / size. Any float is a valid
-// coordinate; what is not finite counts as 0.
+// coordinate (footprint.h).
 //
 // Encodings: Srgb decodes each texel before filtering, LabGamma filters stored values and takes the
 // power then, as the lab does (which gives a texture of width or height 1 its texel (0, 0)
@@ -49,8 +49,8 @@ class TextureStore {
   ~TextureStore();
 
   // Checks the file's header; a missing, forbidden or unreadable file is a warning and a magenta
-  // texture, never an error. Equal (path, encoding, wrap) give equal handles, and equal paths share
-  // their pixels.
+  // texture; codecs that it needs and that are missing are an error. Equal (path, encoding, wrap)
+  // give equal handles, and equal paths share their pixels.
   TextureHandle add(const description::Image& image, Diagnostics& diagnostics);
 
   // An image that was calculated: linear, already decoded, under a name for messages, no path.
@@ -63,7 +63,8 @@ class TextureStore {
   // repeat their value in r, g, b; files without alpha have alpha 1. Values above 1 pass (HDR), and
   // so do negative ones of float files with Encoding::Linear. Colour is not premultiplied by alpha
   // but as the file stores it. Wrap::Black has alpha 0 outside where the file has alpha.
-  // Stored values that are not finite count as 0; decoding_diagnostics() says how many there were.
+  // Of stored values NaN counts as 0 and infinity as the largest half; decoding_diagnostics() says
+  // how many there were.
   [[nodiscard]] Vec4f lookup(TextureHandle texture, Vec2f uv) const;
   // lookup() and lookup_at() but for an image's power of LabGamma, for callers that take that of
   // many at once.

@@ -143,7 +143,14 @@ TEST(Errors_Validate, Materials) {
             std::string::npos);
   description::DielectricMaterial glass;
   glass.ior = not_a_number;
-  EXPECT_NE(error_of_material(glass).find("the refractive index is nan, expected at least 0.1"),
+  EXPECT_NE(error_of_material(glass).find("the refractive index is nan, expected 0.1 to 1000"),
+            std::string::npos);
+  glass.ior = 1e20;
+  EXPECT_NE(error_of_material(glass).find("the refractive index is 1e+20, expected 0.1 to 1000"),
+            std::string::npos);
+  description::CoatedDiffuseMaterial coated;
+  coated.coat.max_depth = 2'000'000'000;
+  EXPECT_NE(error_of_material(coated).find("the depth of the coat is 2000000000, expected 0 to"),
             std::string::npos);
   EXPECT_NE(
       error_of_material(description::DiffuseMaterial{{Vec3d(0.5), description::ImageHandle(5)}})
@@ -232,7 +239,15 @@ TEST(Unit_Validate, WarnsOfReflectancesThatAddUpToMoreThanOne) {
   scene.materials.back().name = "metal";
   const auto warnings = messages(validate(scene), Severity::Warning);
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0], "material 'metal': kd + ks reaches 1.25 in a channel, more than 1");
+  EXPECT_EQ(
+      warnings[0],
+      "material 'metal': kd + ks reaches 1.25 in a channel, more than 1: both are scaled down "
+      "there");
+  // Factors of textures tell nothing.
+  scene.textures.push_back({"checks", {}, description::CheckerboardTexture{}});
+  std::get<description::CookTorranceMaterial>(scene.materials.back().model).diffuse.texture =
+      description::TextureHandle(0);
+  EXPECT_TRUE(messages(validate(scene), Severity::Warning).empty());
 }
 
 TEST(Unit_Validate, EnergyCompensationNeedsSmithsGeometry) {

@@ -39,6 +39,17 @@ TEST(Unit_OutputFile, HoldsExactlyTheBytesAndNothingElseIsLeft) {
   EXPECT_EQ(folder.entries(), 1u);
 }
 
+// Of an earlier process of the same number, as there are in containers, that was killed.
+TEST(Unit_OutputFile, WhatAKilledProcessLeftIsNotInTheWay) {
+  const TemporaryFolder folder;
+  constexpr int left = 400;  // more than this process has written
+  for (int i = 0; i < left; ++i)
+    folder.put(fmt::format(".candela-{}-{}.tmp", ::getpid(), i), std::string("left"));
+  EXPECT_FALSE(write_file_atomically(folder.file("x.bin"), "new").has_errors());
+  EXPECT_EQ(contents_of(folder.file("x.bin")), "new");
+  EXPECT_EQ(folder.entries(), left + 1u);
+}
+
 TEST(Unit_OutputFile, KeepsTheModeOfTheFileItReplaces) {
   const TemporaryFolder folder;
   const std::string path = folder.put("x.bin", std::string("old"));

@@ -136,6 +136,15 @@ TEST(Unit_ReadImage, PfmRowsComeFromTheBottom) {
   EXPECT_EQ(found[1], 1.5f);
 }
 
+TEST(Errors_ReadImage, PfmHeadersThatEndEarly) {
+  for (const char* text : {"PF\n", "PF 3", "PF\n3\n", "PF\n3 4\n"}) {
+    const auto image = decode_image("x.pfm", crafted::text(text), DecodeLimits{});
+    ASSERT_FALSE(image) << text;
+    EXPECT_EQ(image.diagnostics.list()[0].message.find("substr"), std::string::npos)
+        << image.diagnostics.list()[0].message;
+  }
+}
+
 // The content decides, not the name.
 TEST(Unit_ReadImage, AWrongExtensionOfAKnownKindDoesNoHarm) {
   EXPECT_EQ(bytes_of(decoded("x.jpg", crafted::text("P6\n1 1\n255\nabc"))),

@@ -42,7 +42,7 @@ inline std::string reference_path(const Case& c) {
 }
 
 inline description::SceneDescription described(const Case& c) {
-  std::string file = std::string(CANDELA_SOURCE_DIR) + "/assets/" + c.asset + "/" + c.asset;
+  std::string file = fmt::format("{}/assets/{}/{}", CANDELA_SOURCE_DIR, c.asset, c.asset);
   file += std::filesystem::exists(file + ".pbrt") ? ".pbrt" : ".yaml";
   Result<description::SceneDescription> loaded = load(file, {});
   EXPECT_TRUE(loaded) << file;

@@ -66,7 +66,7 @@ TEST(Unit_CompileSpheres, WhatCannotBeMetIsDropped) {
   std::map<std::string, std::uint64_t> dropped;
   for (const Dropped& reason : out.dropped) dropped[reason.what] = reason.count;
   EXPECT_EQ(dropped["spheres that are wholly clear"], 1u);
-  EXPECT_EQ(dropped["spheres without area"], 1u);
+  EXPECT_EQ(dropped["spheres that are too small beside the scene"], 1u);
 }
 
 // pbrt's coordinates, and derivatives by central differences of the place over them.

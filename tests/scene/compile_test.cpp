@@ -266,6 +266,27 @@ TEST(Unit_Compile, TooManyTrianglesOfInstancesBeyondFloatsAreLeftOutAndSaid) {
   EXPECT_EQ(only_warning(scene), "1 instances that are too small or too large are left out");
 }
 
+// A brushed metal under an even coat, too.
+TEST(Unit_Compile, FramesFollowTangentsWhereALobeHasTwoWidths) {
+  const auto follows = [](const description::CoatedConductorMaterial& metal) {
+    description::SceneDescription scene = one_quad();
+    scene.materials[0].model = metal;
+    const Scene out = compiled(scene, {});
+    EXPECT_EQ(out.materials[0].follows_tangents, out.materials[0].reads_tangents);
+    return out.materials[0].follows_tangents;
+  };
+  description::CoatedConductorMaterial metal;
+  metal.roughness.factor = 0.4;
+  EXPECT_FALSE(follows(metal));
+  metal.roughness_across = description::ScalarInput{0.4, {}, 0, {}};
+  EXPECT_FALSE(follows(metal));
+  metal.roughness_across->factor = 0.05;
+  EXPECT_TRUE(follows(metal));
+  metal.roughness_across.reset();
+  metal.coat.roughness_across = description::ScalarInput{0.3, {}, 0, {}};
+  EXPECT_TRUE(follows(metal));
+}
+
 TEST(Unit_Compile, EmissiveInstancesAreFlattenedIntoLights) {
   description::SceneDescription description = one_quad();
   description.materials[0].emission = Vec3d(2.0);

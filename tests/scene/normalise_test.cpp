@@ -79,6 +79,17 @@ TEST(Unit_Normalise, ManyInstancesOfALargeMeshHaveTheBoxOfAllVertices) {
   EXPECT_EQ(n.centre, bounds.centre());
 }
 
+// Of so many instances few vertices each are sampled.
+TEST(Unit_Normalise, NorDoAThousandOfASmallOneMissAVertex) {
+  description::SceneDescription scene;
+  description::Mesh mesh = sphere({0, 0, 0}, 1, 4);
+  ASSERT_LT(mesh.positions.size(), 4096u);
+  mesh.positions[1] = {30, 0, 0};
+  const auto handle = add_mesh(scene, mesh, add_material(scene, diffuse(Vec3d(0.5))));
+  for (int i = 1; i < 2048; ++i) add_instance(scene, handle, {});
+  EXPECT_EQ(normalisation_of(scene).centre, Vec3d(14.5, 0, 0));
+}
+
 TEST(Unit_Normalise, EmptyAndPointLikeScenesHaveAUnit) {
   description::SceneDescription scene;
   EXPECT_EQ(normalisation_of(scene).scale, 1.0);

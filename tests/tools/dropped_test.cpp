@@ -72,7 +72,7 @@ TEST(Unit_Dropped, GeometryAndMediaOfPbrtFiles) {
                     {"normals that say what the winding says", 3},
                     {"texture coordinates that nothing reads", 3},
                     {"spheres that are not finite or too far away", 1},
-                    {"spheres without area", 1},
+                    {"spheres that are too small beside the scene", 1},
                     {"spheres that are wholly clear", 1},
                     {"meshes without a place", 1},
                     {"instances that are the only one of their mesh", 7},

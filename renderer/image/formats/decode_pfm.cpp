@@ -24,6 +24,7 @@ class Words {
       : text_(reinterpret_cast<const char*>(bytes.data()), std::min(bytes.size(), longest)) {}
 
   std::string_view next() {
+    if (place_ >= text_.size()) return {};
     const std::size_t begin = place_;
     while (place_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[place_])) == 0)
       ++place_;

@@ -71,8 +71,7 @@ bool is_bumped(const SceneDescription& scene, const Material& material) {
 
 bool is_textured(const SceneDescription& scene, const Material& material) {
   return std::visit(Textured{scene}, material.model) || varies(material.opacity) ||
-         material.height || material.height_texture || material.normal_map ||
-         material.emission_map || material.emission_texture;
+         material.height || material.height_texture || material.normal_map || material.emission_map;
 }
 
 std::string MaterialWriter::name_of(description::MaterialHandle handle, double height_unit) {

@@ -143,11 +143,6 @@ class ShapeWriter {
   // pbrt takes no colour beside an image; by power it takes the image's mean.
   std::string emission(const Part& part, const Transform& object_to_world) {
     const Material& material = material_of(part);
-    if (material.emission_texture)
-      context_.warn(material.span,
-                    fmt::format("material '{}': lost for pbrt: the texture of what it "
-                                "emits",
-                                material.name));
     const std::string image = material.emission_map ? textures_.file_of(material.emission_map) : "";
     if (image.empty()) return area_light(material.emission, material.emits_both_sides);
     const Vec3d& colour = material.emission;
