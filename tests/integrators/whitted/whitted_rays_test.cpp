@@ -145,7 +145,7 @@ TEST(Unit_WhittedRays, ThoseThatCannotBeTracedAreCounted) {
   for (const IntegratorKind integrator : {IntegratorKind::Whitted, IntegratorKind::Raster}) {
     const RenderSettings settings = lab_settings(integrator, 2);
     Scene scene = compiled(floor_seen_from(4, diffuse(Vec3d(0.5))), settings.options);
-    scene.cameras[0].eye.x = std::numeric_limits<float>::quiet_NaN();
+    scene.cameras[0].eye.x = 10 * farthest_traceable;
     const AnyAccelerator accelerator = build_accelerator(scene, settings.accelerator);
     const RenderStatistics statistics =
         render(scene, accelerator, settings.options, nullptr, nullptr).statistics;
