@@ -19,8 +19,8 @@ class CloserLook {
 
   // Looks at the pixels of `film` that need it, and replaces the errors of all that were looked at
   // by those that this tells. `settings`: of the picture's passes; tile, range and seed are the
-  // look's own. Tells how many samples were
-  // invalid, not which: those are none of the picture's, nor are its rays.
+  // look's own. Tells how many samples were invalid, not which: those are none of the picture's,
+  // nor are its rays.
   TileCounts correct(const Film& film, const TilePass& settings, PixelErrors& errors);
 
   [[nodiscard]] std::size_t pixels() const { return seen_.size(); }

@@ -166,7 +166,7 @@ class TileRenderer {
     } else {
       for (int y = pass_.tile.y0; y < pass_.tile.y1; ++y)
         for (int x = pass_.tile.x0; x < pass_.tile.x1; ++x)
-          if (!is_background(x, y)) add_alone(x, y);
+          if (!add_if_background(x, y)) add_alone(x, y);
     }
     travel();
     return counts_;
@@ -178,8 +178,8 @@ class TileRenderer {
             sequences_of(context_.options, film_), pair_order_of(context_.options)};
   }
 
-  // Whether a pixel is known to see nothing, whose samples are then added at once.
-  [[nodiscard]] bool is_background(int x, int y) {
+  // Adds the samples of a pixel at once that is known to see nothing; false of others.
+  [[nodiscard]] bool add_if_background(int x, int y) {
     if (context_.background == nullptr || !context_.background->contains(x, y)) return false;
     if (pass_.trial == nullptr && pass_.tile.contains(x, y))
       add_background(*context_.background, pass_.of_pixel(x, y), x, y, context_.options.clamp,
@@ -204,7 +204,7 @@ class TileRenderer {
     std::array<std::vector<PixelPlace>, 2> with_own_blocks;  // by colour
     dealer_.clear();
     for (const PixelPlace& pixel : pixels_to_deal(square)) {
-      if (is_background(pixel.x, pixel.y)) continue;
+      if (add_if_background(pixel.x, pixel.y)) continue;
       if (pass_.density == nullptr || has_lamp_rays(context_, pixel.x, pixel.y))
         with_own_blocks[pixel.colour()].push_back(pixel);
       else
@@ -259,7 +259,7 @@ class TileRenderer {
 
   void add_square(const PixelRect& square) {
     for_each_pixel_near(square, [&](int x, int y) {
-      if (is_background(x, y)) return;
+      if (add_if_background(x, y)) return;
       if (has_lamp_rays(context_, x, y)) {
         if (pass_.tile.contains(x, y)) add_alone(x, y);
         return;

@@ -13,8 +13,8 @@ namespace candela {
 // intersect: the nearest hit with 0 < t < ray.t_max, cut-outs seen through. occluded: whether there
 // is any. Both are pure and thread-safe, as are their forms for the given lanes of a block of rays,
 // whose answers are those of single rays (of hits at the very same distance any may be told).
-// Whether a surface is hit on which the ray starts or ends exactly is left open (Embree answers t =
-// 0 then): offset the origin first.
+// Whether a surface is hit on which the ray starts or ends exactly is left open (Embree then
+// answers t = 0): offset the origin first.
 template <class A>
 concept Accelerator = requires(const A& accelerator, const Ray& ray, const RayBlock& rays,
                                LaneMask lanes, Coherence coherence) {

@@ -11,8 +11,8 @@ namespace candela {
 // Exceptions of a body leave here on the calling thread.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body);
 
-// Runs `body(begin, end)` over chunks of [0, count), of half of `grain` items at least where there
-// are more.
+// Runs `body(begin, end)` over chunks of [0, count): of at least half of `grain` items, or of all
+// that there are.
 void parallel_for_chunks(std::size_t count, std::size_t grain,
                          const std::function<void(std::size_t, std::size_t)>& body);
 

@@ -67,8 +67,7 @@ struct WriteOptions {
 
 // Reads a whole image as linear floats: integers, of 8 bits and of 16, are decoded from sRGB (alpha
 // is not), floats are linear as they stand; where the file's alpha is straight, colour is
-// premultiplied.
-// `max_bytes` limits width * height * channels * 4.
+// premultiplied. `max_bytes` limits width * height * channels * 4.
 [[nodiscard]] Result<Image> read_image(const std::string& path,
                                        std::size_t max_bytes = std::size_t{4} << 30);
 

@@ -6,9 +6,9 @@
 
 namespace candela {
 
-// Flux by luminance: what leaves lights that are somewhere; what meets the scene's bounding
-// disc (pi r^2) from directional and environment lights. 0: the light is black. `environment` may
-// be null where the light is none.
+// Flux by luminance: what leaves lights within the scene; what meets the scene's bounding disc
+// (pi r^2) from directional and environment lights. 0: the light is black. `environment` may be
+// null where the light is none.
 [[nodiscard]] double light_power(const Light& light, const Environment* environment,
                                  double scene_radius);
 

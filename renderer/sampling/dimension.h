@@ -1,8 +1,7 @@
 // The named random dimensions. Every random number of a render is a function of
 // (seed, pixel, sample, branch, bounce, dimension), where split paths and rays for lamps are
-// branches of their sample: no generator is passed, stored or thread-local, so work
-// that is skipped shifts no stream: one scene, one set of options and one seed give one image,
-// bit by bit.
+// branches of their sample: no generator is passed, stored or thread-local, so work that is skipped
+// shifts no stream: one scene, one set of options and one seed give one image, bit by bit.
 #pragma once
 
 #include <cstdint>

@@ -7,7 +7,7 @@
 
 namespace candela {
 
-// The reason under which spheres are counted as triangles are under out_of_reach.
+// The reasons under which spheres are counted as triangles are under out_of_reach and too_small.
 inline constexpr char spheres_out_of_reach[] = "spheres that are not finite or too far away";
 inline constexpr char spheres_too_small[] = "spheres that are too small beside the scene";
 

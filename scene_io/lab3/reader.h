@@ -28,7 +28,7 @@ class Reader {
 
   // Found on the way, needed further on.
   std::unordered_map<std::string, description::MaterialHandle> materials_by_name;
-  bool lacks_material_names = false;  // not all could be read, which was said
+  bool lacks_material_names = false;  // some could not be read, or there are none: it was said
   ImageIndex images;
   Vec3d ambient{0.1};            // AmbientIntensity
   bool has_ambient = false;      // the file gives it

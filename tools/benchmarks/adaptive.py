@@ -1,9 +1,10 @@
 """What adaptive sampling gains: pictures with it and without, alternating.
 
-error_gain is the ratio of relMSE, off over on; time_ratio that of CPU time, on over off; efficiency the time to the same error without over
-with, by the rate at which the error falls from as many samples to twice as many: what adaptive
-sampling gains lies there. Each seed tells such ratios of its own: of them the geometric mean, with
-twice the standard error of its logarithm (plus_minus, low and high), in which the rate's own is.
+error_gain is the ratio of relMSE, off over on; time_ratio that of CPU time, on over off; efficiency
+the time to the same error without over with, by the rate at which the error falls from as many
+samples to twice as many: what adaptive sampling gains lies there. Each seed tells such ratios of
+its own: of them the geometric mean, with twice the standard error of its logarithm (plus_minus, low
+and high), in which the rate's own is.
 """
 
 import math

@@ -55,8 +55,8 @@ std::string without_text(const RenderReport& report) {
   return report.without == 0 ? "" : " without=" + savings_text(report.without);
 }
 
-// What decides the pixels beside the scene, in one line; what the scene is made to be otherwise
-// (--ambient, --materials, --fresnel, --geometry) stands in the command.
+// What decides the pixels beside the scene and what biases them, in one line; what makes another
+// scene of it (--ambient, --materials, --fresnel, --geometry) stands in the command.
 std::string options_text(const RenderReport& report) {
   const RenderOptions& options = report.options;
   const PixelRect crop = report.rect();

@@ -145,16 +145,19 @@ void refuse_reuse(const RenderOptions& options) {
          fmt::format("--guiding {}", name_of(options.guiding, guiding_choices())));
 }
 
-void refuse_savings(const RenderArguments& arguments) {
+void refuse_savings(const RenderArguments& arguments, const RenderOptions& options) {
+  if (has(arguments.without, Saving::OpacityGrids) && is_lab_shading(options.integrator))
+    throw Refusal{fmt::format("--without opacity-grids is for path and report, this is {}",
+                              integrator_name(options)),
+                  ExitCode::Usage};
   const std::string_view saving = saving_of_embree(arguments.without);
   if (!saving.empty() && arguments.accelerator == AcceleratorKind::Bvh)
     throw Refusal{fmt::format("--without {} is for Embree, this is --accel bvh", saving),
                   ExitCode::Usage};
 }
 
-// What draws nothing at random has no error to state, a grid is complete or has gaps, and holes are
-// looked at by the shading itself.
-void refuse_for_lab_shading(const RenderArguments& arguments, const RenderOptions& options) {
+// What draws nothing at random has no error to state, and a grid is complete or has gaps.
+void refuse_stop_rules(const RenderArguments& arguments, const RenderOptions& options) {
   const auto refuse = [&](bool is_said, std::string_view option) {
     if (is_said)
       throw Refusal{
@@ -164,7 +167,6 @@ void refuse_for_lab_shading(const RenderArguments& arguments, const RenderOption
   if (is_lab_shading(options.integrator)) {
     refuse(arguments.error_goal.has_value(), "--error");
     refuse(arguments.relmse_goal.has_value(), "--relmse");
-    refuse(has(arguments.without, Saving::OpacityGrids), "--without opacity-grids");
     refuse(arguments.time_limit_seconds.has_value(), "--time");
     refuse(arguments.replicates.has_value(), "--replicates");
     refuse(arguments.clamp.has_value(), "--clamp");
@@ -204,8 +206,8 @@ void settle_stop_rules(const RenderArguments& arguments, RenderOptions& options)
                   ExitCode::Usage};
   refuse_what_only_path_does(arguments, options);
   refuse_reuse(options);
-  refuse_savings(arguments);
-  refuse_for_lab_shading(arguments, options);
+  refuse_savings(arguments, options);
+  refuse_stop_rules(arguments, options);
 }
 
 void settle_samples(const RenderArguments& arguments, const description::RenderDefaults& defaults,

@@ -96,7 +96,7 @@ TEST(Unit_ReportShade, OnlyTheCameraSeesLamps) {
   EXPECT_EQ(result.statistics.kernel, "report");
 }
 
-// Nor does a pilot that it has none of part its samples into other sequences.
+// A pilot, which it has none of, would deal its samples to other sequences.
 TEST(Unit_ReportShade, DoesNotAdapt) {
   RenderSettings settings = report_settings(16, 64);
   settings.options.replicates = 1;
