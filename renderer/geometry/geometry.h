@@ -1,13 +1,13 @@
 // The compiled scene's surfaces: flat arrays of triangles and spheres in normalised space.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
 #include "renderer/base/handle.h"
 #include "renderer/geometry/sphere.h"
+#include "renderer/geometry/triangle_list.h"
 #include "renderer/math/bounds.h"
 #include "renderer/math/vec.h"
 
@@ -27,7 +27,7 @@ struct Geometry {
   // Embree reads 16 bytes a vertex and so 4 past the last one: where the capacity exceeds the size
   // (compile() reserves one more than it needs) it shares this array, else it copies.
   std::vector<Vec3f> positions;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  TriangleList triangles;
   std::vector<Vec3f> normals;   // empty, or one a vertex; zero: "use the triangle's"
   std::vector<Vec2f> uvs;       // empty, or one a vertex
   std::vector<Sphere> spheres;  // in place of all those

@@ -13,6 +13,7 @@
 #include "renderer/scene/instance_range.h"
 #include "renderer/scene/normalise.h"
 #include "renderer/scene/pick_triangles.h"
+#include "renderer/scene/soup_parts.h"
 #include "renderer/scene/split_triangles.h"
 #include "renderer/scene/triangle_sort.h"
 
@@ -55,19 +56,8 @@ void count_dropped_attributes(const description::Mesh& mesh, const Geometry& geo
     dropped["texture coordinates that nothing reads"] += geometry.positions.size();
 }
 
-void compile_placement(const SceneDescription& description, const CompileOptions& options,
-                       const Scene& scene, Placement& placement) {
-  const description::Mesh& written = description.meshes[placement.mesh.index];
-  if (written.sphere) {
-    const std::uint32_t index = material_of(written, placement, 0);
-    auto geometry = compile_sphere(scene, *written.sphere, placement.to_normalised, index,
-                                   options.decides_cutouts, placement.dropped);
-    if (geometry) placement.geometries.push_back(std::move(*geometry));
-    return;
-  }
-  const std::optional<description::Mesh> split =
-      split_large_triangles(written, placement.to_normalised);
-  const description::Mesh& mesh = split ? *split : written;
+void compile_mesh(const description::Mesh& mesh, const CompileOptions& options, const Scene& scene,
+                  Placement& placement) {
   MeshArrays arrays = normalised_arrays(mesh, placement.to_normalised);
   const bool is_mirrored = placement.to_normalised.determinant() < 0;
   std::vector<bool> is_kept(mesh.positions.size(), false);
@@ -92,6 +82,33 @@ void compile_placement(const SceneDescription& description, const CompileOptions
   const auto unused = std::count(is_kept.begin(), is_kept.end(), false);
   if (unused > 0)
     placement.dropped["vertices that no triangle needs"] += static_cast<std::uint64_t>(unused);
+}
+
+// Each triangle of a lamp is a light, and two may be one (compile_quad_lights.h): no parts.
+void compile_in_parts(const description::Mesh& mesh, const CompileOptions& options,
+                      const Scene& scene, Placement& placement) {
+  const std::size_t parts = part_count(mesh);
+  if (parts == 1 || scene.materials[material_of(mesh, placement, 0)].is_emissive())
+    return compile_mesh(mesh, options, scene, placement);
+  for (std::size_t part = 0; part < parts; ++part) {
+    compile_mesh(part_of(mesh, part), options, scene, placement);
+    share_corners_of_last(placement.geometries);
+  }
+}
+
+void compile_placement(const SceneDescription& description, const CompileOptions& options,
+                       const Scene& scene, Placement& placement) {
+  const description::Mesh& written = description.meshes[placement.mesh.index];
+  if (written.sphere) {
+    const std::uint32_t index = material_of(written, placement, 0);
+    auto geometry = compile_sphere(scene, *written.sphere, placement.to_normalised, index,
+                                   options.decides_cutouts, placement.dropped);
+    if (geometry) placement.geometries.push_back(std::move(*geometry));
+    return;
+  }
+  const std::optional<description::Mesh> split =
+      split_large_triangles(written, placement.to_normalised);
+  compile_in_parts(split ? *split : written, options, scene, placement);
 }
 
 bool is_emissive(const SceneDescription& description, const Scene& scene,

@@ -42,7 +42,7 @@ std::vector<Vec3f> normalised_normals(const description::Mesh& mesh, const Trans
 }
 
 // Whether the vertex normals say that the winding's normal points inwards.
-bool is_wound_inwards(const Geometry& geometry, const std::array<std::uint32_t, 3>& t) {
+bool is_wound_inwards(const Geometry& geometry, const TriangleCorners& t) {
   if (geometry.normals.empty()) return false;
   const Vec3f winding = cross(geometry.positions[t[1]] - geometry.positions[t[0]],
                               geometry.positions[t[2]] - geometry.positions[t[0]]);
@@ -62,8 +62,8 @@ std::uint32_t vertex_of(const MeshArrays& arrays, std::uint32_t v,
 }
 
 // Normals point to the side that windings call outside; where they disagree the normals are right.
-void orient_windings(Geometry& geometry) {
-  for (auto& t : geometry.triangles)
+void orient_windings(const Geometry& geometry, std::vector<TriangleCorners>& triangles) {
+  for (TriangleCorners& t : triangles)
     if (is_wound_inwards(geometry, t)) std::swap(t[1], t[2]);
 }
 
@@ -72,17 +72,17 @@ void orient_windings(Geometry& geometry) {
 bool are_normals_flat(const Geometry& geometry) {
   if (geometry.normals.empty()) return true;
   constexpr float six_digits = 2e-6f;
-  return std::all_of(geometry.triangles.begin(), geometry.triangles.end(),
-                     [&](const std::array<std::uint32_t, 3>& t) {
-                       const Vec3d p0(geometry.positions[t[0]]);
-                       const Vec3d winding = cross(Vec3d(geometry.positions[t[1]]) - p0,
-                                                   Vec3d(geometry.positions[t[2]]) - p0);
-                       const Vec3f flat(winding / length(winding));
-                       return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
-                         const Vec3f& n = geometry.normals[v];
-                         return max_component(glm::abs(n - flat)) <= six_digits || n == Vec3f(0);
-                       });
-                     });
+  return std::all_of(
+      geometry.triangles.begin(), geometry.triangles.end(), [&](const TriangleCorners& t) {
+        const Vec3d p0(geometry.positions[t[0]]);
+        const Vec3d winding =
+            cross(Vec3d(geometry.positions[t[1]]) - p0, Vec3d(geometry.positions[t[2]]) - p0);
+        const Vec3f flat(winding / length(winding));
+        return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
+          const Vec3f& n = geometry.normals[v];
+          return max_component(glm::abs(n - flat)) <= six_digits || n == Vec3f(0);
+        });
+      });
 }
 
 // Whether the triangles are all of the mesh and meet its vertices one after the other, and each.
@@ -97,34 +97,35 @@ bool take_all_in_order(const description::Mesh& mesh, std::span<const std::uint3
   return next == mesh.positions.size();
 }
 
-// Adds the triangles and just the vertices they use, in the order in which they use them; these are
-// marked in `is_kept`. Takes the arrays as they are where that comes to the same: a copy would be
-// the largest part of what compiling holds.
-void pick(const description::Mesh& mesh, MeshArrays& arrays,
-          std::span<const std::uint32_t> triangles, std::vector<bool>& is_kept,
-          Geometry& geometry) {
+// The triangles by vertices of the geometry, to which it adds just those that they use, in the
+// order in which they use them; these are marked in `is_kept`. Takes the arrays as they are where
+// that comes to the same: a copy would be the largest part of what compiling holds.
+std::vector<TriangleCorners> pick(const description::Mesh& mesh, MeshArrays& arrays,
+                                  std::span<const std::uint32_t> triangles,
+                                  std::vector<bool>& is_kept, Geometry& geometry) {
   if (take_all_in_order(mesh, triangles)) {
-    geometry.triangles = mesh.triangles;
     geometry.positions = std::move(arrays.positions);
     geometry.normals = std::move(arrays.normals);
     geometry.uvs = std::move(arrays.uvs);
     is_kept.assign(is_kept.size(), true);
-    return;
+    return mesh.triangles;
   }
-  geometry.triangles.reserve(triangles.size());
+  std::vector<TriangleCorners> chosen;
+  chosen.reserve(triangles.size());
   const std::size_t most_vertices = std::min(arrays.positions.size(), 3 * triangles.size());
   geometry.positions.reserve(most_vertices + 1);  // Embree reads past the last one
   if (!arrays.normals.empty()) geometry.normals.reserve(most_vertices);
   if (!arrays.uvs.empty()) geometry.uvs.reserve(most_vertices);
   std::vector<std::uint32_t> renumbered(arrays.positions.size(), Handle<Geometry>::none);
   for (const std::uint32_t triangle : triangles) {
-    std::array<std::uint32_t, 3> t{};
+    TriangleCorners t{};
     for (std::size_t k = 0; k < 3; ++k)
       t[k] = vertex_of(arrays, mesh.triangles[triangle][k], renumbered, geometry);
-    geometry.triangles.push_back(t);
+    chosen.push_back(t);
   }
   for (std::size_t v = 0; v < renumbered.size(); ++v)
     if (renumbered[v] != Handle<Geometry>::none) is_kept[v] = true;
+  return chosen;
 }
 
 }  // namespace
@@ -138,10 +139,11 @@ Geometry picked(const description::Mesh& mesh, MeshArrays& arrays,
                 std::vector<bool>& is_kept) {
   Geometry geometry;
   geometry.material = MaterialHandle(material);
-  pick(mesh, arrays, triangles, is_kept, geometry);
+  std::vector<TriangleCorners> chosen = pick(mesh, arrays, triangles, is_kept, geometry);
   if (is_mirrored)
-    for (auto& t : geometry.triangles) std::swap(t[1], t[2]);
-  orient_windings(geometry);
+    for (TriangleCorners& t : chosen) std::swap(t[1], t[2]);
+  orient_windings(geometry, chosen);
+  geometry.triangles = std::move(chosen);
   if (are_normals_flat(geometry)) std::vector<Vec3f>().swap(geometry.normals);
   return geometry;
 }

@@ -132,6 +132,7 @@ class BodyReader {
     if (element.name == "vertex") return read_vertices(element, polygons.mesh);
     const bool is_face = element.name == "face";
     const bool is_strip = element.name == "tristrips";
+    if (is_face) reserve_triangles(element, polygons);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       for (const Property& property : element.properties) {
         const bool is_indices = (is_face || is_strip) && is_index_list(property);
@@ -142,6 +143,13 @@ class BodyReader {
       }
     }
     return true;
+  }
+
+  // A triangle takes four bytes at the least.
+  void reserve_triangles(const Element& element, PolygonMesh& polygons) const {
+    const auto count = static_cast<std::size_t>(std::min(element.count, values_.bytes_left() / 4));
+    polygons.sizes.reserve(count);
+    polygons.corners.reserve(3 * count);
   }
 
   // An error of its own was said, or the file ended.
@@ -304,6 +312,14 @@ class BodyReader {
   std::vector<std::uint32_t> list_;  // the one being read
 };
 
+std::optional<Mesh> mesh_of(std::optional<PolygonMesh> polygons, const PlyOptions& options) {
+  if (!polygons) return std::nullopt;
+  Mesh mesh = triangulated(std::move(*polygons));
+  if (mesh.normals.empty() && options.smooth_missing_normals && mesh::shares_vertices(mesh))
+    mesh::compute_smooth_normals(mesh);
+  return mesh;
+}
+
 bool read_body(const text::Source& source, const Header& header, PolygonMesh& polygons,
                Diagnostics& diagnostics) {
   if (header.form == Form::Ascii) {
@@ -350,20 +366,19 @@ Mesh triangulated(PolygonMesh polygons) {
 
 std::optional<Mesh> parse_ply(const std::string& path, std::string_view bytes,
                               const PlyOptions& options, Diagnostics& diagnostics) {
-  std::optional<PolygonMesh> polygons = parse_polygons(path, bytes, diagnostics);
-  if (!polygons) return std::nullopt;
-  Mesh mesh = triangulated(std::move(*polygons));
-  if (mesh.normals.empty() && options.smooth_missing_normals && mesh::shares_vertices(mesh))
-    mesh::compute_smooth_normals(mesh);
-  return mesh;
+  return mesh_of(parse_polygons(path, bytes, diagnostics), options);
 }
 
+// The file's bytes are gone before there are triangles.
 std::optional<Mesh> read_ply(const std::string& path, const PlyOptions& options,
                              Diagnostics& diagnostics) {
-  const Result<std::string> bytes = text::read_file(path);
-  diagnostics.append(bytes.diagnostics);
-  if (!bytes) return std::nullopt;
-  return parse_ply(path, *bytes, options, diagnostics);
+  std::optional<PolygonMesh> polygons;
+  {
+    const Result<std::string> bytes = text::read_file(path);
+    diagnostics.append(bytes.diagnostics);
+    if (bytes) polygons = parse_polygons(path, *bytes, diagnostics);
+  }
+  return mesh_of(std::move(polygons), options);
 }
 
 description::MeshHandle append_ply(const std::string& path, description::MaterialHandle material,

@@ -21,14 +21,16 @@ using Quad = std::array<Vec3f, 4>;
 // As two triangles with vertices in common, along the diagonal from corner 0 or 1.
 Geometry geometry_of(const std::vector<Quad>& quads) {
   Geometry geometry;
+  std::vector<TriangleCorners> triangles;
   for (const Quad& quad : quads) {
     const auto first = static_cast<std::uint32_t>(geometry.positions.size());
     geometry.positions.insert(geometry.positions.end(), quad.begin(), quad.end());
     const std::uint32_t turn = first / 4 % 2;
     const auto corner = [&](std::uint32_t i) { return first + (i + turn) % 4; };
-    geometry.triangles.push_back({corner(0), corner(1), corner(2)});
-    geometry.triangles.push_back({corner(2), corner(3), corner(0)});
+    triangles.push_back({corner(0), corner(1), corner(2)});
+    triangles.push_back({corner(2), corner(3), corner(0)});
   }
+  geometry.triangles = std::move(triangles);
   return geometry;
 }
 
@@ -66,8 +68,8 @@ TEST(Unit_FaceList, TwoTrianglesOfAConvexPlaneAreOneFace) {
 TEST(Unit_FaceList, FacesAreOfOneGeometry) {
   Geometry first = geometry_of({Quad{Vec3f(0), Vec3f(1, 0, 0), Vec3f(1, 1, 0), Vec3f(0, 1, 0)}});
   Geometry second = first;
-  first.triangles.pop_back();
-  second.triangles.erase(second.triangles.begin());
+  first.triangles = first.triangles.prefix(1);
+  second.triangles = {second.triangles[1]};
   EXPECT_EQ(face_count(test::scene_of(std::vector<Geometry>{first, second})), 2u);
 }
 
@@ -96,9 +98,12 @@ TEST(Unit_FaceList, FacesOutToTheHorizonAreLeftToTheTree) {
 
 TEST(Unit_FaceList, TrianglesWithoutAreaAreNoFaces) {
   Geometry geometry = geometry_of(room());
-  geometry.triangles.push_back({0, 1, 1});
+  const auto last = static_cast<std::uint32_t>(geometry.positions.size());
   geometry.positions.push_back(Vec3f(std::numeric_limits<float>::quiet_NaN()));
-  geometry.triangles.push_back({0, 1, static_cast<std::uint32_t>(geometry.positions.size() - 1)});
+  std::vector<TriangleCorners> triangles(geometry.triangles.begin(), geometry.triangles.end());
+  triangles.push_back({0, 1, 1});
+  triangles.push_back({0, 1, last});
+  geometry.triangles = std::move(triangles);
   EXPECT_EQ(face_count(test::scene_of(std::vector<Geometry>{geometry})), 6u);
 }
 

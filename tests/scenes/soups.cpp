@@ -22,12 +22,14 @@ Vec3f power_of_ten_vector(std::mt19937& random, float lowest, float highest) {
 
 Geometry geometry_of(const Soup& soup) {
   Geometry geometry;
+  std::vector<TriangleCorners> triangles;
   geometry.positions.reserve(3 * soup.size() + 1);
   for (const Triangle& triangle : soup) {
     const auto first = static_cast<std::uint32_t>(geometry.positions.size());
     geometry.positions.insert(geometry.positions.end(), triangle.begin(), triangle.end());
-    geometry.triangles.push_back({first, first + 1, first + 2});
+    triangles.push_back({first, first + 1, first + 2});
   }
+  geometry.triangles = std::move(triangles);
   geometry.material = MaterialHandle(0);
   return geometry;
 }

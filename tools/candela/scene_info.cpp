@@ -1,6 +1,8 @@
 #include "tools/candela/scene_info.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -14,11 +16,24 @@ std::size_t bytes_of(const std::vector<T>& values) {
   return values.capacity() * sizeof(T);
 }
 
+// Lists that begin alike are stored once.
+std::size_t bytes_of_triangles(const Scene& scene) {
+  std::map<const TriangleCorners*, std::size_t> lists;
+  for (const Geometry& geometry : scene.geometries) {
+    std::size_t& count = lists[geometry.triangles.data()];
+    count = std::max(count, geometry.triangles.size());
+  }
+  std::size_t bytes = 0;
+  for (const auto& [list, count] : lists) bytes += count * sizeof(*list);
+  return bytes;
+}
+
 std::size_t mesh_bytes(const Scene& scene) {
-  std::size_t bytes = bytes_of(scene.geometries) + bytes_of(scene.instances);
+  std::size_t bytes =
+      bytes_of(scene.geometries) + bytes_of(scene.instances) + bytes_of_triangles(scene);
   for (const Geometry& geometry : scene.geometries)
-    bytes += bytes_of(geometry.positions) + bytes_of(geometry.triangles) +
-             bytes_of(geometry.normals) + bytes_of(geometry.uvs) + bytes_of(geometry.spheres);
+    bytes += bytes_of(geometry.positions) + bytes_of(geometry.normals) + bytes_of(geometry.uvs) +
+             bytes_of(geometry.spheres);
   return bytes;
 }
 
