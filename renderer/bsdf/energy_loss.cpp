@@ -2,43 +2,17 @@
 
 #include <cmath>
 
+#include "renderer/bsdf/table_microfacets.h"
+
 namespace candela {
 namespace {
 
-// root / c of Smith's Lambda = (root / c - 1) / 2 [Heitz14, eq. 72], in double: for narrow lobes
-// what is lost is far below a float's rounding of what is kept.
-double slope_ratio(double cosine, double a) {
-  return std::sqrt(a * a + (1 - a * a) * cosine * cosine) / cosine;
-}
-
-// What of the light that the visible normal m mirrors is lost: 1 - G2 / G1(wo), all of it below the
-// surface. [Dupuy23, listing 3] for the normal, u in (0, 1)^2.
-double loss_of_sample(double cos_o, double a, double u1, double u2) {
-  const double sin_o = std::sqrt((1 - cos_o) * (1 + cos_o));
-  const Vec3d stretched = normalize(Vec3d(a * sin_o, 0, cos_o));
-  const double phi = 2 * pi_double * u1;
-  const double z = (1 - u2) * (1 + stretched.z) - stretched.z;
-  const double r = std::sqrt(std::max(0.0, 1 - z * z));
-  const Vec3d cap = stretched + Vec3d(r * std::cos(phi), r * std::sin(phi), z);
-  const Vec3d m = normalize(Vec3d(a * cap.x, a * cap.y, cap.z));
-  const double cos_i = 2 * (sin_o * m.x + cos_o * m.z) * m.z - cos_o;
-  if (!(cos_i > 0)) return 1;
-  const double ratio_i = slope_ratio(cos_i, a);
-  return (ratio_i - 1) / (slope_ratio(cos_o, a) + ratio_i);
-}
-
-// The mean over visible normals; one half of them mirrors the other. Rings are shifted from turn to
-// turn by the golden ratio: the edge below which nothing is lost would else lie along them.
+// What of the light that visible normals mirror is lost, masked or below the surface.
 double loss_by_quadrature(double cos_o, double a) {
-  constexpr int turns = 24;
-  constexpr int rings = 64;
-  double sum = 0;
-  for (int i = 0; i < turns; ++i) {
-    const double shift = std::fmod(0.5 + i * 0.6180339887498949, 1.0);
-    for (int j = 0; j < rings; ++j)
-      sum += loss_of_sample(cos_o, a, (i + 0.5) / (2 * turns), (j + shift) / rings);
-  }
-  return sum / (turns * rings);
+  return mean_over_visible_normals<24, 64>(cos_o, a, [&](const Vec3d& m) {
+    const double cos_i = cosine_of_reflected(cos_o, m);
+    return cos_i > 0 ? masked_share(cos_o, cos_i, a) : 1.0;
+  });
 }
 
 // 2 times the integral of loss(c) c dc by the midpoint rule over log(c): narrow lobes lose light

@@ -6,8 +6,7 @@
 
 #include "renderer/base/parallel.h"
 #include "renderer/bsdf/coat_table.h"
-#include "renderer/bsdf/fresnel.h"
-#include "renderer/math/constants.h"
+#include "renderer/bsdf/table_microfacets.h"
 #include "renderer/sampling/sobol.h"
 
 namespace candela {
@@ -43,36 +42,14 @@ void add(double cosine, const Share& share, std::array<Share, nodes>& row) {
   row[i + 1] += share * (x - static_cast<double>(i));
 }
 
-double smith_lambda(double cosine, double a) {
-  return 0.5 * (std::sqrt(1 + a * a * (1 - cosine) * (1 + cosine) / (cosine * cosine)) - 1);
-}
-
-// G2 / G1(w) of a normal that w sees [Heitz14].
-double unmasked(double a, double cos_w, double cosine) {
-  if (a == 0) return 1;
-  const double own = 1 + smith_lambda(cos_w, a);
-  return own / (own + smith_lambda(std::min(1.0, cosine), a));
-}
-
-// By spherical caps [Dupuy23].
-Vec3d visible_normal(const Vec3d& w, double a, Vec2f u) {
-  if (a == 0) return {0, 0, 1};
-  const Vec3d stretched = normalize(Vec3d(a * w.x, a * w.y, w.z));
-  const double z = (1 - double{u.y}) * (1 + stretched.z) - stretched.z;
-  const double r = std::sqrt(std::max(0.0, 1 - z * z));
-  const double phi = 2 * pi_double * double{u.x};
-  const Vec3d cap = stretched + Vec3d(r * std::cos(phi), r * std::sin(phi), z);
-  return normalize(Vec3d(a * cap.x, a * cap.y, cap.z));
-}
-
-// Calls meet(w, m) for directions w, evenly spread over those of `cosine_of` u in [0, 1), and for
-// microfacets that they see.
+// Calls meet(cosine, m) for directions, evenly spread over those of `cosine_of` u in [0, 1), and
+// for microfacets that they see.
 void for_each_meeting(const auto& cosine_of, double alpha, std::uint32_t dimension,
                       const auto& meet) {
   for (std::uint32_t i = 0; i < samples; ++i) {
     const double cosine = cosine_of(double{owen_sobol_2d(i, 2 * dimension).x});
-    const Vec3d w(std::sqrt((1 - cosine) * (1 + cosine)), 0, cosine);
-    meet(w, visible_normal(w, alpha, owen_sobol_2d(i, 2 * dimension + 1)));
+    const Vec2f u = owen_sobol_2d(i, 2 * dimension + 1);
+    meet(cosine, visible_normal(cosine, alpha, double{u.x}, double{u.y}));
   }
 }
 
@@ -83,36 +60,30 @@ struct CoatRow {
   Shares reflected{};
 
   CoatRow(const auto& cosine_of, double alpha, double eta, std::uint32_t dimension) {
-    for_each_meeting(cosine_of, alpha, dimension, [&](const Vec3d& w, const Vec3d& m) {
-      const double cos_m = dot(w, m);
-      const double cos_t2 = 1 - (1 - cos_m * cos_m) / (eta * eta);
-      const double f = cos_t2 > 0
-                           ? double{fresnel_dielectric(static_cast<float>(std::min(1.0, cos_m)),
-                                                       static_cast<float>(eta))
-                                        .reflectance}
-                           : 1;
-      const double up = 2 * cos_m * m.z - w.z;
-      if (up > 0) add(up, part * f * unmasked(alpha, w.z, up), reflected);
-      if (!(f < 1)) return;
-      const double down = -(m.z * (cos_m / eta - std::sqrt(cos_t2)) - w.z / eta);
-      if (!(down > 0)) return;
-      const double share = part * (1 - f) * unmasked(alpha, w.z, down);
-      through += share;
-      add(down, share, refracted);
+    for_each_meeting(cosine_of, alpha, dimension, [&](double cosine, const Vec3d& m) {
+      const InterfaceSplit split = split_at_microfacet(cosine, m, eta);
+      const auto share = [&](double weight, double leaving) {
+        return part * weight * (1 - masked_share(cosine, leaving, alpha));
+      };
+      if (split.cos_reflected > 0)
+        add(split.cos_reflected, share(split.reflectance, split.cos_reflected), reflected);
+      if (!(split.cos_transmitted > 0)) return;
+      const double passed = share(1 - split.reflectance, split.cos_transmitted);
+      through += passed;
+      add(split.cos_transmitted, passed, refracted);
     });
   }
 };
 
 Colours metal_row(const Bsdf& bsdf, const auto& cosine_of, double alpha, std::uint32_t dimension) {
   Colours row{};
-  for_each_meeting(cosine_of, alpha, dimension, [&](const Vec3d& w, const Vec3d& m) {
-    const double cos_m = dot(w, m);
-    const double up = 2 * cos_m * m.z - w.z;
+  for_each_meeting(cosine_of, alpha, dimension, [&](double cosine, const Vec3d& m) {
+    const double up = cosine_of_reflected(cosine, m);
     if (!(up > 0)) return;
+    const double cos_m = sine_of(cosine) * m.x + cosine * m.z;
     const auto c = static_cast<float>(std::min(1.0, cos_m));
-    const Vec3d share =
-        Vec3d(fresnel_conductor(c, bsdf.eta, bsdf.k)) * (part * unmasked(alpha, w.z, up));
-    add(up, share, row);
+    const double unmasked = 1 - masked_share(cosine, up, alpha);
+    add(up, Vec3d(fresnel_conductor(c, bsdf.eta, bsdf.k)) * (part * unmasked), row);
   });
   return row;
 }
