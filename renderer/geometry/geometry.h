@@ -44,6 +44,13 @@ struct Geometry {
   }
 };
 
+// Texture coordinates between the corners of a triangle that has them.
+[[nodiscard]] inline Vec2f uv_of(const Geometry& geometry, const TriangleCorners& corners, float u,
+                                 float v) {
+  const Vec2f t0 = geometry.uvs[corners[0]];
+  return t0 + (geometry.uvs[corners[1]] - t0) * u + (geometry.uvs[corners[2]] - t0) * v;
+}
+
 // Texture coordinates where a hit has u and v.
 [[nodiscard]] inline Vec2f uv_at(const Geometry& geometry, std::uint32_t triangle, float u,
                                  float v) {
@@ -51,8 +58,7 @@ struct Geometry {
     if (geometry.spheres.empty()) return {0.5f, 0.5f};
     return sphere_uv(geometry.spheres[triangle], from_octahedron({u, v}));
   }
-  const auto& [a, b, c] = geometry.triangles[triangle];
-  return geometry.uvs[a] * (1 - u - v) + geometry.uvs[b] * u + geometry.uvs[c] * v;
+  return uv_of(geometry, geometry.triangles[triangle], u, v);
 }
 
 // Geometries that are placed together.

@@ -30,13 +30,6 @@ struct SurfacePoint {
   Vec3f dpdv{0};
 };
 
-// Of a point of a triangle with texture coordinates.
-[[nodiscard]] inline Vec2f uv_of(const Geometry& geometry,
-                                 const std::array<std::uint32_t, 3>& corners, float u, float v) {
-  Vec2f t0 = geometry.uvs[corners[0]];
-  return t0 + (geometry.uvs[corners[1]] - t0) * u + (geometry.uvs[corners[2]] - t0) * v;
-}
-
 namespace surface_point_detail {
 
 struct Corners {

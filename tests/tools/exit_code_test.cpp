@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <new>
 #include <stdexcept>
+#include <system_error>
 
 #include "tests/tools/run_program.h"
 #include "tools/candela/guarded.h"
@@ -293,6 +294,10 @@ TEST(Errors_CommandLine, WhatNobodyCaughtIsABug) {
             ExitCode::Bug);
   EXPECT_EQ(cli::guarded([]() -> ExitCode { throw 1; }), ExitCode::Bug);
   EXPECT_EQ(cli::guarded([]() -> ExitCode { throw std::bad_alloc(); }), ExitCode::Limit);
+  const auto lacks_threads = []() -> ExitCode {
+    throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
+  };
+  EXPECT_EQ(cli::guarded(lacks_threads), ExitCode::Limit);
   EXPECT_EQ(cli::guarded([] { return ExitCode::Comparison; }), ExitCode::Comparison);
   EXPECT_NE(testing::internal::GetCapturedStderr().find("bug in candela: surprise"),
             std::string::npos);

@@ -3,8 +3,18 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <system_error>
 
 namespace candela::cli {
+namespace {
+
+// The system has no memory for one more thread's stack, or allows no more threads.
+bool lacks_threads(const std::exception& exception) {
+  const auto* failure = dynamic_cast<const std::system_error*>(&exception);
+  return failure && failure->code() == std::errc::resource_unavailable_try_again;
+}
+
+}  // namespace
 
 // Plain stdio: nothing here may need memory.
 ExitCode guarded(const std::function<ExitCode()>& work) {
@@ -14,6 +24,10 @@ ExitCode guarded(const std::function<ExitCode()>& work) {
     std::fputs("error: out of memory\n", stderr);
     return ExitCode::Limit;
   } catch (const std::exception& exception) {
+    if (lacks_threads(exception)) {
+      std::fputs("error: no more threads can be started\n", stderr);
+      return ExitCode::Limit;
+    }
     std::fprintf(stderr, "error: this is a bug in candela: %s\n", exception.what());
   } catch (...) {
     std::fputs("error: this is a bug in candela\n", stderr);
