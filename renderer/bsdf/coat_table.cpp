@@ -17,7 +17,7 @@ struct Interface {
   // The mean of value(split) over the visible normals.
   template <class Value>
   [[nodiscard]] double mean(double cos_o, const Value& value) const {
-    return mean_over_visible_normals<16, 32>(
+    return mean_over_visible_normals<13, 40>(
         cos_o, a, [&](const Vec3d& m) { return value(split_at_microfacet(cos_o, m, eta)); });
   }
   // Of light that leaves at the cosine.

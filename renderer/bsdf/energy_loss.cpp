@@ -9,7 +9,7 @@ namespace {
 
 // What of the light that visible normals mirror is lost, masked or below the surface.
 double loss_by_quadrature(double cos_o, double a) {
-  return mean_over_visible_normals<24, 64>(cos_o, a, [&](const Vec3d& m) {
+  return mean_over_visible_normals<21, 72>(cos_o, a, [&](const Vec3d& m) {
     const double cos_i = cosine_of_reflected(cos_o, m);
     return cos_i > 0 ? masked_share(cos_o, cos_i, a) : 1.0;
   });

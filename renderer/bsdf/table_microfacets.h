@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "renderer/bsdf/fresnel.h"
 #include "renderer/math/constants.h"
@@ -39,13 +40,16 @@ namespace candela {
 }
 
 // The mean of value(m) over visible normals; one half of them mirrors the other. Rings are shifted
-// from turn to turn by the golden ratio: edges of what is integrated would else lie along them.
+// from turn to turn by about the golden ratio: edges of what is integrated would else lie along
+// them. `turns`: a Fibonacci number, by which all shifts are evenly spread.
 template <int turns, int rings, class Value>
 [[nodiscard]] double mean_over_visible_normals(double cos_o, double a, const Value& value) {
+  constexpr int stride = static_cast<int>(0.6180339887498949 * turns + 0.5);
+  static_assert(std::gcd(stride, turns) == 1);
   if (a == 0) return value(Vec3d(0, 0, 1));
   double sum = 0;
   for (int i = 0; i < turns; ++i) {
-    const double shift = std::fmod(0.5 + i * 0.6180339887498949, 1.0);
+    const double shift = (i * stride % turns + 0.5) / turns;
     for (int j = 0; j < rings; ++j)
       sum += value(visible_normal(cos_o, a, (i + 0.5) / (2 * turns), (j + shift) / rings));
   }

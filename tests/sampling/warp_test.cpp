@@ -87,8 +87,8 @@ TEST(Statistical_Warp, DiskIsUniform) {
 
 // (b1, b2) over the triangle b1 + b2 <= 1: a grid of squares, those on the diagonal in halves.
 TEST(Statistical_Warp, TriangleIsUniform) {
-  const int n = 16;
-  const auto cell_of = [n](Vec2f b) {
+  constexpr int n = 16;
+  const auto cell_of = [](Vec2f b) {
     if (b.x < 0 || b.y < 0 || b.x + b.y > 1 + 1e-6f) return -1;
     const auto i = static_cast<int>(b.x * n);
     const auto j = static_cast<int>(b.y * n);
