@@ -1,6 +1,8 @@
 // The numbers behind a PLY header, one after another, all as double (which holds every type).
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -20,8 +22,8 @@ class BinaryValues {
         at_(offset),
         swaps_(is_little_endian != (std::endian::native == std::endian::little)) {}
 
-  // Nothing at the file's end.
-  std::optional<double> next(Type type) {
+  // Nothing at the file's end. Inlined, since it is most of what a large file's reading takes.
+  [[gnu::always_inline]] std::optional<double> next(Type type) {
     if (bytes_left() < byte_size(type)) return std::nullopt;
     switch (type) {
       case Type::Int8:
@@ -57,14 +59,11 @@ class BinaryValues {
  private:
   template <class T>
   double load() {
-    unsigned char bytes[sizeof(T)];
-    for (std::size_t i = 0; i < sizeof(T); ++i) {
-      bytes[swaps_ ? sizeof(T) - 1 - i : i] = static_cast<unsigned char>(text_[at_ + i]);
-    }
+    std::array<char, sizeof(T)> bytes;
+    std::memcpy(bytes.data(), text_.data() + at_, sizeof(T));
     at_ += sizeof(T);
-    T value;
-    std::memcpy(&value, bytes, sizeof(T));
-    return static_cast<double>(value);
+    if (swaps_) std::reverse(bytes.begin(), bytes.end());
+    return static_cast<double>(std::bit_cast<T>(bytes));
   }
 
   std::string_view text_;
