@@ -50,14 +50,14 @@ class File {
   int descriptor_;
 };
 
-std::optional<Digest> digest_of_file(const std::string& path) {
+// `buffer`: of any size but 0, for what is read of the file.
+std::optional<Digest> digest_of_file(const std::string& path, std::vector<unsigned char>& buffer) {
   const File file(path);
   if (!file.is_regular()) return std::nullopt;
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(),
                                                                       &XXH3_freeState);
   if (!hash) throw std::bad_alloc();
   XXH3_128bits_reset(hash.get());
-  std::vector<unsigned char> buffer(std::size_t{1} << 20);
   while (true) {
     const ssize_t count = file.read(buffer);
     if (count < 0) return std::nullopt;
@@ -73,10 +73,11 @@ std::string scene_hash(const description::SceneDescription& description) {
   for (const description::Image& image : description.images) paths.push_back(image.path);
 
   std::map<std::string, Digest> known;  // each file is read once
+  std::vector<unsigned char> buffer(std::size_t{1} << 20);
   std::vector<unsigned char> bytes;
   for (const std::string& path : paths) {
     const auto [entry, is_new] = known.try_emplace(path, Digest{});
-    if (is_new) entry->second = digest_of_file(path).value_or(Digest{});
+    if (is_new) entry->second = digest_of_file(path, buffer).value_or(Digest{});
     bytes.insert(bytes.end(), entry->second.begin(), entry->second.end());
   }
   std::string text;
