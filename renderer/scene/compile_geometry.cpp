@@ -91,8 +91,9 @@ void compile_in_parts(const description::Mesh& mesh, const CompileOptions& optio
   if (parts == 1 || scene.materials[material_of(mesh, placement, 0)].is_emissive())
     return compile_mesh(mesh, options, scene, placement);
   for (std::size_t part = 0; part < parts; ++part) {
+    const std::size_t known = placement.geometries.size();
     compile_mesh(part_of(mesh, part), options, scene, placement);
-    share_corners_of_last(placement.geometries);
+    share_corners(placement.geometries, known);
   }
 }
 

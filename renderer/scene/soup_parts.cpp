@@ -22,6 +22,17 @@ std::vector<T> part_of(const std::vector<T>& vertices, std::size_t first, std::s
   return {begin, begin + static_cast<std::ptrdiff_t>(count)};
 }
 
+void share_corners(TriangleList& triangles, std::span<Geometry> others) {
+  for (Geometry& other : others) {
+    if (other.triangles.begins_with(triangles)) {
+      triangles = other.triangles.prefix(triangles.size());
+      return;
+    }
+    if (triangles.begins_with(other.triangles))
+      other.triangles = triangles.prefix(other.triangles.size());
+  }
+}
+
 }  // namespace
 
 std::size_t part_count(const description::Mesh& mesh) {
@@ -42,16 +53,9 @@ description::Mesh part_of(const description::Mesh& mesh, std::size_t part) {
   return made;
 }
 
-void share_corners_of_last(std::span<Geometry> geometries) {
-  if (geometries.size() < 2) return;
-  TriangleList& last = geometries.back().triangles;
-  for (Geometry& other : geometries.first(geometries.size() - 1)) {
-    if (other.triangles.begins_with(last)) {
-      last = other.triangles.prefix(last.size());
-      return;
-    }
-    if (last.begins_with(other.triangles)) other.triangles = last.prefix(other.triangles.size());
-  }
+void share_corners(std::span<Geometry> geometries, std::size_t first) {
+  for (std::size_t i = first; i < geometries.size(); ++i)
+    share_corners(geometries[i].triangles, geometries.first(i));
 }
 
 }  // namespace candela

@@ -20,7 +20,8 @@ inline constexpr std::size_t triangles_of_a_part = 65536;
 // A copy.
 [[nodiscard]] description::Mesh part_of(const description::Mesh& mesh, std::size_t part);
 
-// The last geometry takes the corners of one before it that begins like it, or lends it its own.
-void share_corners_of_last(std::span<Geometry> geometries);
+// Geometries from `first` on take the corners of one before them that begins like them, or lend it
+// their own.
+void share_corners(std::span<Geometry> geometries, std::size_t first);
 
 }  // namespace candela

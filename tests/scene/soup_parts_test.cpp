@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/image/crafted_files.h"
+#include "tests/image/temporary_folder.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/meshes.h"
 #include "tests/scenes/render_scene.h"
@@ -73,6 +75,29 @@ TEST(Unit_SoupParts, ShareTheirCornersWhereSomeAreDropped) {
   EXPECT_EQ(scene.geometries[1].triangles.size(), triangles_of_a_part);
   for (const Geometry& geometry : scene.geometries)
     EXPECT_EQ(geometry.triangles.data(), scene.geometries[0].triangles.data());
+}
+
+// Every other triangle is half there: two geometries of each part, of which all but the last part's
+// are equally long.
+TEST(Unit_SoupParts, ShareTheirCornersWhereSomeHaveHoles) {
+  const TemporaryFolder folder;
+  const std::string half_there = folder.put(
+      "half_there.png",
+      crafted::png_rgba(64, 64, [](int x, int /*y*/, int) { return x < 32 ? 255u : 128u; }));
+  Mesh mesh = soup(two_and_some);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    mesh.uvs.push_back({v / 3 % 2 == 0 ? 0.25f : 0.75f, 0.5f});
+  SceneDescription description = scene_of(std::move(mesh));
+  description.images.push_back({half_there, description::Encoding::Linear, Wrap::Clamp, {}});
+  description.materials[0].opacity = {1, description::ImageHandle(0), 3};
+  const Scene scene = compiled(description, {});
+  ASSERT_EQ(scene.geometries.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Geometry& geometry = scene.geometries[i];
+    EXPECT_EQ(geometry.has_cutouts, i % 2 == 1);
+    EXPECT_EQ(geometry.triangles.size(), (i < 4 ? triangles_of_a_part : 1000) / 2);
+    EXPECT_EQ(geometry.triangles.data(), scene.geometries[0].triangles.data());
+  }
 }
 
 TEST(Unit_SoupParts, NormalsAndCoordinatesComeAlong) {
