@@ -83,6 +83,6 @@ if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
   target_link_options(candela_options INTERFACE LINKER:--disable-new-dtags)
 endif()
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,-]*address")
-  set_property(SOURCE renderer/image/codecs.cpp
+  set_property(SOURCE renderer/image/codecs.cpp renderer/image/allocate_samples.cpp
     APPEND PROPERTY COMPILE_DEFINITIONS CANDELA_ADDRESS_SANITIZER)
 endif()

@@ -82,7 +82,8 @@ class Branches {
     LaneMask going_on = 0;
     LaneMask single = lanes_;
     if constexpr (F.lanes) {
-      const PlainMasks plain_lanes = plain_lanes_of(context.scene, block.split.hits, lanes_);
+      PlainMasks plain_lanes;
+      find_plain_lanes(context.scene, block.split.hits, lanes_, plain_lanes);
       for (const PlainModel model : plain_models)
         going_on |=
             branch_plain_lanes<F>(context, numbers, model, plain_lanes.of(model), block, lanes);

@@ -139,8 +139,8 @@ class Convoy {
     PlainModelSet met = 0;
     for (std::size_t i = 0; i < size_; ++i) {
       BlockTrip<A>& trip = *trips_[i];
-      plain_[i] = plain_lanes_of(trip.context.scene, trip.block.hits,
-                                 lanes_without_medium<F>(trip.block, trip.alive));
+      find_plain_lanes(trip.context.scene, trip.block.hits,
+                       lanes_without_medium<F>(trip.block, trip.alive), plain_[i]);
       step_alone(trip, trip.alive & ~plain_[i].all());
       met |= plain_[i].models();
     }

@@ -34,10 +34,11 @@ class PlainMasks {
 };
 
 // Of the hits those on plain surfaces. Model by model, of which a block mostly meets one or two:
-// lanes that were put where they belong one after the other would wait for each other.
-[[nodiscard]] inline PlainMasks plain_lanes_of(const Scene& scene, const HitBlock& hits,
-                                               LaneMask lanes) {
-  PlainMasks plain;
+// lanes that were put where they belong one after the other would wait for each other, as would a
+// copy of what they make for what they write.
+inline void find_plain_lanes(const Scene& scene, const HitBlock& hits, LaneMask lanes,
+                             PlainMasks& plain) {
+  plain = {};
   for (LaneMask left = lanes & hits.met; left != 0;) {
     const auto model_of = [&](std::uint32_t i) { return scene.plain_models[hits.geometry[i]]; };
     const PlainModel model = model_of(static_cast<std::uint32_t>(std::countr_zero(left)));
@@ -46,7 +47,6 @@ class PlainMasks {
     if (model != PlainModel::None) plain.set(model, same);
     left &= ~same;
   }
-  return plain;
 }
 
 inline void put_normals(const Geometry& geometry, const std::array<std::uint32_t, 3>& corners,

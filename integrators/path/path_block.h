@@ -66,10 +66,9 @@ struct PathBlock {
 template <FeatureSet F>
 [[nodiscard]] inline LaneMask lanes_without_medium(const PathBlock& block, LaneMask lanes) {
   if constexpr (!F.media) return lanes;
-  LaneMask without = 0;
-  for (std::uint32_t i = 0; i < block_size; ++i)
-    if (!block.media[i]) without |= 1u << i;
-  return lanes & without;
+  LaneMask within = 0;
+  for_each_lane(lanes, [&](std::uint32_t i) { within |= flag(block.media[i].is_valid()) << i; });
+  return lanes & ~within;
 }
 
 // The next ray of a path cannot be traced, which makes the sample invalid.

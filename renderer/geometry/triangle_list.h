@@ -28,6 +28,16 @@ class TriangleList {
   TriangleList(std::initializer_list<TriangleCorners> triangles)
       : TriangleList(std::vector<TriangleCorners>(triangles)) {}
 
+  TriangleList(const TriangleList&) = default;
+  TriangleList& operator=(const TriangleList&) = default;
+  TriangleList(TriangleList&& other) noexcept
+      : first_(std::move(other.first_)), size_(std::exchange(other.size_, 0)) {}
+  TriangleList& operator=(TriangleList&& other) noexcept {
+    first_ = std::move(other.first_);
+    size_ = std::exchange(other.size_, 0);
+    return *this;
+  }
+
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] const TriangleCorners* data() const { return first_.get(); }

@@ -46,12 +46,12 @@ struct ImageHeader {
 
 struct DecodedImage {
   ImageHeader header;
-  std::unique_ptr<std::byte[]> samples;  // rows from the top, interleaved, machine byte order
+  std::shared_ptr<std::byte[]> samples;  // rows from the top, interleaved, machine byte order
 };
 
-// The samples' memory, not initialised but for one spare sample at the end: a pixel of three may be
-// loaded as if it had four.
-[[nodiscard]] std::unique_ptr<std::byte[]> allocate_samples(const ImageHeader& header);
+// The samples' memory, in large pages, which images share; not initialised but for one spare sample
+// at the end: a pixel of three may be loaded as if it had four.
+[[nodiscard]] std::shared_ptr<std::byte[]> allocate_samples(const ImageHeader& header);
 
 struct DecodeLimits {
   std::size_t max_bytes = std::size_t{4} << 30;  // of the decoded samples

@@ -163,7 +163,7 @@ void TextureFile::become_magenta() {
   is_broken_ = true;
   texels_ = {};
   texels_.channels = 4;
-  texels_.samples = std::make_unique_for_overwrite<std::byte[]>(magenta.size());
+  texels_.samples = std::make_shared_for_overwrite<std::byte[]>(magenta.size());
   std::memcpy(texels_.samples.get(), magenta.data(), magenta.size());
 }
 

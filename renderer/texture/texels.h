@@ -17,7 +17,7 @@ namespace candela {
 
 // From allocate_samples(). Rows from the top, interleaved: grey, grey and alpha, RGB, RGBA.
 struct TexelArray {
-  std::unique_ptr<std::byte[]> samples;
+  std::shared_ptr<std::byte[]> samples;
   int width = 1;
   int height = 1;
   int channels = 1;

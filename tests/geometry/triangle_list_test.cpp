@@ -20,6 +20,15 @@ TEST(Unit_TriangleList, CopiesAndPrefixesShareTheTriangles) {
   EXPECT_NE(part, (TriangleList{{0, 1, 2}}));
 }
 
+TEST(Unit_TriangleList, NothingIsLeftOfOneThatIsMoved) {
+  TriangleList list{{0, 1, 2}};
+  TriangleList moved = std::move(list);
+  EXPECT_EQ(list, TriangleList());
+  list = std::move(moved);
+  EXPECT_EQ(moved, TriangleList());
+  EXPECT_EQ(list, (TriangleList{{0, 1, 2}}));
+}
+
 TEST(Unit_TriangleList, WithoutTriangles) {
   const TriangleList none;
   EXPECT_TRUE(none.empty());
