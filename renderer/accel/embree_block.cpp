@@ -1,16 +1,26 @@
 #include "renderer/accel/embree_block.h"
 
-#include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "renderer/base/vector_widths.h"
 
 namespace candela {
 namespace {
 
+// Stored as one vector, as which Embree reads it: for narrower stores it would have to wait.
 template <std::size_t size>
-void copy_lanes(const Lanes<float>& from, std::uint32_t first, float (&to)[size]) {
-  std::copy_n(from.begin() + first, size, to);
+inline void copy_lanes(const Lanes<float>& from, std::uint32_t first, float (&to)[size]) {
+  using Vector [[gnu::vector_size(sizeof(to))]] = float;
+  Vector lanes;
+  std::memcpy(&lanes, from.data() + first, sizeof(lanes));
+  std::memcpy(to, &lanes, sizeof(lanes));
+}
+template <class T, std::size_t size>
+inline void fill_lanes(T value, T (&to)[size]) {
+  using Vector [[gnu::vector_size(sizeof(to))]] = T;
+  const Vector lanes = Vector{} + value;
+  std::memcpy(to, &lanes, sizeof(lanes));
 }
 
 template <std::size_t size, class Packet>
@@ -23,14 +33,14 @@ inline ValidLanes<size> set_packet(const RayBlock& rays, LaneMask lanes, std::ui
   copy_lanes(rays.direction.y, first, target.dir_y);
   copy_lanes(rays.direction.z, first, target.dir_z);
   copy_lanes(rays.t_max, first, target.tfar);
+  fill_lanes(0.0f, target.tnear);
+  fill_lanes(0.0f, target.time);
+  fill_lanes(RTC_INVALID_GEOMETRY_ID, target.mask);
+  fill_lanes(0u, target.flags);
   ValidLanes<size> valid;
   for (std::uint32_t i = 0; i < size; ++i) {
     valid.lanes[i] = -static_cast<int>(lanes >> (first + i) & 1);
     target.id[i] = first + i;
-    target.tnear[i] = 0;
-    target.time[i] = 0;
-    target.mask[i] = RTC_INVALID_GEOMETRY_ID;
-    target.flags[i] = 0;
   }
   return valid;
 }
