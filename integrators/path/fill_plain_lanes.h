@@ -49,7 +49,7 @@ inline void find_plain_lanes(const Scene& scene, const HitBlock& hits, LaneMask 
   }
 }
 
-inline void put_normals(const Geometry& geometry, const std::array<std::uint32_t, 3>& corners,
+inline void put_normals(const Geometry& geometry, const TriangleCorners& corners,
                         std::uint32_t slot, MetLanes& met) {
   const bool has_normals = !geometry.normals.empty();
   met.has_normals[slot] = has_normals ? 1 : 0;

@@ -47,9 +47,9 @@ PageRegion::~PageRegion() {
 
 std::byte* PageRegion::take(std::size_t bytes) {
   constexpr std::uintptr_t line = 64;
-  if (bytes > static_cast<std::size_t>(end_ - free_)) return nullptr;
+  const auto left = static_cast<std::size_t>(end_ - free_);
+  if (bytes > left) return nullptr;
   std::byte* const taken = free_;
-  const auto left = static_cast<std::size_t>(end_ - taken);
   free_ += std::min(left, next_multiple(bytes, line));
   return taken;
 }

@@ -133,7 +133,7 @@ inline void set_front_normal(const Vec3f& n, SurfacePoint& point) {
 }
 
 // Of a triangle with texture coordinates. `instance` may be null.
-inline void set_tangents(const Geometry& geometry, const std::array<std::uint32_t, 3>& corners,
+inline void set_tangents(const Geometry& geometry, const TriangleCorners& corners,
                          const Instance* instance, SurfacePoint& point) {
   Vec2f d1 = geometry.uvs[corners[1]] - geometry.uvs[corners[0]];
   Vec2f d2 = geometry.uvs[corners[2]] - geometry.uvs[corners[0]];

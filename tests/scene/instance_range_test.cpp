@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/accel/placement.h"
 #include "tests/scenes/soups.h"
 
 namespace candela {

@@ -6,7 +6,6 @@
 #include "tests/image/crafted_files.h"
 #include "tests/image/temporary_folder.h"
 #include "tests/scenes/description.h"
-#include "tests/scenes/meshes.h"
 #include "tests/scenes/render_scene.h"
 
 namespace candela {
