@@ -60,12 +60,12 @@ void add_instances(const Scene& scene, PixelCover& cover) {
 BackgroundPixels::BackgroundPixels(const Scene& scene, const Filter& filter,
                                    const RenderOptions& options) {
   const Camera& camera = scene.cameras[options.camera];
-  const std::optional<Rgb> background = constant_background(scene, options);
-  if (!options.savings.skips_background || !background || filter.is_signed() ||
-      scene.features.media)
-    return;
-  sample_.radiance = *background;
-  sample_.alpha = 0;
+  if (!options.savings.skips_background || filter.is_signed() || scene.features.media) return;
+  if (const std::optional<Rgb> background = constant_background(scene, options)) {
+    sample_.emplace();
+    sample_->radiance = *background;
+    sample_->alpha = 0;
+  }
   if (scene.bounds.is_empty()) {
     covered_.emplace();
     return;

@@ -1,5 +1,5 @@
 // Pixels of which the geometry proves that no camera ray meets anything: their samples are all the
-// constant background, and no ray need be traced for them.
+// background's, and no ray need be traced for them.
 // (Covered are all triangles' and spheres' projections, and those of instances' boxes.)
 #pragma once
 
@@ -14,18 +14,18 @@ namespace candela {
 class BackgroundPixels {
  public:
   // Of the whole picture, for a camera of the scene. Without media around it; empty (no pixel is
-  // proven) where the background is no constant, the filter has weights, the camera no projection
-  // though there is something to see, or the scene more triangles than looking at them could spare.
+  // proven) where the filter has weights, the camera no projection though there is something to
+  // see, or the scene more triangles than looking at them could spare.
   BackgroundPixels(const Scene& scene, const Filter& filter, const RenderOptions& options);
 
   [[nodiscard]] bool is_empty() const { return !covered_; }
   [[nodiscard]] bool contains(int x, int y) const { return covered_ && !covered_->contains(x, y); }
-  // What each sample of these pixels brings.
-  [[nodiscard]] const FilmSample& sample() const { return sample_; }
+  // What each sample of these pixels brings; none where that is the sky's image, which differs.
+  [[nodiscard]] const std::optional<FilmSample>& sample() const { return sample_; }
 
  private:
   std::optional<CoveredPixels> covered_;
-  FilmSample sample_;
+  std::optional<FilmSample> sample_;
 };
 
 }  // namespace candela

@@ -36,7 +36,8 @@ auto observed_kernel(const Scene& scene) {
 }
 
 bool sees_nothing(const BackgroundPixels& background, const PixelRect& rect) {
-  if (background.is_empty() || !is_black(background.sample().radiance)) return false;
+  if (background.is_empty() || !background.sample() || !is_black(background.sample()->radiance))
+    return false;
   for (int y = rect.y0; y < rect.y1; ++y)
     for (int x = rect.x0; x < rect.x1; ++x)
       if (!background.contains(x, y)) return false;

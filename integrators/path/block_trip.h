@@ -2,27 +2,10 @@
 // traced together, then each path takes its step.
 #pragma once
 
+#include "integrators/path/block_place.h"
 #include "integrators/path/branches.h"
-#include "integrators/path/camera_rays.h"
 
 namespace candela {
-
-// Which samples a block has.
-struct BlockPlace {
-  PixelLanes pixels;
-  Lanes<std::uint32_t> samples;  // of the pixels
-  LaneMask lanes;                // those that are filled
-};
-
-// Consecutive ones of a pixel, from `first` on.
-[[nodiscard]] inline BlockPlace place_in_pixel(const RenderOptions& options, int x, int y,
-                                               std::uint32_t first, LaneMask lanes) {
-  BlockPlace place{pixel_lanes_of(options), {}, lanes};
-  place.pixels.x.fill(x);
-  place.pixels.y.fill(y);
-  for (std::uint32_t i = 0; i < block_size; ++i) place.samples[i] = first + i;
-  return place;
-}
 
 template <class A>
 struct BlockTrip {

@@ -4,9 +4,11 @@
 #include "integrators/background_pixels.h"
 #include "integrators/lamp_pixels.h"
 #include "integrators/path/convoy.h"
+#include "integrators/path/film_lanes.h"
 #include "integrators/path/reuse_groups.h"
 #include "integrators/path/seen_lamps.h"
 #include "integrators/path/shared_block.h"
+#include "integrators/path/sky_samples.h"
 #include "integrators/tile_pass.h"
 
 namespace candela {
@@ -61,7 +63,33 @@ template <class A>
   });
 }
 
-// The paths of a block have ended. Those of pixels beside the tile were company only.
+// What the paths of a block found. Those of pixels beside the tile were company only.
+template <class A>
+inline void add_samples(BlockTrip<A>& trip, const PixelRect& tile, Film& film) {
+  const PathContext<A>& context = trip.context;
+  PathBlock& block = trip.block;
+  const PixelLanes& pixels = trip.place.pixels;
+  const float clamp = context.options.clamp;
+  if (trip.is_of_one_pixel() && context.options.aovs == 0) {
+    if (tile.contains(pixels.x[0], pixels.y[0]))
+      add_or_count(trip.place, block.paths.radiance, block.weight, block.alpha, clamp, film,
+                   trip.counts);
+    return;
+  }
+  FilmSample bare;
+  for_each_lane(trip.place.lanes, [&](std::uint32_t i) {
+    const int x = pixels.x[i];
+    const int y = pixels.y[i];
+    if (!tile.contains(x, y)) return;
+    FilmSample& sample = context.options.aovs != 0 ? block.first_hits[i] : bare;
+    sample.radiance = block.paths.radiance[i];
+    sample.weight = block.weight[i];
+    sample.alpha = block.alpha[i];
+    add_or_count(sample, x, y, trip.place.samples[i], clamp, film, trip.counts);
+  });
+}
+
+// The paths of a block have ended.
 template <FeatureSet F, class A>
 inline void finish(BlockTrip<A>& trip, const PixelRect& tile, Film& film, TileCounts& counts) {
   const PathContext<A>& context = trip.context;
@@ -72,33 +100,10 @@ inline void finish(BlockTrip<A>& trip, const PixelRect& tile, Film& film, TileCo
                     [&](std::uint32_t i) { context.observer->end(i, block.paths.radiance[i]); });
   }
   if (context.lamp_rays > 0) add_seen_lamps<F>(trip);
-  FilmSample bare;
-  for_each_lane(trip.place.lanes, [&](std::uint32_t i) {
-    const int x = trip.place.pixels.x[i];
-    const int y = trip.place.pixels.y[i];
-    if (!tile.contains(x, y)) return;
-    FilmSample& sample = context.options.aovs != 0 ? block.first_hits[i] : bare;
-    sample.radiance = block.paths.radiance[i];
-    sample.weight = block.weight[i];
-    sample.alpha = block.alpha[i];
-    add_or_count(sample, x, y, trip.place.samples[i], context.options.clamp, film, trip.counts);
-  });
+  add_samples(trip, tile, film);
   if (trip.weighted_lamps) add_weighted_lamps(trip, tile, film, trip.counts);
   add_cost(trip, tile, film);
   counts.add(trip.counts);
-}
-
-// Lanes of the block at `base` whose samples lie in the range, which ends after `base`.
-[[nodiscard]] inline LaneMask lanes_in(std::uint32_t base, const SampleRange& range) {
-  const LaneMask from_first = range.first > base ? all_lanes << (range.first - base) : all_lanes;
-  const LaneMask to_end =
-      range.end - base < block_size ? (1u << (range.end - base)) - 1 : all_lanes;
-  return from_first & to_end & all_lanes;
-}
-
-// Where the block begins that has the first sample of a range.
-[[nodiscard]] inline std::uint32_t first_block(const SampleRange& range) {
-  return range.first & ~(block_size - 1);
 }
 
 // How many independent sequences the samples of a pixel are dealt to: one a replicate, or one each.
@@ -109,16 +114,6 @@ inline void finish(BlockTrip<A>& trip, const PixelRect& tile, Film& film, TileCo
 
 [[nodiscard]] inline PairOrder pair_order_of(const RenderOptions& options) {
   return options.sampler == SamplerKind::Padded ? PairOrder::Padded : PairOrder::Joint;
-}
-
-// What the samples of a pixel that sees nothing would have brought and, in rays, taken.
-inline void add_background(const BackgroundPixels& background, const SampleRange& range, int x,
-                           int y, float clamp, Film& film, TileCounts& counts) {
-  for (std::uint32_t i = range.first; i < range.end; ++i)
-    add_or_count(background.sample(), x, y, i, clamp, film, counts);
-  const std::uint32_t count = range.end - range.first;
-  film.add_cost(x, y, static_cast<std::uint32_t>(cost_of({.camera = count})));
-  counts.skipped.samples += count;
 }
 
 // A trial's samples without what sharing added to them.
@@ -182,9 +177,23 @@ class TileRenderer {
   [[nodiscard]] bool add_if_background(int x, int y) {
     if (context_.background == nullptr || !context_.background->contains(x, y)) return false;
     if (pass_.trial == nullptr && pass_.tile.contains(x, y))
-      add_background(*context_.background, pass_.of_pixel(x, y), x, y, context_.options.clamp,
-                     film_, counts_);
+      add_background(pass_.of_pixel(x, y), x, y);
     return true;
+  }
+  // What their samples bring, and what rays would have taken.
+  void add_background(const SampleRange& range, int x, int y) {
+    if (range.is_empty()) return;
+    const RenderOptions& options = context_.options;
+    const std::optional<FilmSample>& constant = context_.background->sample();
+    if (constant)
+      for (std::uint32_t i = range.first; i < range.end; ++i)
+        add_or_count(*constant, x, y, i, options.clamp, film_, counts_);
+    else
+      add_sky_samples(context_.scene, context_.filter, options, sampler_of(x, y), range, x, y,
+                      film_, counts_);
+    const std::uint32_t count = range.end - range.first;
+    film_.add_cost(x, y, static_cast<std::uint32_t>(cost_of({.camera = count})));
+    counts_.skipped.samples += count;
   }
 
   // In blocks of the pixel's own.

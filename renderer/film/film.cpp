@@ -26,6 +26,28 @@ Film::Film(int full_width, int full_height, PixelRect crop, AovSet aovs, std::ui
   if ((aovs & first_hit_aovs) != 0) aov_pixels_.resize(count);
 }
 
+// A pixel's sums stay in registers as long as one after the other adds to the same.
+void Film::add(int x, int y, std::uint32_t first_index, LaneMask lanes, const Vec3Lanes& radiance,
+               const Lanes<float>& weight, const Lanes<float>& alpha) {
+  const std::size_t i = index(x, y);
+  Vec3d* sums = &sums_[i * replicates_];
+  std::uint32_t at = sum_of(first_index);
+  Vec3d sum = sums[at];
+  double sum_of_alpha = pixels_[i].alpha;
+  for_each_lane(lanes, [&](std::uint32_t lane) {
+    if (const std::uint32_t next = sum_of(first_index + lane); next != at) {
+      sums[at] = sum;
+      sum = sums[next];
+      at = next;
+    }
+    sum += balanced(radiance[lane]) * double{weight[lane]};
+    sum_of_alpha += static_cast<double>(alpha[lane]);
+  });
+  sums[at] = sum;
+  pixels_[i].alpha = sum_of_alpha;
+  pixels_[i].samples += lane_count(lanes);
+}
+
 void Film::add_first_hit(std::size_t i, std::uint32_t sample_index, const FilmSample& sample) {
   AovPixel& aov = aov_pixels_[i];
   aov.albedo += Vec3d(sample.albedo);

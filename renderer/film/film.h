@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/image/image.h"
+#include "renderer/math/lanes.h"
 #include "renderer/math/vec.h"
 
 namespace candela {
@@ -101,6 +102,10 @@ class Film {
   void add(int x, int y, const FilmSample& sample) {
     add(x, y, pixels_[index(x, y)].samples, sample);
   }
+  // The same of the samples of a block in the given lanes, at least one, which keep nothing of
+  // their hits. The first lane's is `first_index`, and so on; they are added in this order.
+  void add(int x, int y, std::uint32_t first_index, LaneMask lanes, const Vec3Lanes& radiance,
+           const Lanes<float>& weight, const Lanes<float>& alpha);
   // More light of a sample that is there, times the filter's weights already: of either sign.
   void add_weighted(int x, int y, std::uint32_t sample_index, const Rgb& radiance) {
     sums_[index(x, y) * replicates_ + sum_of(sample_index)] += balanced(radiance);

@@ -11,6 +11,7 @@
 #include "renderer/accel/any_accel.h"
 #include "renderer/accel/bvh_accel.h"
 #include "renderer/math/constants.h"
+#include "tests/light/map_images.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/exact_sphere.h"
 #include "tests/scenes/render_scene.h"
@@ -35,6 +36,17 @@ SceneDescription balls(bool are_instances) {
       add_mesh(scene, sphere(transform.translation, 0.3, 2), white);
   add_light(scene, description::ConstantEnvironment{Vec3d(0.2, 0.5, 0.9)});
   set_camera(scene, {0, 0, 5}, {0, 0, 0}, 50);
+  return scene;
+}
+
+// The same under a sky that is an image.
+SceneDescription under_map(SceneDescription scene) {
+  scene.images = {light_test::write_float_map("background", 16, 16, [](int x, int y) {
+    return Vec3f(static_cast<float>(x), static_cast<float>(y), (x * 5 + y * 3) % 7 == 0 ? 9.0f : 1);
+  })};
+  scene.lights.clear();
+  add_light(scene, description::EqualAreaEnvironment{description::ImageHandle(0), Vec3d(0.1),
+                                                     Mat3d(1.0), true});
   return scene;
 }
 
@@ -218,6 +230,37 @@ TEST(Agreement_BackgroundPixels, SkippedSamplesLeaveThePictureAsItIs) {
   settings.options.crop = PixelRect{3, 1, 30, 17};
   settings.options.tile_size = 7;
   expect_same_picture(balls(false), settings, true);
+}
+
+// Whose samples ask the image, but trace no ray.
+TEST(Agreement_BackgroundPixels, NeitherDoThoseOfAnImage) {
+  RenderSettings settings = settings_for(FilterKind::BlackmanHarris, 40, 40);
+  expect_same_picture(under_map(balls(false)), settings, true);
+  expect_same_picture(under_map(balls(true)), settings, true);
+  settings.options.clamp = 0.3f;
+  settings.options.aovs = layers;
+  settings.options.crop = PixelRect{3, 1, 30, 17};
+  settings.options.tile_size = 7;
+  expect_same_picture(under_map(balls(false)), settings, true);
+  settings = settings_for(FilterKind::Box, 64, 128);
+  settings.options.adaptive = true;
+  expect_same_picture(under_map(balls(false)), settings, true);
+  settings.options.replicates = 5;  // whose pilot does not fill blocks, so that pixels share them
+  expect_same_picture(under_map(balls(false)), settings, true);
+}
+
+// A lens changes where rays come from and where they go.
+TEST(Agreement_BackgroundPixels, AnImageAloneIsTheSameThroughALens) {
+  SceneDescription scene = under_map(empty_scene());
+  set_camera(scene, {0, 0, 5}, {0, 0, 0}, 50);
+  scene.cameras[0].lens_radius = 0.1;
+  RenderSettings settings = settings_for(FilterKind::BlackmanHarris, 16, 24);
+  const RenderResult skipped = rendered(compiled(scene, settings.options), settings);
+  settings.options.savings.skips_background = false;
+  const RenderResult traced = rendered(compiled(scene, settings.options), settings);
+  EXPECT_EQ(skipped.film.to_image(true).values, traced.film.to_image(true).values);
+  EXPECT_EQ(skipped.statistics.skipped.samples, 16u * 16 * 24);
+  EXPECT_EQ(traced.statistics.rays.camera, 16u * 16 * 24);
 }
 
 TEST(Agreement_BackgroundPixels, AdaptiveAndSplitPicturesToo) {
