@@ -28,27 +28,42 @@ std::uint32_t sums_of(const RenderOptions& options) {
   return replicates > 1 ? replicates : pieces;
 }
 
-// Four a replicate are the fewest that tell noise from structure; a quarter of all, where it is
-// known how many those are, leaves enough to deal out.
-std::uint32_t samples_of(const RenderOptions& options) {
-  constexpr std::uint32_t share = 4;
-  constexpr std::uint32_t most_blocks = 4;
+PixelRect rect_of(const RenderOptions& options) {
+  return may_end_early(options) ? with_whole_squares(rendered_rect(options), options)
+                                : PixelRect{0, 0, options.width, options.height};
+}
+
+// A quarter of all samples, where it is known how many those are, leaves enough to deal out.
+constexpr std::uint32_t pilots_a_picture = 4;
+
+// Four a replicate are the fewest that tell noise from structure.
+std::uint32_t fewest_samples(const RenderOptions& options) {
   const std::uint32_t sums = sums_of(options);
-  const std::uint32_t fewest = std::max((whole_block + sums - 1) / sums, 4u) * sums;
+  return std::max((whole_block + sums - 1) / sums, 4u) * sums;
+}
+
+std::uint32_t samples_of(const RenderOptions& options) {
+  constexpr std::uint32_t most_blocks = 4;
+  const std::uint32_t fewest = fewest_samples(options);
   const std::uint32_t blocks =
-      static_cast<std::uint32_t>(options.samples_per_pixel) / (share * fewest);
-  if (!options.adaptive || blocks == 0) return 0;
+      static_cast<std::uint32_t>(options.samples_per_pixel) / (pilots_a_picture * fewest);
+  if (!options.adaptive || blocks == 0 || !is_wide_enough_for_pilot(options)) return 0;
   return may_end_early(options) ? fewest : std::min(blocks, most_blocks) * fewest;
 }
 
 }  // namespace
 
 Pilot pilot_of(const RenderOptions& options) {
-  const PixelRect rect = may_end_early(options)
-                             ? with_whole_squares(rendered_rect(options), options)
-                             : PixelRect{0, 0, options.width, options.height};
-  const bool is_picture = rect.width() > 1 && rect.height() > 1;
-  return {rect, is_picture ? samples_of(options) : 0, sums_of(options)};
+  return {rect_of(options), samples_of(options), sums_of(options)};
+}
+
+std::uint32_t least_samples_for_pilot(const RenderOptions& options) {
+  return pilots_a_picture * fewest_samples(options);
+}
+
+bool is_wide_enough_for_pilot(const RenderOptions& options) {
+  const PixelRect rect = rect_of(options);
+  return rect.width() > 1 && rect.height() > 1;
 }
 
 }  // namespace candela

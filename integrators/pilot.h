@@ -22,4 +22,8 @@ struct Pilot {
 
 [[nodiscard]] Pilot pilot_of(const RenderOptions& options);
 
+// A pixel, below which there is none; and whether neighbours on two sides can decide for a pixel.
+[[nodiscard]] std::uint32_t least_samples_for_pilot(const RenderOptions& options);
+[[nodiscard]] bool is_wide_enough_for_pilot(const RenderOptions& options);
+
 }  // namespace candela

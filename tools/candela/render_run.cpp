@@ -17,6 +17,7 @@
 #include "tools/candela/output_files.h"
 #include "tools/candela/render_settings.h"
 #include "tools/candela/scene_hash.h"
+#include "tools/candela/unmet_requests.h"
 
 namespace candela::cli {
 namespace {
@@ -190,6 +191,9 @@ bool RenderRun::accepts_scene(const Scene& scene) {
                     name_of(options().integrator, integrator_choices())));
     if (!allows(1)) return false;
   }
+  const std::vector<std::string> unmet = unmet_requests(arguments_, scene, options());
+  for (const std::string& sentence : unmet) warn(sentence);
+  if (!allows(unmet.size())) return false;
   if (!arguments_.scene.is_strict) return true;
   decode_all_textures(scene.textures);
   return accepts(scene.textures.decoding_diagnostics(), true);
@@ -218,6 +222,8 @@ void RenderRun::rendered(const Scene& scene, const RenderResult& result, double 
   report_.skipped_textures = undecoded_textures(scene.textures);
   if (!arguments_.scene.is_strict) record(scene.textures.decoding_diagnostics());
   report_invalid_samples();
+  if (lacks_guides(scene, report_))
+    warn("--guiding on: no paths were guided, since too little was learned");
   report_reliability();
 }
 

@@ -1,0 +1,42 @@
+#include "tools/candela/unmet_requests.h"
+
+#include <fmt/format.h>
+
+#include "integrators/feasible_options.h"
+#include "integrators/pilot.h"
+
+namespace candela::cli {
+namespace {
+
+std::string why_no_pilot(const RenderOptions& options) {
+  if (!is_wide_enough_for_pilot(options)) return "the picture has but one row or column";
+  return fmt::format("with {} samples a pixel there is no pilot, which takes {}",
+                     options.samples_per_pixel, least_samples_for_pilot(options));
+}
+
+}  // namespace
+
+std::vector<std::string> unmet_requests(const RenderArguments& arguments, const Scene& scene,
+                                        const RenderOptions& options) {
+  const RenderOptions feasible = feasible_options(scene, options);
+  std::vector<std::string> sentences;
+  if (arguments.adaptive.value_or(false) && pilot_of(feasible).samples == 0)
+    sentences.push_back(fmt::format("--adaptive on: {}; all pixels get the same number of samples",
+                                    why_no_pilot(feasible)));
+  if (feasible.plan.splitting < options.plan.splitting)
+    sentences.push_back(
+        fmt::format("--splitting {}: paths through media are not split", options.plan.splitting));
+  if (options.plan.reuses_paths && !feasible.plan.reuses_paths)
+    sentences.emplace_back(
+        "--reuse on: the scene and the options have no paths that pixels could share");
+  if (options.guiding == Guiding::On && feasible.guiding == Guiding::Off)
+    sentences.emplace_back("--guiding on: paths through media are not guided");
+  return sentences;
+}
+
+bool lacks_guides(const Scene& scene, const RenderReport& report) {
+  return feasible_options(scene, report.options).guiding == Guiding::On &&
+         !report.is_interrupted() && report.statistics.guiding.guided_cells == 0;
+}
+
+}  // namespace candela::cli
