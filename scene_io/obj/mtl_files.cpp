@@ -11,6 +11,7 @@
 #include "scene_io/text/cursor.h"
 #include "scene_io/text/file.h"
 #include "scene_io/text/path.h"
+#include "scene_io/text/plain_text.h"
 
 namespace candela::obj {
 namespace {
@@ -42,15 +43,18 @@ void add_library(MtlLibrary&& library, ObjModel& model) {
 void read_library(const Source& source, std::string_view name, const ResolvedPath& resolved,
                   MtlUse use, ObjModel& model, Diagnostics& diagnostics) {
   if (std::find(model.files.begin(), model.files.end(), resolved.path) != model.files.end()) return;
-  const Result<std::string> text = text::read_file(resolved.path, limits);
-  if (!text) {
-    const std::string reason =
-        text.diagnostics.list().empty() ? "" : text.diagnostics.list().front().message;
-    return say(source, name, Severity::Warning,
-               fmt::format("MTL file {} {}; faces that use its materials have none",
-                           text::quoted(resolved.path), reason),
-               diagnostics);
-  }
+  const auto warn = [&](std::string_view reason) {
+    say(source, name, Severity::Warning,
+        fmt::format("MTL file {} {}; faces that use its materials have none",
+                    text::quoted(resolved.path), reason),
+        diagnostics);
+  };
+  Result<std::string> text = text::read_file(resolved.path, limits);
+  if (!text)
+    return warn(text.diagnostics.list().empty() ? "" : text.diagnostics.list().front().message);
+  if (text::is_utf16(*text)) return warn("is in UTF-16, expected ASCII or UTF-8");
+  text::drop_byte_order_mark(*text);
+  text::use_line_feeds(*text);
   if (resolved.is_substitute())
     say(source, name, Severity::Note, text::describe_substitute(resolved, name), diagnostics);
   model.files.push_back(resolved.path);

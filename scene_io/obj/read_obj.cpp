@@ -12,6 +12,7 @@
 #include "scene_io/obj/mtl_files.h"
 #include "scene_io/obj/obj_data.h"
 #include "scene_io/text/file.h"
+#include "scene_io/text/plain_text.h"
 #include "scene_io/text/source.h"
 
 namespace candela::obj {
@@ -225,14 +226,13 @@ ObjModel parse_sound_text(const std::string& path, std::string text, const ObjOp
 
 ObjModel parse_obj(const std::string& path, std::string text, const ObjOptions& options,
                    Diagnostics& diagnostics) {
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+  if (text::is_utf16(text)) {
     diagnostics.error({std::make_shared<const std::string>(path), 1, 1},
                       "is in UTF-16; expected ASCII or UTF-8");
     return {};
   }
-  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-  const bool is_of_old_macs = text.find('\n') == std::string::npos;
-  if (is_of_old_macs) std::replace(text.begin(), text.end(), '\r', '\n');
+  text::drop_byte_order_mark(text);
+  text::use_line_feeds(text);
   return parse_sound_text(path, std::move(text), options, diagnostics);
 }
 

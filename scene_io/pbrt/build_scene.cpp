@@ -275,6 +275,7 @@ class SceneBuilder {
 
   void build() {
     Program& program = context_.program;
+    if (!has_room()) return;
     context_.imaging_ratio = read_film(context_);
     read_camera(context_);
     context_.scene.cameras.back().medium = media_.of(program.around_camera);
@@ -328,16 +329,15 @@ class SceneBuilder {
         auto& parts = objects[name];
         if (const auto part = next_part(shape)) parts.push_back(*part);
       }
-    if (!has_room(objects)) return;
     for (const ObjectUse& use : context_.program.object_uses) place_object(use, objects);
   }
 
   // Counted before any is made: a short file can ask for more than memory holds.
-  bool has_room(const Objects& objects) {
-    std::size_t count = context_.scene.instances.size();
+  bool has_room() {
+    std::size_t count = context_.program.shapes.size();
     for (const ObjectUse& use : context_.program.object_uses) {
-      const auto found = objects.find(use.name);
-      if (found != objects.end()) count += found->second.size();
+      const auto found = context_.program.objects.find(use.name);
+      if (found != context_.program.objects.end()) count += found->second.size();
       if (count <= most_instances) continue;
       context_.report.error(use.place, fmt::format("more than {} instances", most_instances));
       return false;

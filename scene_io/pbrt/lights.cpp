@@ -114,8 +114,10 @@ class LightReader {
   void spot() {
     const Vec3d from = arguments_.point("from").value_or(Vec3d(0.0));
     const Vec3d to = arguments_.point("to").value_or(Vec3d(0, 0, 1));
-    const double outer = std::clamp(arguments_.number("coneangle").value_or(30), 0.0, 180.0);
-    const double delta = arguments_.number("conedeltaangle").value_or(5);
+    const double outer =
+        arguments_.clamped("coneangle", arguments_.number("coneangle").value_or(30), 0, 180);
+    const double delta =
+        arguments_.clamped("conedeltaangle", arguments_.number("conedeltaangle").value_or(5), 0);
     description::SpotLight light{place(from), axis(from, to), colour("I"), 0, 0};
     light.outer_angle_radians = outer * (pi_double / 180);
     light.inner_angle_radians = std::clamp(outer - delta, 0.0, outer) * (pi_double / 180);

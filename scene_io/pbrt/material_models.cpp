@@ -101,13 +101,15 @@ CoatedConductorMaterial coated_conductor(MaterialReader& reader) {
 
 // Where both are constant, no more light leaves than arrives.
 DiffuseTransmissionMaterial diffuse_transmission(MaterialReader& reader) {
-  const double scale = reader.arguments.number("scale").value_or(1);
+  const double scale = std::max(reader.arguments.number("scale").value_or(1), 0.0);
   ColourInput reflectance = reader.reflectance("reflectance", 0.25);
   ColourInput transmittance = reader.reflectance("transmittance", 0.25);
   const auto is_constant = [](const ColourInput& input) { return !input.map && !input.texture; };
   const Place& place = reader.arguments.statement().place;
-  reflectance = reader.textures.scaled(reflectance, std::clamp(scale, 0.0, 1.0), place);
-  transmittance = reader.textures.scaled(transmittance, std::clamp(scale, 0.0, 1.0), place);
+  for (ColourInput* part : {&reflectance, &transmittance}) {
+    *part = reader.textures.scaled(*part, scale, place);
+    if (is_constant(*part)) part->factor = glm::min(part->factor, Vec3d(1.0));
+  }
   const Vec3d sum = reflectance.factor + transmittance.factor;
   if (is_constant(reflectance) && is_constant(transmittance) && max_component(sum) > 1) {
     reflectance.factor /= glm::max(sum, Vec3d(1.0));
@@ -126,7 +128,8 @@ bool set_stand_in(MaterialReader& reader, std::string_view type, Material& mater
   if (type == "subsurface")
     material.model = coated_diffuse(reader);
   else
-    material.model = DiffuseMaterial{reader.reflectance("color", 0.5)};
+    material.model = DiffuseMaterial{
+        reader.reflectance(reader.arguments.has("reflectance") ? "reflectance" : "color", 0.5)};
   for (Parameter& parameter : reader.arguments.statement().parameters) parameter.is_used = true;
   return true;
 }

@@ -111,6 +111,7 @@ class Parser {
   std::map<std::string, Transform> systems_;
   std::set<std::string> warned_;
   std::deque<ShapeStatement>* object_ = nullptr;  // being defined
+  std::size_t nested_objects_ = 0;                // within it, each in error
   bool is_in_world_ = false;
   bool lacks_world_ = false;       // said: something stands before WorldBegin
   std::size_t default_bytes_ = 0;  // that statements have from Attribute

@@ -117,9 +117,12 @@ void Parser::attribute_end() {
 void Parser::object_begin() {
   const Place place = here();
   const auto name = read_string("the name of an object");
-  if (is_in_object())
-    return report_.error(place, "ObjectBegin within an ObjectBegin, expected ObjectEnd first");
+  const bool is_nested = is_in_object();
   if (!push(Block::Kind::Object)) return;
+  if (is_nested) {
+    ++nested_objects_;
+    return report_.error(place, "ObjectBegin within an ObjectBegin, expected ObjectEnd first");
+  }
   const auto [at, is_new] = program_.objects.try_emplace(name.value_or(""));
   if (name && !is_new)
     report_.error(place, fmt::format("the object {} is defined twice", text::quoted(*name)));
@@ -127,7 +130,11 @@ void Parser::object_begin() {
 }
 
 void Parser::object_end() {
-  if (pop(Block::Kind::Object)) object_ = nullptr;
+  if (!pop(Block::Kind::Object)) return;
+  if (nested_objects_ > 0)
+    --nested_objects_;
+  else
+    object_ = nullptr;
 }
 
 void Parser::object_instance() {

@@ -5,20 +5,9 @@
 #include "scene_io/pbrt/build_scene.h"
 #include "scene_io/pbrt/parse.h"
 #include "scene_io/text/file.h"
+#include "scene_io/text/plain_text.h"
 
 namespace candela::pbrt {
-namespace {
-
-void drop_byte_order_mark(std::string& text) {
-  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-}
-
-bool is_utf16(std::string_view text) {
-  return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
-}
-
-}  // namespace
-
 Result<description::SceneDescription> read_pbrt(const std::string& path) {
   Result<std::string> bytes = text::read_file(path);
   if (!bytes) return std::move(bytes.diagnostics);
@@ -30,9 +19,9 @@ Result<description::SceneDescription> parse_pbrt(const std::string& path, std::s
   const Report report(diagnostics);
   description::SceneDescription scene;
   scene.path = path;
-  if (is_utf16(text))
+  if (text::is_utf16(text))
     return failure(fmt::format("{} is in UTF-16, expected UTF-8", text::quoted_path(path)));
-  drop_byte_order_mark(text);
+  text::drop_byte_order_mark(text);
   SourceFiles files(scene.path, report);
   files.open(path, std::move(text));
   Program program = parse(files, report);

@@ -62,7 +62,7 @@ bool has_texture(const Program& program, const MaterialUse& use) {
   return std::any_of(parameters.begin(), parameters.end(), [](const Parameter& parameter) {
     return parameter.type == ParameterType::Texture || parameter.name == "materials" ||
            parameter.name.starts_with("namedmaterial") || parameter.name == "normalmap" ||
-           parameter.name.ends_with("vroughness");
+           parameter.name.ends_with("uroughness") || parameter.name.ends_with("vroughness");
   });
 }
 

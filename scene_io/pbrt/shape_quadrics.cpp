@@ -13,7 +13,8 @@ namespace {
 using description::Mesh;
 
 double clamped_angle(Arguments& arguments) {
-  return std::clamp(arguments.number("phimax").value_or(360), 0.0, 360.0) * (pi_double / 180);
+  return arguments.clamped("phimax", arguments.number("phimax").value_or(360), 0, 360) *
+         (pi_double / 180);
 }
 
 // Above 0; nothing after an error.
@@ -125,7 +126,9 @@ MaybeMesh disk(Arguments& arguments, const ShapeOptions& options) {
   const auto radius = radius_of(arguments);
   if (!radius) return std::nullopt;
   const double height = arguments.number("height").value_or(0);
-  const double inner = std::clamp(arguments.number("innerradius").value_or(0), 0.0, *radius);
+  const double wanted =
+      arguments.clamped("innerradius", arguments.number("innerradius").value_or(0), 0);
+  const double inner = std::min(wanted, *radius);
   const double phi_max = clamped_angle(arguments);
   const std::uint32_t columns = columns_for(phi_max, options);
   const double step = phi_max / columns;

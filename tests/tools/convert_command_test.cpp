@@ -145,6 +145,28 @@ TEST(Errors_Convert, EndWithTheirCodesAndWriteNothing) {
   EXPECT_EQ(file_names(folder), std::vector<std::string>{"a_files"});
 }
 
+// As candela draws it.
+TEST(Unit_Convert, AnImageThatBreaksOffIsMagenta) {
+  const std::string folder = fresh_folder("convert_broken");
+  fs::copy(fs::path(asset("cutouts")).parent_path(), folder, fs::copy_options::recursive);
+  const std::string image = file_text(folder + "/wire.png");  // whose alpha is apart for pbrt
+  write_text(folder + "/wire.png", image.substr(0, image.size() / 2));
+  const std::string scene = folder + "/cutouts.yaml";
+  const std::string converted = folder + "/a.pbrt";
+  const auto expect_told = [&](const ProgramResult& result, int code) {
+    EXPECT_EQ(result.exit_code, code) << result.error;
+    EXPECT_NE(result.error.find("wire.png"), std::string::npos) << result.error;
+    EXPECT_NE(result.error.find("; it is magenta"), std::string::npos) << result.error;
+  };
+  expect_told(run_candela({"convert", scene, converted, "--strict"}), 3);
+  EXPECT_FALSE(fs::exists(converted));
+  expect_told(run_candela({"convert", scene, converted}), 0);
+  const ProgramResult compared =
+      run_candela({"compare", picture_of(converted, folder, "after"),
+                   picture_of(scene, folder, "before"), "--max-relmse", "0"});
+  EXPECT_EQ(compared.exit_code, 0) << compared.output;
+}
+
 TEST(Errors_Convert, SparesTheSceneItReads) {
   const std::string folder = fresh_folder("convert_spares");
   const std::string scene = folder + "/a.pbrt";

@@ -116,6 +116,10 @@ class Conversion {
       const Result<std::string> bytes = output.bytes();
       console_.print(bytes.diagnostics);
       if (!bytes) return ExitCode::Scene;
+      if (arguments_.scene.is_strict && bytes.diagnostics.warning_count() > 0) {
+        console_.strict_error(bytes.diagnostics.warning_count(), arguments_.scene.path);
+        return ExitCode::Scene;
+      }
       const Diagnostics problems = write_file_atomically(output.path, *bytes);
       console_.print(problems);
       if (problems.has_errors()) return ExitCode::Output;

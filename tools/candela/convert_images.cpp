@@ -1,5 +1,8 @@
 #include "tools/candela/convert_images.h"
 
+#include <array>
+#include <cstring>
+
 #include <fmt/format.h>
 
 #include "renderer/base/parallel.h"
@@ -30,6 +33,25 @@ Rgb pixel_mean(const pbrt::WrittenSky& sky, const Environment& environment,
   return Rgb(sum / static_cast<double>(grid * grid));
 }
 
+// What stands in for an image that cannot be decoded, as in pictures (texture.h).
+DecodedImage magenta_texel(bool is_float) {
+  constexpr std::array<unsigned char, 4> bytes{255, 0, 255, 255};
+  constexpr std::array<float, 4> floats{1, 0, 1, 1};
+  DecodedImage image;
+  image.header = {.width = 1,
+                  .height = 1,
+                  .sample_type = is_float ? SampleType::Float : SampleType::U8,
+                  .channels = {"R", "G", "B", "A"},
+                  .alpha_channel = 3,
+                  .alpha_is_straight = true};
+  image.samples = allocate_samples(image.header);
+  if (is_float)
+    std::memcpy(image.samples.get(), floats.data(), sizeof(floats));
+  else
+    std::memcpy(image.samples.get(), bytes.data(), sizeof(bytes));
+  return image;
+}
+
 }  // namespace
 
 std::optional<pbrt::ImageFacts> image_facts(const std::string& path) {
@@ -52,9 +74,13 @@ Result<std::string> make_image(const pbrt::WrittenImage& image) {
     return std::string(bytes->begin(), bytes->end());
   }
   const Result<DecodedImage> decoded = read_decoded_image(image.source, DecodeLimits{});
-  if (!decoded) return decoded.diagnostics;
-  Result<std::string> encoded = encode_samples(*decoded, image.channel);
-  if (encoded) return encoded;
+  Diagnostics found;
+  for (const Diagnostic& problem : decoded.diagnostics.list())
+    found.warning({},
+                  fmt::format("texture {}{}", problem.message, decoded ? "" : "; it is magenta"));
+  Result<std::string> encoded = encode_samples(
+      decoded ? *decoded : magenta_texel(image.name.ends_with(".exr")), image.channel);
+  if (encoded) return {std::move(*encoded), std::move(found)};
   return failure(fmt::format("'{}' cannot be converted: {}", image.source,
                              encoded.diagnostics.list()[0].message));
 }

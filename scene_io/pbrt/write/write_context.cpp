@@ -25,8 +25,10 @@ std::size_t extension_begin(std::string_view name) {
 std::string WriteContext::unique_name(const std::string& kind, const std::string& wish) {
   if (names.insert(kind + '\n' + wish).second) return wish;
   const std::size_t dot = extension_begin(wish);
-  for (int number = 2;; ++number) {
-    const std::string name = fmt::format("{}-{}{}", wish.substr(0, dot), number, wish.substr(dot));
+  int& number = next_numbers.try_emplace(kind + '\n' + wish, 2).first->second;
+  for (;;) {
+    const std::string name =
+        fmt::format("{}-{}{}", wish.substr(0, dot), number++, wish.substr(dot));
     if (names.insert(kind + '\n' + name).second) return name;
   }
 }

@@ -15,6 +15,7 @@ struct WriteContext {
   WrittenScene& written;
   Diagnostics& diagnostics;
   std::set<std::string> names = {};  // of files and of things in the text that must differ
+  std::map<std::string, int> next_numbers = {};  // of wishes that were taken
 
   void warn(const SourceSpan& span, std::string sentence) {
     diagnostics.warning(span, std::move(sentence));

@@ -249,6 +249,24 @@ TEST(Unit_Obj, OneMtllibMayNameSeveralFiles) {
   EXPECT_EQ(model.images.at(model.materials[1].height.index).path, folder.file("2.png"));
 }
 
+// A byte order mark, and lines that end by carriage returns alone.
+TEST(Unit_Obj, AnMtlIsReadAsItsEditorLeftIt) {
+  const TemporaryFolder folder;
+  std::string old_mac = two_materials;
+  std::replace(old_mac.begin(), old_mac.end(), '\n', '\r');
+  for (const std::string& text : {"\xEF\xBB\xBF" + std::string(two_materials), old_mac}) {
+    folder.put("a.mtl", text);
+    const std::string obj =
+        folder.put("a.obj", "mtllib a.mtl\n" + square + "usemtl blue\nf 1 2 3\n");
+    Diagnostics diagnostics;
+    const ObjModel model = read_obj(obj, {}, diagnostics);
+    EXPECT_TRUE(diagnostics.list().empty()) << diagnostics.list().front().message;
+    ASSERT_EQ(model.materials.size(), 3u);
+    EXPECT_EQ(model.materials[0].name, "red: one");
+    EXPECT_EQ(model.meshes.size(), 1u);
+  }
+}
+
 TEST(Unit_Obj, FacesWithoutAMaterialAreDroppedInLabModeAndGreyInFullMode) {
   const TemporaryFolder folder;
   folder.put("a.mtl", two_materials);

@@ -25,6 +25,12 @@ TEST(Errors_PbrtOneMessage, ListsEndAtADirective) {
             "2:31: \"float radius\": found the end of the file, expected the ] of this list");
 }
 
+TEST(Errors_PbrtOneMessage, ObjectsWithinObjects) {
+  EXPECT_EQ(pbrt_world_message("ObjectBegin \"a\"\nShape \"disk\"\nObjectBegin \"b\"\nObjectEnd\n"
+                               "Shape \"disk\"\nObjectEnd\nObjectInstance \"a\""),
+            "4:1: ObjectBegin within an ObjectBegin, expected ObjectEnd first");
+}
+
 TEST(Errors_PbrtOneMessage, ValuesThatAreMissing) {
   const std::string world = "\nWorldBegin\nMaterial \"diffuse\"\nShape \"disk\"";
   EXPECT_EQ(pbrt_message("Camera \"perspective\" \"string foo\"" + world),

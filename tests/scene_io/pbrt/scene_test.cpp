@@ -202,6 +202,14 @@ TEST(Unit_PbrtMaterials, ScaledSheetsOfTextures) {
   EXPECT_EQ(sheet.transmittance.factor, Vec3d(0.25));
 }
 
+TEST(Unit_PbrtMaterials, HairIsOfItsColour) {
+  for (const std::string name : {"reflectance", "color"})
+    EXPECT_EQ(
+        std::get<DiffuseMaterial>(material_of("\"hair\" \"rgb " + name + "\" [ .9 .1 .2 ]").model)
+            .reflectance.factor,
+        Vec3d(0.9, 0.1, 0.2));
+}
+
 TEST(Unit_PbrtMaterials, MetalsByTheirReflectance) {
   const auto metal = std::get<ConductorMaterial>(
       material_of("\"conductor\" \"rgb reflectance\" [ .9 .5 0 ]").model);
@@ -249,6 +257,12 @@ TEST(Unit_PbrtMaterials, Types) {
           "\"diffusetransmission\" \"rgb reflectance\" [ 1 .5 0 ] \"rgb transmittance\" [ 1 0 0 ]")
           .model);
   EXPECT_EQ(leaf.reflectance.factor, Vec3d(0.5, 0.5, 0));
+  const auto scaled = std::get<DiffuseTransmissionMaterial>(
+      material_of("\"diffusetransmission\" \"rgb reflectance\" [ .25 .5 0 ] \"rgb transmittance\" "
+                  "[ .25 0 .125 ] \"float scale\" 2")
+          .model);
+  EXPECT_EQ(scaled.reflectance.factor, Vec3d(0.5, 1, 0));
+  EXPECT_EQ(scaled.transmittance.factor, Vec3d(0.5, 0, 0.25));
   EXPECT_TRUE(std::holds_alternative<DiffuseMaterial>(material_of("\"matte\"").model));
   EXPECT_TRUE(std::holds_alternative<CookTorranceMaterial>(material_of("\"plastic\"").model));
   EXPECT_TRUE(std::holds_alternative<MirrorMaterial>(material_of("\"mirror\"").model));

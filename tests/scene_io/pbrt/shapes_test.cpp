@@ -200,6 +200,30 @@ TEST(Unit_PbrtShapes, TexturedTrianglesWithoutCoordinatesGetThem) {
   EXPECT_EQ(textured.uvs[2], Vec2f(1, 1));
 }
 
+// Which the direction of a brushed metal needs: a width along alone differs from that of both.
+TEST(Unit_PbrtShapes, SoDoThoseOfBrushedMetals) {
+  for (const std::string name : {"uroughness", "vroughness"})
+    EXPECT_EQ(mesh_of("Material \"conductor\" \"float " + name +
+                      "\" .4 Shape \"plymesh\" \"string filename\" \"triangle.ply\"")
+                  .uvs.size(),
+              3u)
+        << name;
+  EXPECT_TRUE(mesh_of("Material \"conductor\" \"float roughness\" .4 Shape \"plymesh\" \"string "
+                      "filename\" \"triangle.ply\"")
+                  .uvs.empty());
+}
+
+TEST(Unit_PbrtShapes, AnglesOutOfRangeAreToldOf) {
+  EXPECT_EQ(pbrt_world_warning("Shape \"disk\" \"float phimax\" 400"),
+            "2:14: 'phimax' is 400, expected 0 to 360: 360 is used");
+  EXPECT_EQ(pbrt_world_warning("Shape \"disk\" \"float innerradius\" -4"),
+            "2:14: 'innerradius' is -4, expected at least 0: 0 is used");
+  EXPECT_EQ(pbrt_world_warning("LightSource \"spot\" \"float coneangle\" 200 Shape \"disk\""),
+            "2:20: 'coneangle' is 200, expected 0 to 180: 180 is used");
+  EXPECT_EQ(pbrt_world_warning("LightSource \"spot\" \"float conedeltaangle\" -20 Shape \"disk\""),
+            "2:20: 'conedeltaangle' is -20, expected at least 0: 0 is used");
+}
+
 // pbrt makes patches of them.
 TEST(Unit_PbrtShapes, TexturedQuadsOfFilesGetThePatchsCoordinates) {
   const Mesh mesh = mesh_of(

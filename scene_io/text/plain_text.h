@@ -1,0 +1,15 @@
+// What editors put around and between lines of text.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace candela::text {
+
+[[nodiscard]] bool is_utf16(std::string_view text);
+// Of UTF-8.
+void drop_byte_order_mark(std::string& text);
+// Where lines end as on old Macs, by carriage returns alone, they become line feeds.
+void use_line_feeds(std::string& text);
+
+}  // namespace candela::text
