@@ -37,11 +37,10 @@ inline double trust_in(double structure, double own_noise) {
 // little of how rare it is.
 inline PixelLevel level_of(const NeighbourLevel& near, const Vec3d& own, double own_share,
                            double epsilon) {
-  const double is_any_left = own_share > 0 ? 1.0 : 0.0;
-  const Vec3d own_noise = near.own_variance * (own_share > 0 ? 1 / own_share : 0.0);
-  const Vec3d trust = is_any_left * Vec3d(trust_in(near.structure.x, own_noise.x),
-                                          trust_in(near.structure.y, own_noise.y),
-                                          trust_in(near.structure.z, own_noise.z));
+  const Vec3d own_noise = near.own_variance * (1 / own_share);
+  const Vec3d trust(trust_in(near.structure.x, own_noise.x),
+                    trust_in(near.structure.y, own_noise.y),
+                    trust_in(near.structure.z, own_noise.z));
   constexpr double lowest = 1.0 / 3;
   const Vec3d mean = max(near.mean + trust * (own - near.mean), lowest * near.mean);
   const Vec3d variance = (1.0 - trust) * (1.0 - trust) * near.noise;
@@ -50,6 +49,21 @@ inline PixelLevel level_of(const NeighbourLevel& near, const Vec3d& own, double 
   const double blend = std::clamp(noise / much - 1, 0.0, 1.0);
   return {mix(mean, near.wide_mean, blend) + near.rare,
           variance * (1 - blend) * (1 - blend) + near.rare_noise};
+}
+
+// What a pixel is without the noise of a pair of its replicates: the mean of the others. Of two
+// alone none is left, but the product of their means has the mean r^2: neither's noise is in it.
+struct OwnLevel {
+  Vec3d mean;
+  double share;  // of the pixel's samples
+};
+inline OwnLevel level_beside_pair(const SampleSum& whole, const SampleSum& a, const SampleSum& b) {
+  const double others = whole.samples - a.samples - b.samples;
+  const double are_none = others > 0 ? 0.0 : 1.0;
+  const double samples = others > 0 ? others : whole.samples;
+  const Vec3d square = a.radiance * b.radiance * (1 / (a.samples * b.samples));
+  const Vec3d of_others = (whole.radiance - a.radiance - b.radiance) * (1 / samples);
+  return {of_others + are_none * glm::sqrt(max(square, 0.0)), samples / whole.samples};
 }
 
 // The level that the error is held against is made without the pair: were it of the same noise,
@@ -61,10 +75,8 @@ inline double error_of_pair(const NeighbourLevel& near, const SampleSum& whole, 
   const Vec3d difference = a.radiance * one_of_a - b.radiance * one_of_b;
   // One sample's variance is that of the difference over the sum of both.
   const Vec3d variance = difference * difference * (1 / ((one_of_a + one_of_b) * whole.samples));
-  const double left = whole.samples - a.samples - b.samples;
-  const double one_of_left = left > 0 ? 1 / left : 0.0;
-  const Vec3d own = (whole.radiance - a.radiance - b.radiance) * one_of_left;
-  return error_of_level(level_of(near, own, left / whole.samples, epsilon), variance, epsilon);
+  const OwnLevel own = level_beside_pair(whole, a, b);
+  return error_of_level(level_of(near, own.mean, own.share, epsilon), variance, epsilon);
 }
 
 CANDELA_LANES void add_errors(const LevelLanes& near, const SampleSumLanes& whole,

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "tests/film/synthetic_film.h"
 
 namespace candela {
@@ -51,6 +53,30 @@ TEST(Unit_PixelErrors, InTheMeanTheyAreTheVariance) {
     const double variance = 0.04 / 12 / (8 * replicates);
     EXPECT_NEAR(sum / static_cast<double>(film.pixel_count()) * 1.01 / variance, 1, 0.05)
         << replicates;
+  }
+}
+
+// Pixels of which none tells of its neighbours: each is held against what it has itself, though of
+// two replicates none is left beside the pair.
+TEST(Statistical_PixelErrors, PixelsUnlikeTheirNeighboursAreHeldAgainstThemselves) {
+  constexpr int size = 64;
+  std::mt19937_64 levels(3);
+  std::vector<double> truth(size * size);
+  for (double& r : truth) r = std::uniform_real_distribution<double>(0.5, 2)(levels);
+  const auto at = [&](int x, int y) { return truth[static_cast<std::size_t>(y * size + x)]; };
+  for (const std::uint32_t replicates : {2u, 3u, 4u, 8u}) {
+    double stated = 0, is = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      const Film film = test::synthetic_film(
+          size, 24, replicates, 100 * replicates + seed,
+          [&](std::mt19937_64& random, int x, int y) {
+            return at(x, y) + std::uniform_real_distribution<double>(-0.1, 0.1)(random);
+          });
+      const PixelErrors errors = *estimate_pixel_errors(film);
+      stated += std::accumulate(errors.errors.begin(), errors.errors.end(), 0.0) / (size * size);
+      is += test::relmse_to(at, film);
+    }
+    EXPECT_NEAR(stated / is, 1, 0.05) << replicates;
   }
 }
 
