@@ -1,6 +1,7 @@
 #include "renderer/scene/compile_camera.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -17,6 +18,14 @@ ScreenWindow window_of(const description::Camera& camera, double aspect) {
   if (camera.screen_window) return *camera.screen_window;
   if (camera.fov_is_of_shorter_side && aspect < 1) return {-1, 1, -1 / aspect, 1 / aspect};
   return {-aspect, aspect, -1, 1};
+}
+
+// Half of a side of the picture's view where the window has 1: of the plane one unit away, or for
+// orthographic cameras of the scene.
+double half_side_of(const description::Camera& camera, const Normalisation& normalisation) {
+  return camera.kind == description::CameraKind::Orthographic
+             ? normalisation.scale
+             : std::tan(camera.fovy_degrees * (pi_double / 180) / 2);
 }
 
 void set_window(const description::Camera& camera, const Vec3d& right, const Vec3d& up,
@@ -37,6 +46,14 @@ double focus_distance_of(const description::Camera& camera, double scale) {
                                    : length((camera.target - camera.eye) * scale);
 }
 
+// How far a window given by the file reaches from its middle; 0 where there is none.
+double reach_of_window(const description::Camera& camera, const Normalisation& normalisation) {
+  const ScreenWindow window = camera.screen_window.value_or(ScreenWindow{0, 0, 0, 0});
+  const double reach = std::max({std::abs(window.left), std::abs(window.right),
+                                 std::abs(window.bottom), std::abs(window.top)});
+  return reach * half_side_of(camera, normalisation);
+}
+
 }  // namespace
 
 Camera compile_camera(const description::Camera& camera, const Normalisation& normalisation,
@@ -54,10 +71,9 @@ Camera compile_camera(const description::Camera& camera, const Normalisation& no
   out.right = Vec3f(right);
   out.up = Vec3f(up);
   if (camera.kind == description::CameraKind::Perspective)
-    set_window(camera, right, up, std::tan(camera.fovy_degrees * (pi_double / 180) / 2), aspect,
-               out, middle);
+    set_window(camera, right, up, half_side_of(camera, normalisation), aspect, out, middle);
   if (camera.kind == description::CameraKind::Orthographic)
-    set_window(camera, right, up, normalisation.scale, aspect, out, eye);
+    set_window(camera, right, up, half_side_of(camera, normalisation), aspect, out, eye);
   out.eye = Vec3f(eye);
   out.look = Vec3f(middle);
   out.lens_radius = static_cast<float>(camera.lens_radius * normalisation.scale);
@@ -82,6 +98,14 @@ void check_distances(const description::Camera& camera, const Normalisation& nor
   if (radius > farthest) refuse("has a lens whose radius is", radius, "at most 1e+12");
   const double focus = focus_distance_of(camera, normalisation.scale);
   if (radius > 0 && focus < nearest) refuse("with a lens is focused at", focus, "at least 1e-12");
+  const double reach = reach_of_window(camera, normalisation);
+  if (camera.kind == description::CameraKind::Orthographic && reach > farthest)
+    refuse("has a screen window that reaches to", reach, "at most 1e+12");
+  if (camera.kind == description::CameraKind::Perspective && reach > farthest)
+    diagnostics.error(camera.span,
+                      fmt::format("a camera has a screen window that reaches to {:.1e} times its "
+                                  "distance, expected at most 1e+12",
+                                  reach));
 }
 
 }  // namespace candela

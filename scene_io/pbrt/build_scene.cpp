@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <map>
 
 #include <fmt/format.h>
@@ -10,17 +9,13 @@
 #include "renderer/base/parallel.h"
 #include "scene_io/pbrt/camera.h"
 #include "scene_io/pbrt/lights.h"
-#include "scene_io/pbrt/materials.h"
-#include "scene_io/pbrt/media.h"
-#include "scene_io/pbrt/mesh_areas.h"
 #include "scene_io/pbrt/shape.h"
-#include "scene_io/pbrt/textures.h"
+#include "scene_io/pbrt/shape_materials.h"
 #include "scene_io/pbrt/transforms.h"
 
 namespace candela::pbrt {
 namespace {
 
-using description::Material;
 using description::MaterialHandle;
 using description::Mesh;
 using description::MeshHandle;
@@ -117,150 +112,6 @@ class Meshes {
   std::vector<PlacedShape> shapes_;
   std::map<std::string, std::size_t> job_of_;
   std::size_t curved_count_ = 0, curved_patch_count_ = 0;
-};
-
-// A material with all that its shapes add to it. Shapes that add the same share it.
-class ShapeMaterials {
- public:
-  ShapeMaterials(Context& context, Textures& textures, Materials& materials, Media& media)
-      : context_(context), textures_(textures), materials_(materials), media_(media) {}
-
-  // `count`: of the shapes that pbrt has in the mesh's place.
-  MaterialHandle of(ShapeStatement& shape, const Mesh& mesh, std::size_t count) {
-    Key key;
-    key.base = &materials_.of(shape.material);
-    read_alpha(shape, key);
-    if (shape.media.is_transition()) {
-      key.inside = media_.of(shape.media.inside).index;
-      key.outside = media_.of(shape.media.outside).index;
-    }
-    const bool is_bumped = materials_.is_bumped(*key.base);
-    if (shape.area_light != none || is_bumped) {
-      const Areas areas = areas_of(mesh, shape.world_from_object);
-      if (is_bumped) key.height_scale = height_scale(areas);
-      if (shape.area_light != none) {
-        read_emission_of(shape, areas.surface / static_cast<double>(count), key);
-        warn_of_uneven_power(shape, mesh, count);
-      }
-    }
-    return of(key, shape.statement.place);
-  }
-
- private:
-  struct Key {
-    const Material* base = nullptr;
-    std::array<double, 3> emission{};
-    bool emits_both_sides = false;
-    std::uint32_t emission_map = Handle<int>::none;
-    bool emission_is_maps_mean = false;
-    double height_scale = 1;
-    std::uint32_t inside = Handle<int>::none, outside = Handle<int>::none;  // media
-    // Of the shape's alpha.
-    double opacity = 1;
-    std::uint32_t opacity_map = Handle<int>::none, opacity_texture = Handle<int>::none;
-    auto operator<=>(const Key&) const = default;
-  };
-
-  // `place`: of the first shape that has it.
-  MaterialHandle of(const Key& key, const Place& place) {
-    const auto known = made_.find(key);
-    if (known != made_.end()) return known->second;
-    return made_[key] = add(key, place);
-  }
-
-  // lab3's material knows of its holes itself.
-  void read_alpha(ShapeStatement& shape, Key& key) {
-    Arguments arguments(shape.statement, context_.report);
-    if (std::holds_alternative<description::LabMaterial>(key.base->model)) return;
-    const auto alpha = textures_.scalar(arguments, "alpha");
-    if (!alpha) return;
-    key.opacity = arguments.clamped("alpha", alpha->factor, 0, 1);
-    key.opacity_map = alpha->map.index;
-    key.opacity_texture = alpha->texture.index;
-  }
-
-  // `area`: of each of pbrt's shapes, which are lights of their own, in the mean.
-  void read_emission_of(const ShapeStatement& shape, double area, Key& key) {
-    const auto [at, is_new] = emissions_.try_emplace(shape.area_light);
-    if (is_new)
-      at->second = read_emission(context_, context_.program.area_lights[shape.area_light]);
-    const Vec3d radiance = at->second.radiance_on(area);
-    if (!is_finite(radiance))
-      context_.report.error(shape.statement.place, "what this shape emits is not finite");
-    if (key.opacity == 0 && radiance != Vec3d(0.0))
-      context_.warn_once("invisible lamp", shape.statement.place,
-                         "lamps of an \"alpha\" of 0, which pbrt samples though no ray meets "
-                         "them, are not supported: it is left out");
-    key.emission = {radiance.x, radiance.y, radiance.z};
-    key.emits_both_sides = at->second.emits_both_sides;
-    key.emission_map = at->second.map.index;
-    key.emission_is_maps_mean = at->second.is_maps_mean;
-  }
-
-  // pbrt gives each triangle the whole power, and so each a radiance of its own.
-  void warn_of_uneven_power(const ShapeStatement& shape, const Mesh& mesh, std::size_t count) {
-    if (!emissions_.at(shape.area_light).power || context_.warned.contains("uneven power")) return;
-    if (!has_equal_parts(mesh, count, shape.world_from_object))
-      context_.warn_once("uneven power", shape.statement.place,
-                         "the power of a lamp is that of each of its triangles or patches, which "
-                         "differ in area: all shine alike here, with as much power in all");
-  }
-
-  MaterialHandle add(const Key& key, const Place& place) {
-    Material material = *key.base;
-    if (const MixParts* parts = materials_.parts_of(*key.base))
-      material.model =
-          mix_of(*parts, key, std::get<description::MixMaterial>(material.model), place);
-    material.emission = {key.emission[0], key.emission[1], key.emission[2]};
-    material.emits_both_sides = key.emits_both_sides;
-    if (material.height_scale == heights_are_lengths) material.height_scale = key.height_scale;
-    material.media.inside.index = key.inside;
-    material.media.outside.index = key.outside;
-    material.emission_map.index = key.emission_map;
-    material.emission_is_maps_mean = key.emission_is_maps_mean;
-    set_opacity(key, material, place);
-    context_.scene.materials.push_back(std::move(material));
-    return MaterialHandle(context_.scene.materials.size() - 1);
-  }
-
-  // The parts stand before it in the scene.
-  description::MixMaterial mix_of(const MixParts& parts, const Key& key,
-                                  description::MixMaterial mix, const Place& place) {
-    Key part;
-    part.height_scale = key.height_scale;
-    part.base = parts.first;
-    mix.first = of(part, place);
-    part.base = parts.second;
-    mix.second = of(part, place);
-    return mix;
-  }
-
-  // The shape's alpha, and what a mixture with an interface leaves.
-  void set_opacity(const Key& key, Material& material, const Place& place) {
-    description::ScalarInput alpha;
-    alpha.factor = key.opacity;
-    alpha.map.index = key.opacity_map;
-    alpha.texture.index = key.opacity_texture;
-    alpha.channel = alpha.map ? description::alpha_or_mean : 0;
-    const auto is_constant = [](const description::ScalarInput& input) {
-      return !input.map && !input.texture;
-    };
-    if (is_constant(alpha) && is_constant(material.opacity))
-      material.opacity.factor *= alpha.factor;
-    else if (is_constant(material.opacity) && material.opacity.factor == 1)
-      material.opacity = alpha;
-    else if (!is_constant(alpha) || alpha.factor != 1)
-      context_.warn_once("alpha", place,
-                         "the alpha of shapes whose mixture has an interface is "
-                         "ignored");
-  }
-
-  Context& context_;
-  Textures& textures_;
-  Materials& materials_;
-  Media& media_;
-  std::map<Key, MaterialHandle> made_;
-  std::map<std::size_t, Emission> emissions_;
 };
 
 class SceneBuilder {

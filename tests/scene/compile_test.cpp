@@ -136,6 +136,22 @@ TEST(Errors_Compile, CamerasAgainstTheScenesSize) {
               "a camera with a lens is focused at 1.0e-30 times the scene's size, expected at "
               "least 1e-12");
   }
+  for (const double size : {0x1p-50, 1.0}) {
+    EXPECT_EQ(error_of(size,
+                       [&](auto& camera) {
+                         camera.kind = description::CameraKind::Orthographic;
+                         camera.screen_window = {-size, 1e18 * size, -size, size};
+                       }),
+              "a camera has a screen window that reaches to 1.0e+18 times the scene's size, "
+              "expected at most 1e+12");
+    EXPECT_EQ(error_of(size,
+                       [&](auto& camera) {
+                         camera.fovy_degrees = 90;
+                         camera.screen_window = {-1, 1, -1e20, 1};
+                       }),
+              "a camera has a screen window that reaches to 1.0e+20 times its distance, expected "
+              "at most 1e+12");
+  }
 }
 
 TEST(Unit_Compile, TangentsAreForMaterialsThatReadThem) {

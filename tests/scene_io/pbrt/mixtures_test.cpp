@@ -147,5 +147,23 @@ TEST(Errors_Validate, MixturesOfWhatIsNotThere) {
   EXPECT_TRUE(validate(scene).has_errors());
 }
 
+// Rays through holes keep their medium, as those that miss a shape by its alpha do.
+TEST(Errors_PbrtMixtures, InterfacesBetweenMediaHaveNoHoles) {
+  const std::string media =
+      "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" MediumInterface \"fog\" \"\"\n";
+  EXPECT_EQ(
+      pbrt_world_warning(parts + media + mix_of("nothing", "glass") + "\nShape \"disk\""),
+      "9:7: an interface in a mixture between media lets rays through, but they stay in their "
+      "medium, which pbrt's leave");
+  const std::string disk =
+      parts + media + "NamedMaterial \"nothing\"\nShape \"disk\" \"float alpha\" ";
+  EXPECT_EQ(pbrt_world_warning(disk + ".5"),
+            "9:7: the alpha of an interface between media is ignored");
+  // What is not there bounds nothing.
+  const SceneDescription absent = pbrt_world(disk + "0");
+  EXPECT_FALSE(worn_by_disk(absent).media.inside);
+  EXPECT_TRUE(worn_by_disk(pbrt_world(disk + "1")).media.inside);
+}
+
 }  // namespace
 }  // namespace candela
