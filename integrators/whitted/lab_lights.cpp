@@ -41,6 +41,12 @@ double projected_area(const Scene& scene, const Geometry& geometry, const Vec3d&
   return sum;
 }
 
+// Of the light of a lamp's surface, what its constant opacity leaves; a map's holes are left out.
+float opacity_of(const Scene& scene, std::uint32_t geometry) {
+  const Material& material = scene.materials[scene.geometries[geometry].material.index];
+  return material.opacity.texture ? 1.0f : material.opacity.constant;
+}
+
 // A surface of radiance L sends the radiant intensity L times its projected area. The axis is the
 // direction of the vector area; a closed surface has none, so the mean over all directions counts,
 // which is a quarter of the area whichever sides shine: the inner one is not seen from outside
@@ -57,17 +63,17 @@ Light lamp_light(const Scene& scene, std::uint32_t index) {
   Vec3d radiance(first.emission);
   if (first.texture)  // of its factor's colour, as bright as the mean
     radiance *= sums.weighted_luminance / sums.area / luminance(radiance);
-  const Rgb intensity(radiance * (seen_area / pi_double));
+  const Rgb intensity(radiance * (seen_area / pi_double * double{opacity_of(scene, index)}));
   Light light = make_point_light(Vec3f(sums.weighted_place / sums.area), intensity);
   light.geometry = index;
   return light;
 }
 
 // A sphere from afar: its radiance times the disc that it shows.
-Light sphere_lamp_light(const Light& sphere) {
+Light sphere_lamp_light(const Scene& scene, const Light& sphere) {
   Rgb radiance = sphere.emission;
   if (sphere.texture) radiance *= sphere.mean_luminance / luminance(radiance);
-  const float seen_area = 0.25f * sphere.area;
+  const float seen_area = 0.25f * sphere.area * opacity_of(scene, sphere.geometry);
   Light light = make_point_light(sphere.position, radiance * (seen_area / pi));
   light.geometry = sphere.geometry;
   return light;
@@ -78,7 +84,7 @@ Light sphere_lamp_light(const Light& sphere) {
 std::vector<Light> lab_lights(const Scene& scene) {
   std::vector<Light> lights;
   for (const Light& light : scene.lights) {
-    if (light.kind == LightKind::Sphere) lights.push_back(sphere_lamp_light(light));
+    if (light.kind == LightKind::Sphere) lights.push_back(sphere_lamp_light(scene, light));
     if (!light.is_delta()) continue;
     lights.push_back(light);
     lights.back().emission /= pi;

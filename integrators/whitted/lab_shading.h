@@ -12,6 +12,7 @@ namespace candela {
 // The highlight's factor of ks, in [0, 1]; neither normalised nor bound to n.l > 0.
 [[nodiscard]] inline float lab_highlight(SpecularModel model, float exponent, const Vec3f& n,
                                          const Vec3f& wo, const Vec3f& wi) {
+  if (exponent == 0) return 1;  // 0^0 as std::pow has it
   const Vec3f half = wi + wo;
   const float length2 = length_squared(half);
   const float cosine = model == SpecularModel::Phong

@@ -319,7 +319,7 @@ struct SceneDescription {
   std::vector<Light> lights;
   std::vector<Camera> cameras;
   RenderDefaults defaults;
-  Vec3d lab_ambient{0.0};          // AmbientIntensity, for whitted; {0} elsewhere
+  std::optional<Vec3d> lab_ambient;  // AmbientIntensity, for whitted and raster, where it is given
   std::vector<std::string> files;  // every file that was read, for scene_hash; images are
                                    // listed in `images`
 };

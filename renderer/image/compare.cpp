@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -45,33 +46,45 @@ Diagnostics check_comparable(const Image& image, const Image& reference) {
   return {};
 }
 
+// Of an image's values that are finite: `total` of those that are so in both images.
 struct Sums {
   Colour total{};
+  double all = 0;
+  std::uint64_t count = 0;
   double largest = 0;
   std::uint64_t invalid = 0;
+
+  void add(double value, std::size_t channel, bool is_other_finite) {
+    if (!std::isfinite(value)) {
+      ++invalid;
+      return;
+    }
+    if (is_other_finite) total[channel] += value;
+    all += value;
+    ++count;
+    largest = std::max(largest, value);
+  }
 };
 
-Sums sums_of(const Image& image) {
-  Sums sums;
+// Of the image and the reference.
+std::pair<Sums, Sums> sums_of(const Image& image, const Image& reference) {
+  std::pair<Sums, Sums> sums;
   const ColourChannels channels = colour_channels(image);
+  const ColourChannels reference_channels = colour_channels(reference);
   for (std::size_t i = 0; i < image.pixel_count(); ++i) {
-    const Colour colour = colour_at(image, channels, i);
+    const Colour x = colour_at(image, channels, i);
+    const Colour r = colour_at(reference, reference_channels, i);
     for (std::size_t c = 0; c < 3; ++c) {
-      if (!std::isfinite(colour[c])) {
-        ++sums.invalid;
-        continue;
-      }
-      sums.total[c] += colour[c];
-      sums.largest = std::max(sums.largest, colour[c]);
+      sums.first.add(x[c], c, std::isfinite(r[c]));
+      sums.second.add(r[c], c, std::isfinite(x[c]));
     }
   }
   return sums;
 }
 
-double epsilon_of(const Sums& reference, std::size_t pixels) {
-  const double sum = reference.total[0] + reference.total[1] + reference.total[2];
-  const double mean = sum / (3 * static_cast<double>(pixels));
-  return relmse_epsilon(mean);
+double epsilon_of(const Sums& reference) {
+  return relmse_epsilon(reference.count > 0 ? reference.all / static_cast<double>(reference.count)
+                                            : 0.0);
 }
 
 struct PixelError {
@@ -163,10 +176,8 @@ void add_errors(ImageComparison& result, const std::vector<PixelError>& errors,
 
 Result<ImageComparison> compare_images(const Image& image, const Image& reference) {
   if (Diagnostics found = check_comparable(image, reference); found.has_errors()) return found;
-  const Sums image_sums = sums_of(image);
-  const Sums reference_sums = sums_of(reference);
-  const std::vector<PixelError> errors =
-      errors_of(image, reference, epsilon_of(reference_sums, image.pixel_count()));
+  const auto [image_sums, reference_sums] = sums_of(image, reference);
+  const std::vector<PixelError> errors = errors_of(image, reference, epsilon_of(reference_sums));
   ImageComparison result;
   result.width = image.width;
   result.height = image.height;
@@ -183,7 +194,7 @@ Result<ImageComparison> compare_images(const Image& image, const Image& referenc
 Result<Image> error_heatmap(const Image& image, const Image& reference) {
   if (Diagnostics found = check_comparable(image, reference); found.has_errors()) return found;
   const std::vector<PixelError> errors =
-      errors_of(image, reference, epsilon_of(sums_of(reference), image.pixel_count()));
+      errors_of(image, reference, epsilon_of(sums_of(image, reference).second));
   constexpr std::array<float, 3> invalid{1, 0, 0};
   constexpr double lowest = -6, highest = 2;
   const FloatingPointTraps traps(Traps::Off);  // no error has the logarithm -infinity

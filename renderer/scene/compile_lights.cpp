@@ -186,7 +186,7 @@ void add_environment(const SceneDescription& description, const CompileOptions& 
 
 // lab3's ambient term, else what constant environments shed where nothing is in their way.
 Rgb ambient_of(const SceneDescription& description) {
-  if (description.lab_ambient != Vec3d(0.0)) return Rgb(description.lab_ambient);
+  if (description.lab_ambient) return Rgb(*description.lab_ambient);
   return Rgb(sum_of_constants(description));
 }
 

@@ -113,16 +113,17 @@ void read_ambient(Reader& reader, const Fields& root) {
   const auto given = root.vector("AmbientIntensity", not_negative);
   reader.has_ambient = root.has("AmbientIntensity");
   note_default_ambient(reader);
-  const Vec3d otherwise(reader.is_extended ? 0.0 : 0.1);
-  const Vec3d ambient = reader.options.ambient.value_or(given.value_or(otherwise));
-  reader.scene.lab_ambient = ambient;
+  std::optional<Vec3d>& ambient = reader.scene.lab_ambient;
+  if (!reader.is_extended) ambient = Vec3d(0.1);
+  if (given) ambient = given;
+  if (reader.options.ambient) ambient = reader.options.ambient;
   if (reader.has_environment) {
     if (reader.options.ambient)
-      reader.note("--ambient counts for whitted only: the scene has an environment");
+      reader.note("--ambient counts for whitted and raster only: the scene has an environment");
     return;
   }
-  if (ambient != Vec3d(0.0))
-    reader.scene.lights.push_back({{}, ConstantEnvironment{ambient, false}});
+  if (ambient && *ambient != Vec3d(0.0))
+    reader.scene.lights.push_back({{}, ConstantEnvironment{*ambient, false}});
 }
 
 }  // namespace candela::lab3

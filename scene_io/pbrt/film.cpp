@@ -240,8 +240,7 @@ void read_own_wishes(Arguments& integrator, Context& context) {
   if (integrator.flag("unlimited", false)) defaults.max_depth.reset();
   defaults.integrator = integrator.string("integrator").value_or("path");
   if (const Parameter* ambient = integrator.find("ambient", {ParameterType::Rgb}))
-    context.scene.lab_ambient =
-        factor_colour(*ambient, context.scene, context.report).value_or(Vec3d(0.0));
+    context.scene.lab_ambient = factor_colour(*ambient, context.scene, context.report);
 }
 
 // candela has its own way to transport light for all of pbrt's.

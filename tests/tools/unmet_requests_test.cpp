@@ -54,6 +54,24 @@ TEST(Unit_UnmetRequests, GuidesThatLearnNothing) {
             Sentences{});
 }
 
+TEST(Unit_UnmetRequests, LayersOfErrorsThatNobodyKnows) {
+  const std::string sentence =
+      "--aov: no error is known without two replicates and a sample of each: variance, interval "
+      "and "
+      "heavy_tail are 0";
+  const auto with = [](std::vector<std::string> words) {
+    words.insert(words.begin(), {cornell_box, "--size", "8x8"});
+    return warnings_of(words);
+  };
+  for (const std::string layer : {"variance", "interval", "heavy_tail"}) {
+    EXPECT_EQ(with({"--spp", "8", "--replicates", "1", "--aov", layer}), Sentences{sentence});
+    EXPECT_EQ(with({"--spp", "1", "--aov", layer}), Sentences{sentence});
+    EXPECT_EQ(with({"--spp", "4", "--integrator", "whitted", "--aov", layer}), Sentences{sentence});
+    EXPECT_EQ(with({"--spp", "8", "--replicates", "2", "--aov", layer}), Sentences{});
+  }
+  EXPECT_EQ(with({"--spp", "8", "--replicates", "1", "--aov", "samples"}), Sentences{});
+}
+
 TEST(Unit_UnmetRequests, WhatPathsInMediaDoNot) {
   const std::string media = assets + "/pbrt_media/pbrt_media.pbrt";
   EXPECT_EQ(warnings_of({media, "--size", "8x8", "--spp", "4", "--splitting", "2"}),

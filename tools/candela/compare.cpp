@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "renderer/image/decode.h"
+#include "renderer/image/image_format.h"
 #include "renderer/image/image_io.h"
 #include "tools/candela/commands.h"
 #include "tools/candela/console.h"
@@ -57,8 +58,11 @@ ExitCode check_heatmap(const CompareArguments& arguments, Console& console) {
   return overwritten.has_errors() ? ExitCode::Output : ExitCode::Done;
 }
 
-// Of parts of pictures, which may be of one size and yet show other things.
+// Of parts of pictures, which may be of one size and yet show other things. Only EXR files remember
+// where they lie.
 void warn_of_places(const CompareArguments& arguments, Console& console) {
+  for (const std::string& path : {arguments.image, arguments.reference})
+    if (format_of_extension(path) != ImageFormat::Exr) return;
   const Result<ImageHeader> image = read_image_header(arguments.image, {});
   const Result<ImageHeader> reference = read_image_header(arguments.reference, {});
   if (!image || !reference) return;

@@ -143,8 +143,7 @@ std::string integrator_text(const WriteContext& context, bool has_media) {
   if (!defaults.max_depth) integrator.add_own("bool unlimited", true);
   if (defaults.integrator && *defaults.integrator != "path")
     integrator.add_own("string integrator", *defaults.integrator);
-  if (context.scene.lab_ambient != Vec3d(0.0))
-    integrator.add_own("rgb ambient", context.scene.lab_ambient);
+  if (context.scene.lab_ambient) integrator.add_own("rgb ambient", *context.scene.lab_ambient);
   return integrator.text();
 }
 

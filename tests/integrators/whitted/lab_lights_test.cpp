@@ -42,6 +42,19 @@ TEST(Unit_LabLights, FarAwayALampIsWhatThePathTracerSees) {
   expect_near(seen_by_whitted(scene), Vec3d(seen(scene, path)), 1e-4);
 }
 
+TEST(Unit_LabLights, OfALampThatIsPartlyThereAPartOfTheLightIs) {
+  for (const description::Mesh& lamp :
+       {quad({-0.5, 0, -0.5}, {1, 0, 0}, {0, 0, 1}), exact_sphere(0.5)}) {
+    SceneDescription scene = floor_seen_from(1, diffuse(Vec3d(0.5)));
+    const auto shining = add_material(scene, diffuse(Vec3d(0.0)), Vec3d(3.0));
+    add_mesh(scene, lamp, shining, at_place({0, 5, 0}));
+    const Vec3d whole(seen_by_whitted(scene));
+    EXPECT_GT(whole.x, 0);
+    scene.materials[shining.index].opacity.factor = 0.25;
+    expect_near(seen_by_whitted(scene), 0.25 * whole);
+  }
+}
+
 TEST(Unit_LabLights, AnAreaLightIsALampToo) {
   SceneDescription scene = floor_seen_from(1, diffuse(Vec3d(0.5)));
   add_light(scene, description::TriangleLight{

@@ -1,5 +1,6 @@
 // lab3's direct lighting (docs/cli.md, "Whitted and raster") against closed forms: lights of each
 // kind, highlights, shadows.
+#include "integrators/whitted/lab_shading.h"
 #include "tests/integrators/whitted/lab_scenes.h"
 
 namespace candela {
@@ -46,7 +47,7 @@ TEST(Unit_WhittedLight, AmbientLightKnowsNoShadow) {
   SceneDescription scene = floor_seen_from(2, diffuse(colour));
   scene.lab_ambient = {0.1, 0.2, 0.3};
   add_sheet(scene, 3, add_material(scene, diffuse(Vec3d(0.5))));
-  expect_near(seen_by_whitted(scene), colour * scene.lab_ambient);
+  expect_near(seen_by_whitted(scene), colour * *scene.lab_ambient);
 }
 
 TEST(Unit_WhittedLight, AConstantEnvironmentIsAmbientLightWhereTheFileHasNone) {
@@ -55,6 +56,8 @@ TEST(Unit_WhittedLight, AConstantEnvironmentIsAmbientLightWhereTheFileHasNone) {
   expect_near(seen_by_whitted(scene), colour * 0.4);
   scene.lab_ambient = Vec3d(0.1);
   expect_near(seen_by_whitted(scene), colour * 0.1);
+  scene.lab_ambient = Vec3d(0.0);  // none was asked for
+  expect_near(seen_by_whitted(scene), Vec3d(0.0));
 }
 
 // The path tracer is given pi times the Intensity and divides by pi.
@@ -83,6 +86,14 @@ TEST(Unit_WhittedLight, HighlightsFollowTheHalfVectorOrTheMirroredDirection) {
     const double cosine = std::cos(model == SpecularModel::Blinn ? angle / 2 : angle);
     const double local = 5 * ks * std::pow(cosine, exponent);
     expect_near(seen(scene, settings), Vec3d((1 - ks / 2) * local), 1e-4);
+  }
+}
+
+// To the power of nothing all is 1, as std::pow has it, also where the highlight would be none.
+TEST(Unit_WhittedLight, HighlightsOfAnExponentOf0AreEverywhere) {
+  for (const SpecularModel model : {SpecularModel::Blinn, SpecularModel::Phong}) {
+    EXPECT_EQ(lab_highlight(model, 0, {0, 1, 0}, {1, 0, 0}, {0.6f, 0.8f, 0}), 1);
+    EXPECT_EQ(lab_highlight(model, 0, {0, 1, 0}, {1, 0, 0}, {-1, 0, 0}), 1);
   }
 }
 

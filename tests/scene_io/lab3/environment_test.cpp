@@ -46,7 +46,7 @@ TEST(Unit_Lab3Environment, FilesOfTheExtensionHaveNoAmbientUnlessTheySaySo) {
        {"Render: {Width: 5}\n", "Render: {}\n", "Render:\n",
         "Materials: [{Name: a, Type: diffuse}]\n", "Materials: [{Name: a, Emission: 0}]\n"}) {
     EXPECT_TRUE(scene_of(text).lights.empty()) << text;
-    EXPECT_EQ(scene_of(text).lab_ambient, Vec3d(0.0)) << text;
+    EXPECT_FALSE(scene_of(text).lab_ambient) << text;
   }
   const SceneDescription scene = scene_of("Render: {}\nAmbientIntensity: [1, 1, 1]\n");
   EXPECT_EQ(only_light<ConstantEnvironment>(scene).radiance, Vec3d(1.0));
@@ -59,7 +59,11 @@ TEST(Unit_Lab3Environment, TheOptionReplacesTheAmbient) {
   EXPECT_EQ(only_light<ConstantEnvironment>(scene).radiance, Vec3d(1, 2, 3));
   EXPECT_EQ(scene.lab_ambient, Vec3d(1, 2, 3));
   options.ambient = Vec3d(0.0);
-  EXPECT_TRUE(scene_of("AmbientIntensity: [.1, .2, .3]\n", options).lights.empty());
+  const SceneDescription none = scene_of("AmbientIntensity: [.1, .2, .3]\n", options);
+  EXPECT_TRUE(none.lights.empty());
+  EXPECT_EQ(none.lab_ambient, Vec3d(0.0));  // given, in place of an environment's
+  EXPECT_EQ(scene_of("Environment: {Radiance: .5}\nAmbientIntensity: [0, 0, 0]\n").lab_ambient,
+            Vec3d(0.0));
 }
 
 TEST(Unit_Lab3Environment, SkyboxesTakeTheAmbientsPlace) {
