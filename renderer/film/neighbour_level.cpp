@@ -127,7 +127,7 @@ class WideSums {
     const Vec3d rare = of_pixel(rare_, i) / counts_[i];
     const Vec3d rare_variance =
         max(of_pixel(rare_squares_, i) / counts_[i] - rare * rare, Vec3d(0.0));
-    return {of_pixel(means_, i) / counts_[i], max(rare, Vec3d(0.0)), rare_variance / counts_[i]};
+    return {of_pixel(means_, i) / counts_[i], rare, rare_variance / counts_[i]};
   }
 
  private:

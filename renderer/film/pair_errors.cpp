@@ -47,7 +47,7 @@ inline PixelLevel level_of(const NeighbourLevel& near, const Vec3d& own, double 
   constexpr double much = 0.3;  // variance over level: at twice that nothing else counts
   const double noise = sum_of_components(variance / (mean * mean + epsilon)) / 3;
   const double blend = std::clamp(noise / much - 1, 0.0, 1.0);
-  return {mix(mean, near.wide_mean, blend) + near.rare,
+  return {max(mix(mean, near.wide_mean, blend) + near.rare, lowest * near.mean),
           variance * (1 - blend) * (1 - blend) + near.rare_noise};
 }
 

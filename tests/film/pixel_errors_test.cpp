@@ -80,5 +80,25 @@ TEST(Statistical_PixelErrors, PixelsUnlikeTheirNeighboursAreHeldAgainstThemselve
   }
 }
 
+// Bright pixels of which some samples are dark: without its brightest replicate a pixel seems
+// brighter than it is, which what is near by says, too.
+TEST(Statistical_PixelErrors, DarkSamplesAmongBrightOnes) {
+  constexpr int size = 48;
+  for (const std::uint32_t replicates : {3u, 4u}) {
+    double stated = 0, is = 0;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+      const Film film = test::synthetic_film(
+          size, static_cast<int>(replicates), replicates, 10 * seed + replicates,
+          [](std::mt19937_64& random, int, int) {
+            return std::uniform_real_distribution<double>(0, 1)(random) < 0.75 ? 1.0 : 0.0;
+          });
+      const PixelErrors errors = *estimate_pixel_errors(film);
+      stated += std::accumulate(errors.errors.begin(), errors.errors.end(), 0.0) / (size * size);
+      is += test::relmse_to([](int, int) { return 0.75; }, film);
+    }
+    EXPECT_NEAR(stated / is, 1, 0.07) << replicates;
+  }
+}
+
 }  // namespace
 }  // namespace candela
