@@ -3,19 +3,25 @@
 #include <algorithm>
 #include <limits>
 
+#include "renderer/base/floating_point_traps.h"
 #include "renderer/base/vector_widths.h"
 
 namespace candela {
 namespace {
 
-// Lanes whose radiance is valid and stays as it is.
-CANDELA_LANES LaneMask lanes_within(float clamp, const Vec3Lanes& radiance) {
+CANDELA_LANES LaneMask find_lanes_within(float clamp, const Vec3Lanes& radiance) {
   const float most = std::min(clamp, std::numeric_limits<float>::max());
   LaneFlags flags;
   for (std::size_t i = 0; i < block_size; ++i)
     flags[i] = flag(radiance.x[i] >= 0) & flag(radiance.x[i] <= most) & flag(radiance.y[i] >= 0) &
                flag(radiance.y[i] <= most) & flag(radiance.z[i] >= 0) & flag(radiance.z[i] <= most);
   return mask_of(flags);
+}
+
+// Lanes whose radiance is valid and stays as it is.
+LaneMask lanes_within(float clamp, const Vec3Lanes& radiance) {
+  const FloatingPointTraps traps(Traps::Off);  // lanes that nothing is in, and what is invalid
+  return find_lanes_within(clamp, radiance);
 }
 
 }  // namespace
