@@ -320,8 +320,8 @@ struct SceneDescription {
   std::vector<Camera> cameras;
   RenderDefaults defaults;
   std::optional<Vec3d> lab_ambient;  // AmbientIntensity, for whitted and raster, where it is given
-  std::vector<std::string> files;  // every file that was read, for scene_hash; images are
-                                   // listed in `images`
+  std::vector<std::string> files;    // every file that was read, for scene_hash; images are
+                                     // listed in `images`
 };
 
 }  // namespace candela::description
