@@ -57,8 +57,7 @@ TEST(Unit_UnmetRequests, GuidesThatLearnNothing) {
 TEST(Unit_UnmetRequests, LayersOfErrorsThatNobodyKnows) {
   const std::string sentence =
       "--aov: no error is known without two replicates and a sample of each: variance, interval "
-      "and "
-      "heavy_tail are 0";
+      "and heavy_tail are 0";
   const auto with = [](std::vector<std::string> words) {
     words.insert(words.begin(), {cornell_box, "--size", "8x8"});
     return warnings_of(words);
