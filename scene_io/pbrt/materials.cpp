@@ -36,14 +36,6 @@ ScalarInput width_of(MaterialReader& reader, const ScalarInput& input, bool rema
 // pbrt takes what is smoother than this for smooth.
 constexpr double smooth = 1e-3;
 
-bool is_interface(const Material& material) {
-  return std::holds_alternative<description::InterfaceMaterial>(material.model);
-}
-
-bool has_holes(const Material& material) {
-  return !is_constant(material.opacity) || material.opacity.factor != 1;
-}
-
 // Of the second part. pbrt-v3's may be a colour.
 ScalarInput mix_amount(Arguments& arguments, Textures& textures, bool is_v3) {
   ScalarInput amount{0.5, {}, 0, {}};
@@ -63,6 +55,14 @@ MaterialUse named_part(Arguments& arguments, std::string_view name) {
 }
 
 }  // namespace
+
+bool is_interface(const Material& material) {
+  return std::holds_alternative<description::InterfaceMaterial>(material.model);
+}
+
+bool has_holes(const Material& material) {
+  return !is_constant(material.opacity) || material.opacity.factor != 1;
+}
 
 ColourInput MaterialReader::reflectance(std::string_view name, double otherwise) {
   ColourInput input =

@@ -19,6 +19,10 @@ struct MixParts {
   bool is_bumped = false;
 };
 
+// What rays meet nothing at, and what some of them pass through.
+[[nodiscard]] bool is_interface(const description::Material& material);
+[[nodiscard]] bool has_holes(const description::Material& material);
+
 class Materials {
  public:
   Materials(Context& context, Textures& textures) : context_(context), textures_(textures) {}

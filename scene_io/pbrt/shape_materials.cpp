@@ -52,21 +52,16 @@ bool ShapeMaterials::has_alpha(const Key& key) {
          key.opacity_texture != Key{}.opacity_texture;
 }
 
-bool ShapeMaterials::is_interface(const Key& key) {
-  return std::holds_alternative<description::InterfaceMaterial>(key.base->model);
-}
-
 bool ShapeMaterials::is_absent(const Key& key) {
-  return is_interface(key) && key.opacity == 0;
+  return is_interface(*key.base) && key.opacity == 0;
 }
 
 void ShapeMaterials::warn_of_holes(const Key& key, const Place& place) {
-  if (is_interface(key) && has_alpha(key))
+  if (is_interface(*key.base) && has_alpha(key))
     context_.warn_once("hole in an interface", place,
                        "the alpha of an interface between media is ignored");
-  const description::ScalarInput& opacity = key.base->opacity;
   const bool is_lab = std::holds_alternative<description::LabMaterial>(key.base->model);
-  if (!is_lab && !is_interface(key) && (opacity.map || opacity.texture || opacity.factor != 1))
+  if (!is_lab && !is_interface(*key.base) && has_holes(*key.base))
     context_.warn_once("interface mixed in", place,
                        "an interface in a mixture between media lets rays through, but they stay "
                        "in their medium, which pbrt's leave");

@@ -43,7 +43,6 @@ class ShapeMaterials {
   // lab3's material knows of its holes itself.
   void read_alpha(ShapeStatement& shape, Key& key);
   [[nodiscard]] static bool has_alpha(const Key& key);
-  [[nodiscard]] static bool is_interface(const Key& key);
   // Whether it is to rays as if it were not there.
   [[nodiscard]] static bool is_absent(const Key& key);
   // Of holes between media, past which rays stay in the medium that they are in.
