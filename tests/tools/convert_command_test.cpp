@@ -145,17 +145,23 @@ TEST(Errors_Convert, EndWithTheirCodesAndWriteNothing) {
   EXPECT_EQ(file_names(folder), std::vector<std::string>{"a_files"});
 }
 
-// As candela draws it.
+// As candela draws it. The header is whole, so that only decoding finds it.
 TEST(Unit_Convert, AnImageThatBreaksOffIsMagenta) {
   const std::string folder = fresh_folder("convert_broken");
   fs::copy(fs::path(asset("cutouts")).parent_path(), folder, fs::copy_options::recursive);
-  const std::string image = file_text(folder + "/wire.png");  // whose alpha is apart for pbrt
-  write_text(folder + "/wire.png", image.substr(0, image.size() / 2));
   const std::string scene = folder + "/cutouts.yaml";
+  const std::string picture = folder + "/tiles.jpg";  // which becomes a PNG for pbrt
+  ASSERT_EQ(
+      run_candela({"render", scene, "-o", picture, "--size", "64x64", "--spp", "1"}).exit_code, 0);
+  const std::string image = file_text(picture);
+  write_text(picture, image.substr(0, image.size() / 2));
+  std::string text = file_text(scene);
+  text.replace(text.find("tiles.png"), 9, "tiles.jpg");
+  write_text(scene, text);
   const std::string converted = folder + "/a.pbrt";
   const auto expect_told = [&](const ProgramResult& result, int code) {
     EXPECT_EQ(result.exit_code, code) << result.error;
-    EXPECT_NE(result.error.find("wire.png"), std::string::npos) << result.error;
+    EXPECT_NE(result.error.find("tiles.jpg"), std::string::npos) << result.error;
     EXPECT_NE(result.error.find("; it is magenta"), std::string::npos) << result.error;
   };
   expect_told(run_candela({"convert", scene, converted, "--strict"}), 3);
