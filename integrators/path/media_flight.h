@@ -8,6 +8,10 @@
 
 namespace candela {
 
+// In the scene's unit, far more than rays keep off surfaces: a flight that ends within the first
+// half of a longer way has no need to know where exactly its medium ends.
+inline constexpr float near_surface = 1e-3f;
+
 struct MediaFlight {
   Hit hit;             // of the surface, where there is no collision
   float distance = 0;  // to it, from where the ray was sampled
@@ -30,7 +34,10 @@ template <class A>
     const float t = flight.hit.is_hit() ? flight.hit.t : infinity;
     if (medium) {
       const Medium& around = scene.media[medium.index];
-      const float way = fly_through(around, t, free);
+      float end = t;
+      if (flight.hit.is_hit() && (t < near_surface || may_pass(around, t / 2, free)))
+        end = end_in_medium(t, met_point(scene, flight.hit, -ray.direction), ray.direction);
+      const float way = fly_through(around, end, free);
       if (way < infinity) {
         flight.collides = true;
         flight.place = ray.origin + ray.direction * way;

@@ -24,16 +24,28 @@ struct Crossing {
   MediumHandle beyond;
 };
 
+[[nodiscard]] inline SurfacePoint met_point(const Scene& scene, const Hit& hit, const Vec3f& wo) {
+  return make_surface_point(scene.geometries[hit.geometry], instance_of(scene, hit), hit, wo,
+                            false);
+}
+
 // Where a ray crosses a surface that only bounds media. `wo`: unit, back along the ray.
 [[nodiscard]] inline Crossing cross_boundary(const Scene& scene, const Hit& hit, const Vec3f& wo,
                                              MediumHandle current) {
-  const Geometry& geometry = scene.geometries[hit.geometry];
-  const Instance* instance = instance_of(scene, hit);
   Crossing crossing;
-  crossing.point = make_surface_point(geometry, instance, hit, wo, false);
-  const MediumBoundary& boundary = scene.medium_boundaries[geometry.material.index];
+  crossing.point = met_point(scene, hit, wo);
+  const MaterialHandle material = scene.geometries[hit.geometry].material;
+  const MediumBoundary& boundary = scene.medium_boundaries[material.index];
   crossing.beyond = media_beside(boundary, crossing.point.is_front, current).far;
   return crossing;
+}
+
+// Where a ray that meets a surface at `t` leaves the medium before it: as far from the surface as
+// rays start that come in (offset_origin()). Media begin and end there, so that light pays on its
+// way out for no more than where it may have collided on its way in: dense ones would be dark else.
+[[nodiscard]] inline float end_in_medium(float t, const SurfacePoint& met, const Vec3f& direction) {
+  const float steepness = std::abs(dot(met.geometric_normal, direction));
+  return steepness > 0 ? std::max(t - met.offset / steepness, 0.0f) : 0;
 }
 
 // Optical depth of a part of a ray; `end` in units of its direction's length, infinity beyond all.
@@ -59,8 +71,9 @@ template <class A>
       return transmittance_of(depth);
     }
     if (!is_clear_boundary(scene, hit)) return Rgb(0);
-    depth += optical_depth_along(scene, medium, ray, hit.t);
     Crossing crossing = cross_boundary(scene, hit, wo, medium);
+    const float end = end_in_medium(hit.t, crossing.point, ray.direction);
+    depth += optical_depth_along(scene, medium, ray, end);
     medium = crossing.beyond;
     ray = shadow_ray_behind(ray, crossing.point);
     if (ray.t_max == 0) return transmittance_of(depth);

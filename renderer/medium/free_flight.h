@@ -9,6 +9,7 @@
 
 #include <cstdint>
 
+#include "renderer/math/constants.h"
 #include "renderer/medium/medium.h"
 
 namespace candela {
@@ -37,6 +38,11 @@ struct FreeFlight {
   const double stretched = share > 0 ? std::min((u - low) / share, 1 - 0x1p-33) : 0.5;
   flight.left = static_cast<float>(-binary_logarithm(1 - stretched) * 0.693147180559945309417);
   return flight;
+}
+
+// Whether the flight does not end within `distance` of a medium that scatters.
+[[nodiscard]] inline bool may_pass(const Medium& medium, float distance, const FreeFlight& flight) {
+  return medium.scatters() && flight.left >= medium.extinction[flight.channel] * distance;
 }
 
 // Through `distance` of a medium: how far in it the flight ends, or infinity where it passes.

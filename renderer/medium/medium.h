@@ -2,7 +2,6 @@
 #pragma once
 
 #include "renderer/base/handle.h"
-#include "renderer/math/constants.h"
 #include "renderer/math/transcendental.h"
 #include "renderer/math/vec.h"
 
