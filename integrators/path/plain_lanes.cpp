@@ -125,7 +125,7 @@ CANDELA_LANES LaneMask sample_spheres(LaneMask spheres, PlainLanes& lanes) {
     SurfacePoint point = point_of(lanes.met, i);
     Light light = lamp_of(lamps, i);
     const bool is_sphere = (spheres >> i & 1) != 0;
-    Vec3d to_centre = Vec3d(light.position) - Vec3d(point.position);
+    const Vec3d to_centre = to_centre_of(light, point);
     const double distance2 = length_squared(to_centre);
     left[i] = flag(is_sphere) & flag(is_within(light, distance2));
     ConeSample cone =

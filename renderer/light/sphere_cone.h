@@ -13,6 +13,14 @@ namespace candela {
   return static_cast<double>(sphere.edge1.x);
 }
 
+// To its centre from where rays towards it start, as those that meet it see it
+// (sphere_light_pdf()): close to the sphere both are within or none is.
+[[nodiscard]] inline Vec3d to_centre_of(const Light& sphere, const SurfacePoint& from) {
+  return Vec3d(sphere.position) -
+         Vec3d(offset_origin(from.position, from.geometric_normal, from.offset,
+                             sphere.position - from.position));
+}
+
 // Whether a point so far from the sphere's centre lies within it or, to the rounding of positions,
 // on it: such points see nothing of its outside.
 [[nodiscard]] inline bool is_within(const Light& sphere, double distance2) {

@@ -61,7 +61,7 @@ float sphere_light_pdf(const Light& light, Vec3f direction, Vec3f wi, float dist
 
 LightSample sample_sphere_light(const Light& light, const std::vector<Geometry>& geometries,
                                 const TextureStore& textures, const SurfacePoint& from, Vec2f u) {
-  const Vec3d to_centre = Vec3d(light.position) - Vec3d(from.position);
+  const Vec3d to_centre = to_centre_of(light, from);
   const double distance2 = length_squared(to_centre);
   if (is_within(light, distance2)) return sample_from_within(light, geometries, textures, from, u);
   const ConeSample cone = sample_sphere_cone(radius_of(light), to_centre, distance2, u);

@@ -186,5 +186,36 @@ TEST(Unit_SphereLight, PointsOnItSeeNothingOfItsOutside) {
   EXPECT_LT(lit, 10);
 }
 
+// Rays that may meet it start a little nearer to it than the surface that they leave lies.
+TEST(Unit_SphereLight, SamplesSeeItFromWhereRaysStart) {
+  const Sphere sphere;
+  const Light light = make_sphere_light(sphere, Rgb(1), true);
+  const std::vector<Geometry> no_geometries;
+  const TextureStore no_textures;
+  SurfacePoint from;
+  from.geometric_normal = {0, 1, 0};
+  from.offset = 1e-6f;
+  int compared = 0;
+  for (float gap = 5e-7f; gap < 1e-5f; gap *= 1.03f) {
+    from.position = {0, -1 - gap, 0};
+    for (std::uint64_t i = 0; i < 20; ++i) {
+      const LightSample s = sample_light({nullptr, &no_textures, &no_geometries}, light, from,
+                                         light_test::random_pair(i, 11));
+      if (!s.is_valid()) continue;
+      const Vec3f origin = offset_origin(from.position, from.geometric_normal, from.offset, s.wi);
+      const SphereHit hit = intersect_sphere(sphere, {origin, s.wi, infinity}, infinity,
+                                             [](float, float) { return true; });
+      const auto meets = [](float, float) { return true; };
+      if (!hit.is_hit() ||
+          intersect_sphere(sphere, s.shadow_ray, s.shadow_ray.t_max, meets).is_hit())
+        continue;
+      const float met = sphere_light_pdf(light, from_octahedron({hit.u, hit.v}), s.wi, hit.t);
+      ++compared;
+      ASSERT_NEAR(met / s.pdf, 1, 0.1f) << gap;
+    }
+  }
+  EXPECT_GT(compared, 100);
+}
+
 }  // namespace
 }  // namespace candela
