@@ -1,7 +1,5 @@
 #include "renderer/light/build_environment.h"
 
-#include <atomic>
-
 #include <fmt/format.h>
 
 #include "renderer/base/parallel.h"
@@ -34,7 +32,9 @@ Face face_of(TextureHandle texture, const TextureStore& textures) {
 Face add_face(description::Image image, description::Wrap wrap, TextureStore& textures,
               Diagnostics& diagnostics) {
   image.wrap = wrap;
-  Face face = face_of(textures.add(image, diagnostics), textures);
+  const TextureHandle texture = textures.add(image, diagnostics);
+  textures.count_as_light(texture);
+  Face face = face_of(texture, textures);
   face.columns_wrap = wrap == description::Wrap::Repeat;
   return face;
 }
@@ -55,23 +55,12 @@ GridSize grid_size(const Face& face, const TextureStore& textures, std::size_t m
   return {shrunk(face.width), shrunk(face.height)};
 }
 
-void warn_of_invalid(const TextureStore& textures, const Face& face, const SourceSpan& span,
-                     std::uint64_t count, Diagnostics& diagnostics) {
-  if (count == 0) return;
-  diagnostics.warning(
-      span, fmt::format("'{}' has {} texels that are negative, infinite or not a number; they "
-                        "count as 0 in the environment",
-                        textures.path(face.texture), count));
-}
-
 // Sets the face's rows of the cells, `size.rows` from `first_row` on, to luminance times
 // `solid_angle(column, row)`; they sum to the mean luminance times 4 pi. Decodes the texture.
-// Returns the number of invalid texels.
 template <class SolidAngle>
-std::uint64_t set_rows(const TextureStore& textures, const Face& face, GridSize size,
-                       std::uint32_t first_row, SolidAngle&& solid_angle, CellWeights& cells) {
+void set_rows(const TextureStore& textures, const Face& face, GridSize size,
+              std::uint32_t first_row, SolidAngle&& solid_angle, CellWeights& cells) {
   constexpr std::uint32_t block_rows = 32;
-  std::atomic<std::uint64_t> invalid_count = 0;
   parallel_for((size.rows + block_rows - 1) / block_rows, [&](std::size_t block) {
     const auto begin = static_cast<std::uint32_t>(block) * block_rows;
     const RowRange own{begin, std::min(begin + block_rows, size.rows)};
@@ -83,14 +72,7 @@ std::uint64_t set_rows(const TextureStore& textures, const Face& face, GridSize 
         cells.at(column, first_row + row) =
             cell_mean(map, texels, column, size.columns) * solid_angle(column, row);
     }
-    // A row that two blocks touch is counted by the second.
-    const std::uint32_t owned_end =
-        own.end == size.rows ? face.height
-                             : touched_rows({own.end, own.end + 1}, size.rows, face.height).begin;
-    for (std::uint32_t y = map.rows.begin; y < owned_end; ++y)
-      invalid_count += map.invalid_counts[y - map.rows.begin];
   });
-  return invalid_count;
 }
 
 // Of the cell's centre, near enough to the mean over the cell: (s, t) in [-1, 1]^2 on the face at
@@ -166,10 +148,9 @@ void set_distribution(Environment& environment, CellWeights cells, std::uint32_t
       distribution_of(sky_cells(patches_of(mapping, cells.size), merged, luminance_at)));
 }
 
-// Sets what follows from the one image of an environment that has its mapping and scale. Returns
-// the number of invalid texels.
-std::uint64_t set_map(Environment& environment, const Face& face, const TextureStore& textures,
-                      std::size_t max_cells) {
+// Sets what follows from the one image of an environment that has its mapping and scale.
+void set_map(Environment& environment, const Face& face, const TextureStore& textures,
+             std::size_t max_cells) {
   environment.faces[0] = face.texture;
   environment.half_texel[0] = face.half_texel();
   const GridSize size = grid_size(face, textures, max_cells);
@@ -177,9 +158,8 @@ std::uint64_t set_map(Environment& environment, const Face& face, const TextureS
     return cell_solid_angle(environment.mapping, column, row, size);
   };
   CellWeights cells(size);
-  const std::uint64_t invalid = set_rows(textures, face, size, 0, solid_angle, cells);
+  set_rows(textures, face, size, 0, solid_angle, cells);
   set_distribution(environment, std::move(cells), 1);
-  return invalid;
 }
 
 // Of one image.
@@ -196,8 +176,7 @@ Environment build_map(const Map& map, EnvironmentMapping mapping, description::W
   const Face face = add_face(image, wrap, textures, diagnostics);
   if (mapping == EnvironmentMapping::EqualArea)
     warn_unless_square(textures, face.texture, image.span, diagnostics);
-  const std::uint64_t invalid = set_map(environment, face, textures, max_cells);
-  warn_of_invalid(textures, face, image.span, invalid, diagnostics);
+  set_map(environment, face, textures, max_cells);
   return environment;
 }
 
@@ -241,11 +220,8 @@ Environment build_environment(const description::CubeEnvironment& cube,
     return cube_cell_solid_angle(column, row, size);
   };
   CellWeights cells({size.columns, size.rows * 6});
-  for (std::uint32_t i = 0; i < 6; ++i) {
-    const std::uint64_t invalid =
-        set_rows(textures, faces[i], size, i * size.rows, solid_angle, cells);
-    warn_of_invalid(textures, faces[i], images[cube.faces[i].index].span, invalid, diagnostics);
-  }
+  for (std::uint32_t i = 0; i < 6; ++i)
+    set_rows(textures, faces[i], size, i * size.rows, solid_angle, cells);
   set_distribution(environment, std::move(cells), 6);
   return environment;
 }

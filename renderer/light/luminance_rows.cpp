@@ -8,10 +8,6 @@
 namespace candela {
 namespace {
 
-bool is_valid(const Rgb& texel) {
-  return is_finite(texel) && min_component(texel) >= 0;
-}
-
 std::uint32_t first_touched(std::uint64_t cell, std::uint64_t cells, std::uint64_t texels) {
   return static_cast<std::uint32_t>(cell * texels / cells);
 }
@@ -25,13 +21,9 @@ LuminanceRows decode(const TextureStore& textures, TextureHandle texture, RowRan
   map.rows = rows;
   map.values.resize(std::size_t{rows.count()} * map.width);
   float* value = map.values.data();
-  for (std::uint32_t y = rows.begin; y < rows.end; ++y) {
-    std::uint32_t& invalid = map.invalid_counts.emplace_back(0);
-    for (const Vec4f& texel : textures.texels(texture, static_cast<int>(y))) {
-      invalid += is_valid(Rgb(texel)) ? 0 : 1;
+  for (std::uint32_t y = rows.begin; y < rows.end; ++y)
+    for (const Vec4f& texel : textures.texels(texture, static_cast<int>(y)))
       *value++ = luminance(valid_radiance(texel));
-    }
-  }
   return map;
 }
 
@@ -43,11 +35,10 @@ LuminanceRows filtered_luminance(const TextureStore& textures, TextureHandle tex
   const auto height = static_cast<std::uint32_t>(textures.info(texture).height);
   const RowRange needed{rows.begin > 0 ? rows.begin - 1 : 0, std::min(rows.end + 1, height)};
   const LuminanceRows map = decode(textures, texture, needed);
-  LuminanceRows result{map.width, rows, {}, {}};
+  LuminanceRows result{map.width, rows, {}};
   result.values.resize(std::size_t{rows.count()} * map.width);
   std::vector<float> means(map.width + 2);  // of the columns, and beyond both ends
   for (std::uint32_t y = rows.begin; y < rows.end; ++y) {
-    result.invalid_counts.push_back(map.invalid_counts[y - needed.begin]);
     const float* const here = map.row(y);
     const float* const above = map.row(std::max(y, needed.begin + 1) - 1);
     const float* const below = map.row(std::min(y + 1, needed.end - 1));

@@ -20,8 +20,6 @@ struct LuminanceRows {
   std::uint32_t width = 0;
   RowRange rows;
   std::vector<float> values;
-  // By row: texels that are not finite or below 0 in a channel; they count as 0.
-  std::vector<std::uint32_t> invalid_counts;
 
   [[nodiscard]] float at(std::uint32_t x, std::uint32_t y) const { return row(y)[x]; }
   [[nodiscard]] const float* row(std::uint32_t y) const {

@@ -1,6 +1,7 @@
 #include "renderer/scene/compile_lights.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -74,8 +75,11 @@ Vec3f to_normalised(const Normalisation& n, const Vec3d& p) {
 }
 
 // Radiant intensity has a squared length in it: irradiance at the same place must stay the same.
+// Infinite where floats do not hold it.
 Rgb scaled_intensity(const Normalisation& n, const Vec3d& intensity) {
-  return Rgb(intensity * (n.scale * n.scale));
+  constexpr double largest = std::numeric_limits<float>::max();
+  const Vec3d scaled = intensity * (n.scale * n.scale);
+  return max_component(scaled) <= largest ? Rgb(scaled) : Rgb(infinity);
 }
 
 // The delta light of a kind; nothing for surfaces and environments, which are compiled apart.
@@ -118,7 +122,9 @@ struct DeltaLightCompiler {
     if (!handle) return {};
     description::Image image = description.images[handle.index];
     image.wrap = description::Wrap::Clamp;
-    return textures.add(image, diagnostics);
+    const TextureHandle map = textures.add(image, diagnostics);
+    textures.count_as_light(map);
+    return map;
   }
 };
 
@@ -128,6 +134,10 @@ void add_delta_lights(const SceneDescription& description, Scene& scene, DropCou
   for (const description::Light& light : description.lights) {
     const auto compiled = std::visit(compile, light.kind);
     if (!compiled) continue;
+    if (!is_finite(compiled->emission))
+      diagnostics.error(light.span,
+                        "the intensity of a light is more than numbers hold in the unit "
+                        "of the scene");
     if (description::is_black(light) || is_black(compiled->emission))  // in single precision
       ++dropped["black lights"];
     else

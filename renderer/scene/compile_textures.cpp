@@ -108,6 +108,12 @@ TextureHandle TextureCompiler::image(description::ImageHandle image) {
   return image ? store_.add(scene_.images[image.index], diagnostics_) : TextureHandle{};
 }
 
+TextureHandle TextureCompiler::light_image(description::ImageHandle image) {
+  const TextureHandle texture = this->image(image);
+  if (texture) store_.count_as_light(texture);
+  return texture;
+}
+
 TextureCompiler::Scalar TextureCompiler::scalar(description::ImageHandle handle) {
   const TextureHandle texture = image(handle);
   switch (store_.scalar_kind(texture)) {

@@ -27,6 +27,7 @@ class TextureCompiler {
   [[nodiscard]] TextureStore& store() const { return store_; }
   // Invalid for an invalid handle.
   [[nodiscard]] TextureHandle image(description::ImageHandle image);
+  [[nodiscard]] TextureHandle light_image(description::ImageHandle image);
   // An image as one number (description::alpha_or_mean): this channel of that texture.
   struct Scalar {
     TextureHandle texture;

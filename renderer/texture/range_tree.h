@@ -7,7 +7,6 @@
 
 #include <array>
 #include <functional>
-#include <span>
 #include <vector>
 
 #include "renderer/math/vec.h"

@@ -1,9 +1,9 @@
 #include "renderer/texture/texels.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -33,6 +33,24 @@ int useful_channels(const ImageHeader& header) {
 float finite_value(float value) {
   if (std::isnan(value)) return 0;
   return std::copysign(largest_half, value);
+}
+
+template <class Sample>
+std::size_t remove_negative_samples(TexelArray& texels) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < texels.bytes() / sizeof(Sample); ++i) {
+    std::byte* const place = texels.samples.get() + i * sizeof(Sample);
+    bool is_negative = false;
+    if constexpr (std::is_same_v<Sample, float>)
+      is_negative = sample_at<float>(place, 0) < 0;
+    else
+      is_negative = sample_at<std::uint16_t>(place, 0) > 0x8000u;  // but for -0
+    if (!is_negative) continue;
+    constexpr Sample zero{};
+    std::memcpy(place, &zero, sizeof(zero));
+    ++count;
+  }
+  return count;
 }
 
 // Replaces what is not finite and returns how many there were.
@@ -156,6 +174,23 @@ void TextureFile::decode_file() {
     diagnostics_.warning(span_, fmt::format("texture '{}' holds {} values that are not finite; NaN "
                                             "counts as 0, infinity as {}",
                                             path_, count, largest_half));
+  if (is_light_) remove_negative();
+}
+
+void TextureFile::count_as_light() {
+  if (is_light_) return;
+  is_light_ = true;
+  if (is_decoded()) remove_negative();
+}
+
+void TextureFile::remove_negative() {
+  std::size_t count = 0;
+  if (texels_.type == SampleType::Half) count = remove_negative_samples<std::uint16_t>(texels_);
+  if (texels_.type == SampleType::Float) count = remove_negative_samples<float>(texels_);
+  if (count > 0)
+    diagnostics_.warning(span_, fmt::format("texture '{}' holds {} values below 0, which are no "
+                                            "light: they count as 0",
+                                            path_, count));
 }
 
 void TextureFile::become_magenta() {

@@ -54,6 +54,8 @@ class TextureFile {
   [[nodiscard]] int channels() const { return channels_; }
   [[nodiscard]] std::size_t bytes() const;
 
+  // Values below 0 count as 0, and are told of with what else is wrong. Before others look at them.
+  void count_as_light();
   // Decodes at the first call; any number of threads may call at once.
   const TexelArray& texels();
   [[nodiscard]] bool is_decoded() const { return is_decoded_.load(std::memory_order_acquire); }
@@ -68,6 +70,7 @@ class TextureFile {
   void decode();
   void decode_file();
   void become_magenta();
+  void remove_negative();
 
   std::string path_;
   SourceSpan span_;
@@ -76,6 +79,7 @@ class TextureFile {
   int height_ = 1;
   int channels_ = 4;
   SampleType type_ = SampleType::U8;
+  bool is_light_ = false;
 
   std::once_flag decode_once_;
   std::atomic<bool> is_decoded_{false};

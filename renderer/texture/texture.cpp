@@ -1,9 +1,7 @@
 #include "renderer/texture/texture.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -121,6 +119,10 @@ class Texture {
                        });
   }
 
+  void count_as_light() {
+    if (file_ != nullptr) file_->count_as_light();
+  }
+
  private:
   // Of what is no image of several texels.
   [[nodiscard]] Vec4f special(const TextureStore& store, Vec2f uv, const TexturePoint* at) const {
@@ -189,6 +191,10 @@ TextureHandle TextureStore::add(const description::Image& image, Diagnostics& di
                                                           TextureHandle(textures_.size()));
   if (is_new) textures_.push_back(std::make_unique<Texture>(*file, image.encoding, image.wrap));
   return at->second;
+}
+
+void TextureStore::count_as_light(TextureHandle image) {
+  textures_[image.index]->count_as_light();
 }
 
 TextureHandle TextureStore::add(const std::string& name, TexelArray texels, Wrap wrap) {

@@ -53,6 +53,9 @@ class TextureStore {
   // give equal handles, and equal paths share their pixels.
   TextureHandle add(const description::Image& image, Diagnostics& diagnostics);
 
+  // Of an image's values those below 0 are no light: they count as 0. Before anything is looked up.
+  void count_as_light(TextureHandle image);
+
   // An image that was calculated: linear, already decoded, under a name for messages, no path.
   TextureHandle add(const std::string& name, TexelArray texels, Wrap wrap);
 
@@ -63,8 +66,8 @@ class TextureStore {
   // repeat their value in r, g, b; files without alpha have alpha 1. Values above 1 pass (HDR), and
   // so do negative ones of float files with Encoding::Linear. Colour is not premultiplied by alpha
   // but as the file stores it. Wrap::Black has alpha 0 outside where the file has alpha.
-  // Of stored values NaN counts as 0 and infinity as the largest half; decoding_diagnostics() says
-  // how many there were.
+  // Of stored values NaN counts as 0 and infinity as the largest half, of light (count_as_light())
+  // what is below 0 as 0; decoding_diagnostics() says how many there were.
   [[nodiscard]] Vec4f lookup(TextureHandle texture, Vec2f uv) const;
   // lookup() and lookup_at() but for an image's power of LabGamma, for callers that take that of
   // many at once.

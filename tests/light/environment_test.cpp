@@ -268,6 +268,23 @@ TEST(Unit_Environment, BrokenPixelsAreMagenta) {
   EXPECT_EQ(map.radiance({0, 0, 1}), Rgb(1, 0, 1));
 }
 
+// Nor do they darken what lies between them and their neighbours.
+TEST(Unit_Environment, ValuesBelowZeroAreNoLight) {
+  const auto sky_with = [](const char* name, float value) {
+    return lat_long(write_float_map(
+        name, 16, 8, [&](int x, int y) { return Vec3f(x == 5 && y == 3 ? value : 1.0f); }));
+  };
+  const MapEnvironment negative = sky_with("negative", -100);
+  const MapEnvironment black = sky_with("black", 0);
+  EXPECT_EQ(negative.textures.decoding_diagnostics().warning_count(), 1u);
+  EXPECT_EQ(black.textures.decoding_diagnostics().warning_count(), 0u);
+  EXPECT_EQ(negative.environment.mean_luminance, black.environment.mean_luminance);
+  for (std::uint64_t i = 0; i < 10'000; ++i) {
+    const Vec3f d = light_test::random_direction(i, 7);
+    ASSERT_EQ(negative.radiance(d), black.radiance(d));
+  }
+}
+
 TEST(Unit_Environment, CountsTexelsThatAreNotRadiance) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const description::Image image = write_float_map("invalid", 16, 8, [&](int x, int y) {
