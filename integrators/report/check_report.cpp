@@ -62,8 +62,7 @@ bool has_alpha(const Image& image) {
 
 // Of lab3's materials the alpha is the diffuse map's where there is one, else `d`.
 bool has_holes(const Material& material, const SceneDescription& scene) {
-  if (material.opacity.map || material.opacity.texture || material.opacity.factor != 1.0)
-    return true;
+  if (!material.opacity.is_constant() || material.opacity.factor != 1.0) return true;
   const auto* lab = std::get_if<LabMaterial>(&material.model);
   if (lab == nullptr) return false;
   if (lab->diffuse.map) return has_alpha(scene.images[lab->diffuse.map.index]);

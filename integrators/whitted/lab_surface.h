@@ -38,11 +38,6 @@ struct LabSurface {
   return is_glass(part) ? opacity * normal_reflectance(part.eta.x) : opacity;
 }
 
-[[nodiscard]] inline Rgb conductor_reflectance(const Rgb& eta, const Rgb& k) {
-  const Rgb k2 = k * k;
-  return ((eta - 1.0f) * (eta - 1.0f) + k2) / ((eta + 1.0f) * (eta + 1.0f) + k2);
-}
-
 // lab3's own material, as it stands: mirrors get half of the highlight's colour.
 [[nodiscard]] inline LabSurface lab_material_at(const Material& material,
                                                 const TextureStore& textures,
@@ -92,7 +87,7 @@ struct LabSurface {
     case BsdfModel::Mirror:
       return smooth_surface(bsdf.diffuse);
     case BsdfModel::Conductor: {
-      const Rgb f0 = conductor_reflectance(bsdf.eta, bsdf.k);
+      const Rgb f0 = normal_reflectance(bsdf.eta, bsdf.k);
       return bsdf.is_smooth ? smooth_surface(f0) : glossy_surface(Rgb{0}, f0, bsdf.alpha);
     }
     case BsdfModel::CoatedDiffuse: {
@@ -105,7 +100,7 @@ struct LabSurface {
                             : glossy_surface(Rgb{0}, f0, std::max(bsdf.alpha, bsdf.metal_widths.x));
     }
     case BsdfModel::AnisotropicConductor:
-      return glossy_surface(Rgb{0}, conductor_reflectance(bsdf.eta, bsdf.k), bsdf.alpha);
+      return glossy_surface(Rgb{0}, normal_reflectance(bsdf.eta, bsdf.k), bsdf.alpha);
     case BsdfModel::AnisotropicDielectric:
     case BsdfModel::Dielectric:
     case BsdfModel::ThinDielectric:

@@ -69,7 +69,7 @@ namespace candela {
   const Rgb at_angle{fresnel_dielectric(cos_o, eta).reflectance};
   const Rgb below = coated_diffuse_albedo(bsdf, cos_o);
   if (has_smooth_coat(bsdf)) return at_angle + below;
-  const float a = ggx_width(std::sqrt(bsdf.alpha * bsdf.alpha_across));
+  const float a = ggx_width(mean_coat_width(bsdf));
   return rough_reflectance(Rgb{normal_reflectance(eta)}, at_angle, a) *
              microfacet_albedo(GeometryTerm::Smith, a, cos_o) +
          below;

@@ -73,7 +73,7 @@ constexpr ModelSet model_bit(BsdfModel model) {
 }
 inline constexpr ModelSet all_models = 0x1fff;
 
-// The functions over these are in renderer/bsdf/dispatch.h:
-//   is_only_delta, evaluate_bsdf, sample_bsdf, albedo_estimate.
+// The functions over these: is_only_delta, evaluate_bsdf and sample_bsdf in
+// renderer/bsdf/dispatch.h, albedo_estimate in albedo.h.
 
 }  // namespace candela

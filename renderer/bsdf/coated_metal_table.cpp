@@ -5,6 +5,7 @@
 
 #include "renderer/base/parallel.h"
 #include "renderer/bsdf/coated_conductor.h"
+#include "renderer/sampling/hash.h"
 #include "renderer/sampling/sobol.h"
 
 namespace candela {
@@ -22,7 +23,7 @@ std::vector<Brought> lobe_from(const Bsdf& bsdf, float cos_o) {
   std::vector<Brought> all;
   const Vec3f wo{std::sqrt((1 - cos_o) * (1 + cos_o)), 0, cos_o};
   for (std::uint32_t i = 0; i < directions; ++i) {
-    const Vec3f wi = sample_coated_metal(bsdf, wo, owen_sobol_2d(i, 999));
+    const Vec3f wi = sample_coated_metal(bsdf, wo, owen_sobol_2d(i, mix_bits(999)));
     if (!(wi.z > 0)) continue;
     const BsdfEvaluation e = evaluate_coated_metal(bsdf, wo, wi);
     if (e.pdf > 0) all.push_back({Vec3d(e.value / e.pdf) / double{directions}, wi.z});

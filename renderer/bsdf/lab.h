@@ -12,6 +12,7 @@
 #include "renderer/bsdf/microfacet.h"
 #include "renderer/bsdf/specular_mixture.h"
 #include "renderer/math/colour.h"
+#include "renderer/math/reflectance.h"
 
 namespace candela {
 
@@ -20,9 +21,8 @@ namespace candela {
   return f0 + (Rgb{f90} - f0) * schlick_weight(cos_theta);
 }
 
-// The GGX width with the highlight of Blinn-Phong's exponent [Walter07, section 5.2].
 [[nodiscard]] inline float lab_width(float exponent) {
-  return ggx_width(std::sqrt(2 / (std::max(0.0f, exponent) + 2)));
+  return ggx_width(width_of_exponent(exponent));
 }
 
 [[nodiscard]] inline float lab_specular_probability(const Bsdf& bsdf, float cos_o) {

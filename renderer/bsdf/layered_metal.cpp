@@ -7,6 +7,7 @@
 #include "renderer/base/parallel.h"
 #include "renderer/bsdf/coat_table.h"
 #include "renderer/bsdf/table_microfacets.h"
+#include "renderer/sampling/hash.h"
 #include "renderer/sampling/sobol.h"
 
 namespace candela {
@@ -47,8 +48,8 @@ void add(double cosine, const Share& share, std::array<Share, nodes>& row) {
 void for_each_meeting(const auto& cosine_of, double alpha, std::uint32_t dimension,
                       const auto& meet) {
   for (std::uint32_t i = 0; i < samples; ++i) {
-    const double cosine = cosine_of(double{owen_sobol_2d(i, 2 * dimension).x});
-    const Vec2f u = owen_sobol_2d(i, 2 * dimension + 1);
+    const double cosine = cosine_of(double{owen_sobol_2d(i, mix_bits(2 * dimension)).x});
+    const Vec2f u = owen_sobol_2d(i, mix_bits(2 * dimension + 1));
     meet(cosine, visible_normal(cosine, alpha, double{u.x}, double{u.y}));
   }
 }

@@ -154,7 +154,8 @@ struct Material {
   ImageHandle height;                  // bump map: grey heights
   TextureHandle height_texture{};      // the same by a texture
   double height_scale = 1.0;  // height of white, in units of the uv square's edge on the surface
-  ImageHandle normal_map;     // tangent-space normals, encoded (n+1)/2
+  bool heights_are_lengths = false;  // in the world's unit instead
+  ImageHandle normal_map;            // tangent-space normals, encoded (n+1)/2
   // Its y is n x dp/du, as pbrt has it, even where the uv map is mirrored; else it runs along v.
   bool normal_map_is_right_handed = false;
   MediumInterface media{};
@@ -298,6 +299,10 @@ struct CropWindow {
 
 // What the scene asks for; the command line overrides.
 struct RenderDefaults {
+  static constexpr std::int64_t largest_side = 65536;
+  static constexpr std::int64_t most_samples = std::int64_t{1} << 30;
+  static constexpr std::int64_t deepest = 1000000;  // of max_depth
+
   std::optional<int> width, height, samples_per_pixel, max_depth;
   std::optional<std::string> integrator, filter;
   std::optional<double> filter_radius;  // in pixels

@@ -40,6 +40,8 @@ struct ColourInput {
   Vec3d factor{1.0};
   ImageHandle map;
   TextureHandle texture{};
+
+  [[nodiscard]] bool is_constant() const { return !map && !texture; }
 };
 inline constexpr int alpha_or_first = -1;
 // As pbrt: alpha where the file has one that is below 1 anywhere, else the mean of its colours.
@@ -50,6 +52,9 @@ struct ScalarInput {
   // Of the map; alpha_or_first: alpha where the file has one, else channel 0; or alpha_or_mean.
   int channel = 0;
   TextureHandle texture{};
+
+  [[nodiscard]] bool is_constant() const { return !map && !texture; }
+  bool operator==(const ScalarInput&) const = default;
 };
 
 // What a texture takes for u and v: the surface's own, or those of a place in a space of its own.

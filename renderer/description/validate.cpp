@@ -16,17 +16,6 @@
 namespace candela::description {
 namespace {
 
-bool is_singular(const Mat3d& linear) {
-  double largest = 0;
-  for (int c = 0; c < 3; ++c) largest = std::max(largest, max_component(glm::abs(linear[c])));
-  if (largest == 0) return true;
-  Transform scaled{linear / largest, {}};
-  double edges = 1;
-  for (int c = 0; c < 3; ++c) edges *= length(scaled.linear[c]);
-  // The volume of the image of a cube against that of a box with its edges.
-  return !(std::abs(scaled.determinant()) > 1e-12 * edges);
-}
-
 void check_instance(const SceneDescription& scene, const Instance& instance,
                     Diagnostics& diagnostics) {
   const Transform& placement = instance.object_to_world;
@@ -80,6 +69,14 @@ void check_defaults(const SceneDescription& scene, Diagnostics& diagnostics) {
   }
 }
 
+void check_ambient(const SceneDescription& scene, Diagnostics& diagnostics) {
+  if (!scene.lab_ambient) return;
+  for (int c = 0; c < 3; ++c)
+    if (!((*scene.lab_ambient)[c] >= 0 && (*scene.lab_ambient)[c] <= largest_radiance))
+      return diagnostics.error({}, fmt::format("the ambient light is {}, expected 0 to {:g}",
+                                               (*scene.lab_ambient)[c], largest_radiance));
+}
+
 SourceSpan whole_file(const SceneDescription& scene) {
   if (scene.path.empty()) return {};
   return {std::make_shared<const std::string>(scene.path), 0, 0};
@@ -114,6 +111,7 @@ Diagnostics validate(const SceneDescription& scene) {
   check_lights(scene, diagnostics);
   check_cameras(scene, diagnostics);
   check_defaults(scene, diagnostics);
+  check_ambient(scene, diagnostics);
   if (!diagnostics.has_errors()) warn_of_nothing_to_see(scene, diagnostics);
   return diagnostics;
 }

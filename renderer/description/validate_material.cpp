@@ -42,15 +42,23 @@ class Check {
         material_.span,
         fmt::format("material '{}': the texture of {} does not exist", material_.name, what));
   }
+  template <class Input>
+  void one_of(const Input& given, std::string_view what) const {
+    if (given.map && given.texture)
+      diagnostics_.error(material_.span, fmt::format("material '{}': {} has a map and a texture",
+                                                     material_.name, what));
+  }
   void input(const ColourInput& colour_input, std::string_view what) const {
     colour(colour_input.factor, what);
     image(colour_input.map, what);
     texture(colour_input.texture, what);
+    one_of(colour_input, what);
   }
   void input(const ScalarInput& scalar, std::string_view what) const {
     number(scalar.factor, 0, 1, what);
     image(scalar.map, what);
     texture(scalar.texture, what);
+    one_of(scalar, what);
     if (scalar.channel < alpha_or_mean || scalar.channel > 3)
       diagnostics_.error(material_.span,
                          fmt::format("material '{}': the map of {} has no channel {}",
@@ -66,9 +74,6 @@ class Check {
     widths(layer.roughness, layer.roughness_across, "the roughness of the coat");
     at_least(layer.thickness, 0, "the thickness of the coat");
     number(layer.max_depth, 0, deepest_coat, "the depth of the coat");
-  }
-  [[nodiscard]] static bool is_textured(const ColourInput& input) {
-    return input.map.is_valid() || input.texture.is_valid();
   }
   void warn(std::string message) const {
     diagnostics_.warning(material_.span, fmt::format("material '{}': {}", material_.name, message));
@@ -97,7 +102,7 @@ class Check {
       diagnostics_.error(
           material_.span,
           fmt::format("material '{}': energy compensation needs Smith's geometry", material_.name));
-    const bool is_constant = !is_textured(rough.diffuse) && !is_textured(rough.specular);
+    const bool is_constant = rough.diffuse.is_constant() && rough.specular.is_constant();
     const double most = max_component(rough.diffuse.factor + rough.specular.factor);
     if (is_constant && most > 1 + 1e-9)  // sums of decimal fractions miss 1 by some 1e-16
       warn(fmt::format(
@@ -139,7 +144,7 @@ class Check {
     input(leaf.reflectance, "the reflectance");
     input(leaf.transmittance, "the transmittance");
     const double most = max_component(leaf.reflectance.factor + leaf.transmittance.factor);
-    const bool is_constant = !is_textured(leaf.reflectance) && !is_textured(leaf.transmittance);
+    const bool is_constant = leaf.reflectance.is_constant() && leaf.transmittance.is_constant();
     if (is_constant && most > 1 + 1e-9)
       warn(
           fmt::format("reflectance + transmittance reaches {:.4g} in a channel, more than 1; both "

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -133,7 +134,7 @@ Result<DecodedImage> image_of(ImageFormat format, Bytes bytes, const DecodeLimit
   return others->decode(format, std::move(bytes), limits);
 }
 
-// Recognises, guards and hands on to `decode`.
+// Recognises, guards and hands on to `decode`. What the guard warns of is said with the samples.
 template <class T, class Decode>
 Result<T> dispatch(const std::string& name, Bytes bytes, Decode&& decode) {
   if (!format_of_extension(name))
@@ -144,7 +145,10 @@ Result<T> dispatch(const std::string& name, Bytes bytes, Decode&& decode) {
   try {
     Result<Bytes> guarded = guard_image(*format, std::move(bytes));
     if (!guarded) return named(name, guarded.diagnostics);
-    return named(name, decode(*format, std::move(*guarded)));
+    Result<T> result = decode(*format, std::move(*guarded));
+    if constexpr (std::is_same_v<T, DecodedImage>)
+      for (const Diagnostic& warning : guarded.diagnostics.list()) result.diagnostics.add(warning);
+    return named(name, std::move(result));
   } catch (const std::bad_alloc&) {
     throw;  // no picture may depend on how much memory is free
   } catch (const std::exception& exception) {

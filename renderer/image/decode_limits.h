@@ -1,7 +1,6 @@
 // Whether a picture of a claimed size may be decoded.
 #pragma once
 
-#include "renderer/base/result.h"
 #include "renderer/image/decode.h"
 
 namespace candela {

@@ -5,8 +5,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <optional>
-#include <system_error>
 
 #include <fmt/format.h>
 

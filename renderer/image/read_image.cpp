@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cstring>
 
 #include "renderer/image/decode.h"

@@ -12,6 +12,7 @@
 #include "renderer/bsdf/fresnel.h"
 #include "renderer/bsdf/lab.h"
 #include "renderer/material/material.h"
+#include "renderer/math/reflectance.h"
 
 namespace candela {
 
@@ -126,16 +127,15 @@ struct MetalIndex {
   Rgb eta, k;
 };
 
-// eta and k, or those with eta = 1 that give a textured reflectance r at normal incidence:
-// k = 2 sqrt(r / (1 - r)).
+// eta and k, or those with eta = 1 that give a textured reflectance at normal incidence.
 [[nodiscard]] inline MetalIndex metal_index_at(const Material& material,
                                                const TextureStore& textures,
                                                const TexturePoint& at) {
   if (!material.specular.texture) return {material.eta, material.k};
   Rgb r = glm::min(colour_at(material.specular, textures, at), Rgb{largest_metal_reflectance});
   return {Rgb{1},
-          {2 * std::sqrt(r.x / (1 - r.x)), 2 * std::sqrt(r.y / (1 - r.y)),
-           2 * std::sqrt(r.z / (1 - r.z))}};
+          {extinction_of_reflectance(r.x), extinction_of_reflectance(r.y),
+           extinction_of_reflectance(r.z)}};
 }
 
 [[nodiscard]] inline Bsdf conductor_at(const Material& material, const TextureStore& textures,

@@ -32,15 +32,17 @@ inline constexpr float smallest_uv_shear = 1e-5f;
 // The normal of the surface p + h n, whose height above p is
 //   h = height_scale * height(u, v) * (edge of the uv square on the surface = sqrt(area)),
 // so that slopes depend neither on the scene's unit nor on the object's size, only on the map:
-// height_scale = 0.01 makes white rise by 1 % of the picture's width. By surface gradients
-// [Mikkelsen10, eqs. 3-5]; `slope` is (dh/du, dh/dv) of the map.
+// height_scale = 0.01 makes white rise by 1 % of the picture's width. Without the edge where
+// heights are lengths. By surface gradients [Mikkelsen10, eqs. 3-5]; `slope` is (dh/du, dh/dv) of
+// the map.
 [[nodiscard]] inline Vec3f bump_normal(const Vec3f& n, const Vec3f& dp_du, const Vec3f& dp_dv,
-                                       Vec2f slope, float height_scale) {
+                                       Vec2f slope, float height_scale,
+                                       bool heights_are_lengths = false) {
   const float area = uv_area(n, dp_du, dp_dv);
   if (area == 0) return n;
-  const float edge = std::sqrt(std::abs(area));
+  const float unit = heights_are_lengths ? 1 : std::sqrt(std::abs(area));
   const Vec3f gradient = (cross(dp_dv, n) * slope.x + cross(n, dp_du) * slope.y) / area;
-  return unit_on_side_of(n, n - gradient * (height_scale * edge));
+  return unit_on_side_of(n, n - gradient * (height_scale * unit));
 }
 
 // (dh/du, dh/dv) of a height map by central differences over one texel, which are continuous where
@@ -97,7 +99,7 @@ inline constexpr float smallest_uv_shear = 1e-5f;
   if (material.height)
     normal =
         bump_normal(normal, dp_du, dp_dv, height_slope(textures, material.height, at, dp_du, dp_dv),
-                    material.height_scale);
+                    material.height_scale, material.heights_are_lengths);
   return normal;
 }
 

@@ -102,7 +102,8 @@ struct Material {
   // Where the opacity map need not be asked; absent where visibility never asks it.
   Handle<CoverageGrid> coverage_grid{};
   TextureHandle height{};  // bump
-  float height_scale = 1;  // see description::Material
+  float height_scale = 1;  // see description::Material; lengths are in the scene's own unit
+  bool heights_are_lengths = false;
   TextureHandle normal_map{};
   bool normal_map_is_right_handed = false;
   bool reads_uv = false;        // all but the opacity, of its parts, too

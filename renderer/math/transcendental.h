@@ -93,12 +93,6 @@ inline void swap_if(bool condition, float& a, float& b) {
   return std::copysign(angle, y);
 }
 
-// The arc cosine of |x| <= 1 in [0, pi]; beyond, that of the nearest end. Accurate near +-1, where
-// the angle is given by sqrt(1 - x^2).
-[[nodiscard]] inline float arc_cosine(float x) {
-  return arc_tangent(std::sqrt(std::max(0.0f, (1 - x) * (1 + x))), x);
-}
-
 // The logarithm to base 2 of a normal x > 0, absolute error below 1e-10: x = 2^e m with m in
 // [sqrt(1/2), sqrt(2)), then log m = 2 artanh((m - 1) / (m + 1)) by its series.
 [[nodiscard]] inline double binary_logarithm(double x) {
@@ -130,7 +124,7 @@ inline void swap_if(bool condition, float& a, float& b) {
   return static_cast<float>(binary_exponential(binary));
 }
 
-// base^exponent for a finite base and 0 < exponent <= 4, relative error below 1e-7; 1 stays 1.
+// base^exponent for a finite base and an exponent above 0, relative error below 1e-7; 1 stays 1.
 // Negative bases and NaN count as 0. Results beyond the normal floats are infinity or 0, so that
 // flushing of denormals changes nothing.
 [[nodiscard]] inline float power(float base, double exponent) {

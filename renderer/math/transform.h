@@ -24,6 +24,18 @@ struct Transform {
   }
 };
 
+// Whether a map flattens space, up to rounding: the volume of the image of a cube against that of a
+// box with its edges.
+[[nodiscard]] inline bool is_singular(const Mat3d& linear) {
+  double largest = 0;
+  for (int c = 0; c < 3; ++c) largest = std::max(largest, max_component(glm::abs(linear[c])));
+  if (!(largest > 0)) return true;
+  const Transform scaled{linear / largest, {}};
+  double edges = 1;
+  for (int c = 0; c < 3; ++c) edges *= length(scaled.linear[c]);
+  return !(std::abs(scaled.determinant()) > 1e-12 * edges);
+}
+
 // The factor by which a map that keeps all shapes (a similarity, mirrored or not) enlarges them; 0
 // for any other map. `tolerance`: of cosines and of relative lengths, as files write their numbers.
 [[nodiscard]] inline double similarity_scale(const Transform& t, double tolerance = 1e-5) {

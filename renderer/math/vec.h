@@ -3,7 +3,6 @@
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
-#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -21,7 +20,6 @@ using Vec3d = glm::dvec3;
 using Vec4d = glm::dvec4;
 using Vec2i = glm::ivec2;
 using Mat3d = glm::dmat3;  // column-major, as GLM has it
-using Mat4d = glm::dmat4;
 
 // Linear Rec.709 radiometric quantities (radiance, throughput, reflectance), one number a channel.
 using Rgb = glm::vec3;

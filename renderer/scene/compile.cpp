@@ -34,7 +34,7 @@ void compile_materials(const SceneDescription& description, const CompileOptions
     const description::Material& material = description.materials[i];
     scene.material_names.push_back(material.name);
     if (used[i]) {
-      scene.materials.push_back(compile_material(material, options, textures, coats));
+      scene.materials.push_back(compile_material(material, options, n.scale, textures, coats));
       Material& compiled = scene.materials.back();
       for (const MaterialHandle part : compiled.parts) {
         if (!part) continue;
@@ -108,6 +108,9 @@ void warn_of_lost_surfaces(const SceneDescription& description, const Scene& sce
 
 Result<Scene> compile(const SceneDescription& description, const CompileOptions& options) {
   Diagnostics diagnostics = validate(description);
+  if (options.width < 1 || options.height < 1)
+    diagnostics.error({}, fmt::format("a picture of {} x {} pixels, expected at least 1 x 1",
+                                      options.width, options.height));
   if (diagnostics.has_errors()) return diagnostics;
 
   const bool has_triangle_lights =

@@ -7,6 +7,7 @@
 #include "renderer/bsdf/coated_metal_table.h"
 #include "renderer/bsdf/energy_loss.h"
 #include "renderer/material/bsdf_at.h"
+#include "renderer/math/reflectance.h"
 #include "renderer/scene/image_luminance.h"
 
 namespace candela {
@@ -50,11 +51,6 @@ bool has_map_or_colour(const ColourParameter& parameter) {
   return parameter.texture.is_valid() || !is_black(parameter.constant);
 }
 
-// GGX width of a Blinn-Phong exponent (docs/scene_format.md).
-float width_of_exponent(double exponent) {
-  return static_cast<float>(std::sqrt(2.0 / (std::max(exponent, 0.0) + 2.0)));
-}
-
 // Alpha is the diffuse map's where there is one, else `d`.
 void set_lab_opacity(const description::LabMaterial& lab, const TextureStore& textures,
                      Material& out) {
@@ -67,12 +63,8 @@ void set_lab_opacity(const description::LabMaterial& lab, const TextureStore& te
 
 // k of a metal with n = 1 by its reflectance at normal incidence.
 Vec3d extinction_of(const Vec3d& reflectance) {
-  Vec3d k;
-  for (int c = 0; c < 3; ++c) {
-    const double r = std::min(reflectance[c], static_cast<double>(largest_metal_reflectance));
-    k[c] = 2 * std::sqrt(r / (1 - r));
-  }
-  return k;
+  const Vec3d largest(static_cast<double>(largest_metal_reflectance));
+  return extinction_of_reflectance(glm::min(reflectance, largest));
 }
 
 struct ModelCompiler {
@@ -95,7 +87,7 @@ struct ModelCompiler {
     out.model = MaterialModel::Lab;
     out.diffuse = colour(m.diffuse, texture);
     out.specular = colour(m.specular, texture);
-    out.roughness.constant = width_of_exponent(m.shininess);
+    out.roughness.constant = static_cast<float>(width_of_exponent(m.shininess));
     out.shininess = static_cast<float>(m.shininess);
     set_lab_opacity(m, texture.store(), out);
     // ks = 0 asks for no highlight, though Schlick's term would still have one at grazing angles.
@@ -113,7 +105,7 @@ struct ModelCompiler {
     out.f0 = Rgb(m.f0);
     if (m.ior) {
       out.eta = Rgb(static_cast<float>(*m.ior));
-      out.f0 = Rgb(static_cast<float>(square((*m.ior - 1) / (*m.ior + 1))));
+      out.f0 = Rgb(normal_reflectance(Vec3d(*m.ior), Vec3d(0.0)));
     }
     if (m.eta_k) set_conductor((*m.eta_k)[0], (*m.eta_k)[1]);
     if (!has_map_or_colour(out.specular)) out.model = MaterialModel::Diffuse;
@@ -204,7 +196,8 @@ struct ModelCompiler {
     out.metal = std::make_shared<const CoatedMetalTable>(bsdf, layers);
   }
   void set_coat(const description::Coat& coat) const {
-    set_widths(coat.roughness, coat.roughness_across);
+    // What neither reflects nor bends light does not blur it.
+    if (coat.ior != 1) set_widths(coat.roughness, coat.roughness_across);
     out.coat_bounces = (coat.max_depth + 1) / 2;
     const bool varies =
         out.roughness.texture || (out.is_anisotropic && out.roughness_across.texture);
@@ -217,8 +210,7 @@ struct ModelCompiler {
     out.fresnel_is_conductor = true;
     out.eta = Rgb(eta);
     out.k = Rgb(k);
-    const Vec3d one(1.0);
-    out.f0 = Rgb(((eta - one) * (eta - one) + k * k) / ((eta + one) * (eta + one) + k * k));
+    out.f0 = Rgb(normal_reflectance(eta, k));
   }
 };
 
@@ -227,7 +219,7 @@ void set_emission(const description::Material& material, TextureCompiler& textur
   out.emission = Rgb(material.emission);
   out.emits_both_sides = material.emits_both_sides;
   if (is_black(out.emission)) return;
-  out.emission_map = texture.image(material.emission_map);
+  out.emission_map = texture.light_image(material.emission_map);
   if (!out.emission_map || !material.emission_is_maps_mean) return;
   const double mean = mean_luminance(texture.store(), out.emission_map);
   out.emission = mean > 0 ? Rgb(material.emission / mean) : Rgb(0);
@@ -249,19 +241,21 @@ std::shared_ptr<const CoatTable> CoatTables::table(float eta, float thickness, f
 }
 
 Material compile_material(const description::Material& material, const CompileOptions& options,
-                          TextureCompiler& texture, CoatTables& coats) {
+                          double unit, TextureCompiler& texture, CoatTables& coats) {
   Material out;
   std::visit(ModelCompiler{options, texture, coats, out}, material.model);
   if (std::holds_alternative<description::InterfaceMaterial>(material.model)) return out;
   if (out.energy_compensation) static_cast<void>(energy_loss_table());  // now, not while rendering
   set_emission(material, texture, out);
-  if (material.opacity.map || material.opacity.texture || material.opacity.factor != 1) {
+  if (!material.opacity.is_constant() || material.opacity.factor != 1) {
     out.opacity = scalar(material.opacity, texture);
     out.lab_opacity = false;
   }
   out.height = material.height_texture ? texture.texture(material.height_texture).texture
                                        : texture.image(material.height);
-  out.height_scale = static_cast<float>(material.height_scale);
+  out.heights_are_lengths = material.heights_are_lengths;
+  out.height_scale =
+      static_cast<float>(material.height_scale * (material.heights_are_lengths ? unit : 1));
   out.normal_map = texture.image(material.normal_map);
   out.normal_map_is_right_handed = material.normal_map_is_right_handed;
   out.reads_uv = has_texture(out);

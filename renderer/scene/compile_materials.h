@@ -23,10 +23,10 @@ class CoatTables {
   std::map<std::array<float, 3>, std::shared_ptr<const CoatTable>> tables_;
 };
 
-// Lengths are those of the file.
+// `unit`: a length of 1 in the file (Normalisation::scale).
 [[nodiscard]] Material compile_material(const description::Material& material,
-                                        const CompileOptions& options, TextureCompiler& texture,
-                                        CoatTables& coats);
+                                        const CompileOptions& options, double unit,
+                                        TextureCompiler& texture, CoatTables& coats);
 
 // Adds what the material needs of a kernel.
 void add_features(const Material& material, SceneFeatures& features);

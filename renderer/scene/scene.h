@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "renderer/base/diagnostic.h"
 #include "renderer/camera/camera.h"
 #include "renderer/geometry/geometry.h"
 #include "renderer/light/environment.h"

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "renderer/description/scene_description.h"
-#include "renderer/material/coverage.h"
 #include "renderer/scene/compile_geometry.h"
 
 namespace candela {

@@ -1,8 +1,6 @@
 // Directions of any length, from 1e-300 to 1e30 units.
 #pragma once
 
-#include <cmath>
-
 #include "renderer/math/vec.h"
 
 namespace candela::lab3 {

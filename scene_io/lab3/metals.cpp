@@ -32,10 +32,4 @@ Metal metal_named(std::string_view name) {
                        [&](const Metal& metal) { return metal.name == name; });
 }
 
-Vec3d normal_reflectance(const Vec3d& eta, const Vec3d& k) {
-  const Vec3d below = eta - 1.0;
-  const Vec3d above = eta + 1.0;
-  return (below * below + k * k) / (above * above + k * k);
-}
-
 }  // namespace candela::lab3

@@ -20,7 +20,4 @@ struct Metal {
 // `name` must be one of them.
 [[nodiscard]] Metal metal_named(std::string_view name);
 
-// Reflectance at normal incidence: ((eta-1)^2 + k^2) / ((eta+1)^2 + k^2).
-[[nodiscard]] Vec3d normal_reflectance(const Vec3d& eta, const Vec3d& k);
-
 }  // namespace candela::lab3

@@ -9,6 +9,8 @@
 namespace candela::lab3 {
 namespace {
 
+using description::RenderDefaults;
+
 constexpr std::string_view keys[] = {"Width",    "Height",      "SamplesPerPixel", "spp",
                                      "MaxDepth", "Seed",        "Integrator",      "Filter",
                                      "Exposure", "WhiteBalance"};
@@ -17,10 +19,6 @@ constexpr std::string_view filters[] = {"box",      "gaussian", "blackman_harris
                                         "triangle", "mitchell", "sinc"};
 constexpr Range kelvins{100, 1e9, false, false, "a white balance in kelvins from 100 to 1e9"};
 constexpr Range stops{-100, 100, false, false, "an exposure in stops from -100 to 100"};
-
-constexpr std::int64_t largest_side = 65536;
-constexpr std::int64_t most_samples = std::int64_t{1} << 30;
-constexpr std::int64_t deepest = 1000000;
 
 std::optional<int> to_int(const std::optional<std::int64_t>& number) {
   if (!number) return std::nullopt;
@@ -34,7 +32,7 @@ bool is_none(const Entry& entry) {
 std::optional<int> read_max_depth(const Fields& fields) {
   const Entry* entry = fields.find("MaxDepth");
   if (!entry || is_none(*entry)) return std::nullopt;
-  return to_int(fields.integer("MaxDepth", 0, deepest, " or none"));
+  return to_int(fields.integer("MaxDepth", 0, RenderDefaults::deepest, " or none"));
 }
 
 template <std::size_t n>
@@ -47,8 +45,7 @@ std::optional<std::string> word_of(const Fields& fields, std::string_view key,
 
 // What the scene's own integrator makes nothing of; the command line, which may name another one,
 // has rules of its own.
-void warn_of_idle_keys(Reader& reader, const Fields& fields,
-                       const description::RenderDefaults& defaults) {
+void warn_of_idle_keys(Reader& reader, const Fields& fields, const RenderDefaults& defaults) {
   const bool is_raster = defaults.integrator == "raster";
   if (!is_raster && defaults.integrator != "whitted") return;
   const auto warn = [&](const Entry* entry, std::string_view reason) {
@@ -71,12 +68,12 @@ void read_render_defaults(Reader& reader, const Fields& root) {
   if (entry->value->is_null()) return;  // as {}: all keys may be absent
   const Fields fields(reader, *entry->value, "Render", keys);
   static constexpr std::string_view sample_names[] = {"SamplesPerPixel", "spp"};
-  description::RenderDefaults& defaults = reader.scene.defaults;
-  defaults.width = to_int(fields.integer("Width", 1, largest_side));
-  defaults.height = to_int(fields.integer("Height", 1, largest_side));
+  RenderDefaults& defaults = reader.scene.defaults;
+  defaults.width = to_int(fields.integer("Width", 1, RenderDefaults::largest_side));
+  defaults.height = to_int(fields.integer("Height", 1, RenderDefaults::largest_side));
   if (fields.last_of(sample_names))
-    defaults.samples_per_pixel =
-        to_int(fields.integer(fields.has("spp") ? "spp" : "SamplesPerPixel", 1, most_samples));
+    defaults.samples_per_pixel = to_int(fields.integer(
+        fields.has("spp") ? "spp" : "SamplesPerPixel", 1, RenderDefaults::most_samples));
   defaults.max_depth = read_max_depth(fields);
   defaults.integrator = word_of(fields, "Integrator", integrators);
   defaults.filter = word_of(fields, "Filter", filters);

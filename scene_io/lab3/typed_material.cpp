@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/math/reflectance.h"
 #include "scene_io/lab3/assets.h"
 #include "scene_io/lab3/metals.h"
 
@@ -145,10 +146,9 @@ description::ConductorMaterial read_conductor(Reader& reader, const Fields& fiel
     material.eta = (*eta_k)[0];
     material.k = (*eta_k)[1];
   }
-  // A metal of reflectance F0 at normal incidence: eta = 1 and k of F0 = k^2 / (4 + k^2).
   if (const auto f0 = fields.colour("F0", below_one)) {
     material.eta = Vec3d(1.0);
-    material.k = 2.0 * glm::sqrt(*f0 / (1.0 - *f0));
+    material.k = extinction_of_reflectance(*f0);
   }
   material.roughness = read_roughness(reader, fields, zero_to_one, 0);
   material.energy_compensation = fields.flag("energy_compensation", false);

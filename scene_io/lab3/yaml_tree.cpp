@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <istream>
-#include <stdexcept>
 #include <streambuf>
 #include <unordered_map>
 

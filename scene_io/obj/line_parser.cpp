@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <fmt/format.h>
 
+#include "scene_io/mesh/float_direction.h"
 #include "scene_io/obj/corner_parser.h"
 #include "scene_io/text/number.h"
 
@@ -16,13 +16,6 @@ using text::Cursor;
 
 // Kinds of statements remembered a chunk; a file of random words would have no end of them.
 constexpr std::size_t max_left_out = 64;
-
-Vec3f to_direction(const Vec3d& normal) {
-  const double largest = max_component(glm::abs(normal));
-  constexpr double safe = 1e18;  // its square is a float
-  if (largest == 0.0 || (largest < safe && largest > 1.0 / safe)) return Vec3f(normal);
-  return Vec3f(normal / largest);
-}
 
 class ChunkParser {
  public:
@@ -114,7 +107,7 @@ class ChunkParser {
   void parse_normal(Cursor& line) {
     std::array<double, 3> xyz{};
     parse_numbers(line, 3, "vn", xyz);
-    task_.data->normals[seen_.normals++] = to_direction({xyz[0], xyz[1], xyz[2]});
+    task_.data->normals[seen_.normals++] = mesh::to_float_direction({xyz[0], xyz[1], xyz[2]});
   }
 
   void parse_face(Cursor& line, std::string_view keyword) {

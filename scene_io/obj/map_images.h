@@ -1,7 +1,6 @@
 // Every image handle of a material, for renumbering.
 #pragma once
 
-#include <type_traits>
 #include <variant>
 
 #include "renderer/description/scene_description.h"

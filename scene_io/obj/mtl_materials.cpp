@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "renderer/math/reflectance.h"
 #include "scene_io/obj/mtl_statements.h"
 #include "scene_io/obj/read_mtl.h"
 
@@ -84,20 +85,21 @@ DielectricMaterial dielectric(const MtlStatements& s) {
   glass.ior = glass.is_thin ? default_glass_index : index;
   glass.transmittance = glm::clamp(s.tf.value_or(Vec3d{1.0}), 0.0, 1.0);
   const bool is_rough = !glass.is_thin && s.ns && *s.ns > 0.0 && *s.ns < smooth_exponent;
-  glass.roughness.factor = is_rough ? std::sqrt(2.0 / (*s.ns + 2.0)) : 0.0;
+  glass.roughness.factor = is_rough ? width_of_exponent(*s.ns) : 0.0;
   return glass;
 }
 
 // kd + ks F conserves energy only while kd + ks <= 1; f0 makes up for the smaller ks, so that the
 // reflectance at normal incidence is the wanted one.
 CookTorranceMaterial metal_workflow(const MtlStatements& s, ImageTable& images) {
-  const double metalness = std::clamp(s.pm.value_or(0.0), 0.0, 1.0);
+  const double wanted_metalness = std::clamp(s.pm.value_or(0.0), 0.0, 1.0);
+  const double metalness = s.map_kd ? std::round(wanted_metalness) : wanted_metalness;
   const Vec3d base = linear(clamped(s.kd));
   const ImageHandle map = images.add(s.map_kd, Encoding::LabGamma);
-  const bool map_is_metal = map && metalness >= 0.5;
+  const bool map_is_metal = map && metalness == 1;
   CookTorranceMaterial m;
   const double diffuse_share = 1.0 - metalness;
-  m.diffuse.factor = map_is_metal ? Vec3d{0.0} : diffuse_share * base;
+  m.diffuse.factor = diffuse_share * base;
   if (!map_is_metal) m.diffuse.map = map;
   const double diffuse_most = m.diffuse.map ? 0.5 : max_component(m.diffuse.factor);
   const double specular = 1.0 - diffuse_most;

@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "scene_io/obj/build_meshes.h"
 

@@ -9,8 +9,9 @@
 // Full (MtlUse::Full): the first row that fits.
 //   Pr, Pm or a map of Pr              CookTorrance: roughness Pr^2 (map_Pr as stored), a diffuse
 //                                      part (1 - Pm) Kd under a specular one of reflectance
-//                                      .04 (1 - Pm) + Pm Kd at normal incidence; for Pm >= .5 a
-//                                      map_Kd colours the specular part, else the diffuse one
+//                                      .04 (1 - Pm) + Pm Kd at normal incidence. With a map_Kd Pm
+//                                      counts as 1 from .5 on, with a map of the specular part,
+//                                      and below as 0, with one of the diffuse part
 //   transmits, without map_Kd, map_d:  Dielectric of transmittance Tf (absent: 1). Ni > 1: that
 //     illum 4 6 7 9 with Tf < 1 in a   index; else thin (straight through), index 1.5. Roughness
 //     channel, d < 1 or Ni > 1;        sqrt(2/(Ns+2)) where Ns is given, below 100 and Ni > 1; else

@@ -1,7 +1,6 @@
 #include "scene_io/pbrt/build_scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include <fmt/format.h>
@@ -209,7 +208,7 @@ class SceneBuilder {
     const SourceSpan span = use.place.span();
     for (const Part& part : found->second) {
       const Transform world_from_object = use.world_from_instance * part.shape->world_from_object;
-      if (!has_finite_numbers(world_from_object) || is_singular(world_from_object))
+      if (!has_finite_numbers(world_from_object) || is_singular(world_from_object.linear))
         return context_.report.error(
             use.place,
             "the transform of this instance is singular or has numbers that are not "

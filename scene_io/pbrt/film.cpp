@@ -12,9 +12,7 @@
 namespace candela::pbrt {
 namespace {
 
-constexpr std::int64_t largest_side = 65536;
-constexpr std::int64_t most_samples = std::int64_t{1} << 30;
-constexpr std::int64_t deepest = 1000000;
+using description::RenderDefaults;
 
 // Within limits; nothing after an error.
 std::optional<int> integer(Arguments& arguments, std::string_view name, std::int64_t low,
@@ -113,8 +111,10 @@ double read_picture(Context& context) {
     context.warn_once("film", statement.place,
                       fmt::format("films of type {} are not supported: the picture is rgb",
                                   text::quoted(statement.type)));
-  context.scene.defaults.width = integer(film, "xresolution", 1, largest_side).value_or(1280);
-  context.scene.defaults.height = integer(film, "yresolution", 1, largest_side).value_or(720);
+  context.scene.defaults.width =
+      integer(film, "xresolution", 1, RenderDefaults::largest_side).value_or(1280);
+  context.scene.defaults.height =
+      integer(film, "yresolution", 1, RenderDefaults::largest_side).value_or(720);
   film.accept({"filename", "diagonal", "savefp16", "coordinatesystem", "nbuckets", "lambdamin",
                "lambdamax"});
   read_crop(context, film);
@@ -222,7 +222,7 @@ void read_sampler(Context& context) {
   if (!context.program.sampler) return;
   Arguments sampler(*context.program.sampler, context.report);
   (void)check_type(sampler.statement(), "sampler", samplers, context.report);
-  const auto count = integer(sampler, "pixelsamples", 1, most_samples);
+  const auto count = integer(sampler, "pixelsamples", 1, RenderDefaults::most_samples);
   const int x = integer(sampler, "xsamples", 1, 32768).value_or(4);
   const int y = integer(sampler, "ysamples", 1, 32768).value_or(4);
   const std::string& type = sampler.statement().type;
@@ -251,13 +251,18 @@ void read_integrator(Context& context) {
   if (!context.program.integrator) return;
   Statement& statement = *context.program.integrator;
   Arguments integrator(statement, context.report);
-  defaults.max_depth = integer(integrator, "maxdepth", 0, deepest).value_or(5);
+  defaults.max_depth = integer(integrator, "maxdepth", 0, RenderDefaults::deepest).value_or(5);
   read_own_wishes(integrator, context);
   if (!check_type(statement, "integrator", integrators, context.report)) return;
   if (!is_one_of(statement.type, {"path", "volpath"}))
     context.warn_once(
         "integrator", statement.place,
         fmt::format("the integrator {} is rendered by 'path'", text::quoted(statement.type)));
+  if (statement.type == "path" && !context.program.media.empty())
+    context.warn_once(
+        "path and media", statement.place,
+        "pbrt's path integrator, in contrast to volpath, does not see media: they are "
+        "rendered here");
   for (Parameter& parameter : statement.parameters)
     if (statement.type != "path" && statement.type != "volpath") parameter.is_used = true;
   integrator.accept({"lightsampler", "lightsamplestrategy", "rrthreshold"});

@@ -79,7 +79,7 @@ Coat read_coat(MaterialReader& reader, std::string_view prefix) {
   coat.max_depth = static_cast<int>(reader.arguments.clamped("maxdepth", depth, 1, 1000));
   reader.arguments.accept({"nsamples", "g", "twosided"});
   const auto albedo = reader.textures.colour(reader.arguments, "albedo");
-  if (albedo && (albedo->map || albedo->texture || albedo->factor != Vec3d(0.0)))
+  if (albedo && (!albedo->is_constant() || albedo->factor != Vec3d(0.0)))
     reader.context.warn_once("albedo", reader.arguments.statement().place,
                              "coats scatter no light: \"albedo\" is ignored");
   return coat;
@@ -99,19 +99,21 @@ CoatedConductorMaterial coated_conductor(MaterialReader& reader) {
   return metal;
 }
 
-// Where both are constant, no more light leaves than arrives.
+// Where both are constant, no more light leaves than arrives; of textures the kernel sees to it.
 DiffuseTransmissionMaterial diffuse_transmission(MaterialReader& reader) {
   const double scale = std::max(reader.arguments.number("scale").value_or(1), 0.0);
   ColourInput reflectance = reader.reflectance("reflectance", 0.25);
   ColourInput transmittance = reader.reflectance("transmittance", 0.25);
-  const auto is_constant = [](const ColourInput& input) { return !input.map && !input.texture; };
   const Place& place = reader.arguments.statement().place;
   for (ColourInput* part : {&reflectance, &transmittance}) {
-    *part = reader.textures.scaled(*part, scale, place);
-    if (is_constant(*part)) part->factor = glm::min(part->factor, Vec3d(1.0));
+    *part = reader.textures.product(*part, {Vec3d(scale), {}, {}}, place);
+    if (part->is_constant()) part->factor = glm::min(part->factor, Vec3d(1.0));
   }
   const Vec3d sum = reflectance.factor + transmittance.factor;
-  if (is_constant(reflectance) && is_constant(transmittance) && max_component(sum) > 1) {
+  if (reflectance.is_constant() && transmittance.is_constant() && max_component(sum) > 1) {
+    reader.context.warn_once("sheet", place,
+                             "a sheet that reflects and lets through more light than it gets: "
+                             "both are scaled down");
     reflectance.factor /= glm::max(sum, Vec3d(1.0));
     transmittance.factor /= glm::max(sum, Vec3d(1.0));
   }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/math/reflectance.h"
 #include "scene_io/pbrt/own_materials.h"
 #include "scene_io/pbrt/source_files.h"
 #include "scene_io/pbrt/spectrum.h"
@@ -23,10 +24,6 @@ constexpr std::string_view type_names[] = {
     "diffuse",    "coateddiffuse",  "conductor",           "coatedconductor",
     "dielectric", "thindielectric", "diffusetransmission", "interface",
     "mix"};
-
-bool is_constant(const ScalarInput& input) {
-  return !input.map && !input.texture;
-}
 
 // [Pharr23, section 9.6]: the square root of what the author writes.
 ScalarInput width_of(MaterialReader& reader, const ScalarInput& input, bool remaps) {
@@ -61,13 +58,13 @@ bool is_interface(const Material& material) {
 }
 
 bool has_holes(const Material& material) {
-  return !is_constant(material.opacity) || material.opacity.factor != 1;
+  return !material.opacity.is_constant() || material.opacity.factor != 1;
 }
 
 ColourInput MaterialReader::reflectance(std::string_view name, double otherwise) {
   ColourInput input =
       textures.colour(arguments, name).value_or(ColourInput{Vec3d(otherwise), {}, {}});
-  if (input.map || input.texture || max_component(input.factor) <= 1) return input;
+  if (!input.is_constant() || max_component(input.factor) <= 1) return input;
   arguments.warning(*arguments.find(name), "is above 1: surfaces reflect at most all light");
   input.factor = glm::min(input.factor, Vec3d(1.0));
   return input;
@@ -79,7 +76,7 @@ double MaterialReader::scalar(std::string_view name, double otherwise) {
   if (!parameter) return otherwise;
   if (parameter->type == ParameterType::Texture) {
     const auto input = textures.scalar_texture(*parameter);
-    if (input && is_constant(*input)) return input->factor;
+    if (input && input->is_constant()) return input->factor;
     if (input)
       arguments.warning(*parameter, fmt::format("must be a number here: {} is used", otherwise));
     return otherwise;
@@ -95,7 +92,7 @@ Widths read_widths(MaterialReader& reader, std::string_view prefix) {
   const auto read = [&](std::string_view suffix) {
     const std::string name = fmt::format("{}{}", prefix, suffix);
     auto width = reader.textures.scalar(reader.arguments, name);
-    if (width && is_constant(*width))
+    if (width && width->is_constant())
       width->factor = reader.arguments.clamped(name, width->factor, 0, 1);
     return width;
   };
@@ -103,12 +100,11 @@ Widths read_widths(MaterialReader& reader, std::string_view prefix) {
   const ScalarInput u = read("uroughness").value_or(both);
   const ScalarInput v = read("vroughness").value_or(both);
   const bool remaps = reader.arguments.flag("remaproughness", true);
-  const bool is_same = is_constant(u) && is_constant(v) ? u.factor == v.factor
-                                                        : u.map == v.map && u.texture == v.texture;
+  const bool is_same = u == v;
   Widths widths{width_of(reader, u, remaps), {}};
   const ScalarInput across = is_same ? widths.along : width_of(reader, v, remaps);
   if (!is_same) widths.across = across;
-  const bool is_smooth = is_constant(widths.along) && is_constant(across) &&
+  const bool is_smooth = widths.along.is_constant() && across.is_constant() &&
                          std::max(widths.along.factor, across.factor) < smooth;
   if (is_smooth) widths = {ScalarInput{0.0, {}, 0, {}}, {}};
   return widths;
@@ -122,7 +118,7 @@ std::array<Vec3d, 2> read_metal(MaterialReader& reader, std::string_view prefix)
   const auto copper = *metal_named("metal-Cu-eta");
   const auto constant = [&](const std::optional<ColourInput>& input, const Vec3d& otherwise) {
     if (!input) return otherwise;
-    if (!input->map && !input->texture) return input->factor;
+    if (input->is_constant()) return input->factor;
     reader.context.warn_once("metal texture", reader.arguments.statement().place,
                              "metals of a colour by a texture are not supported: one colour is "
                              "used");
@@ -136,9 +132,7 @@ std::array<Vec3d, 2> read_metal(MaterialReader& reader, std::string_view prefix)
     reader.arguments.warning(*reader.arguments.find("reflectance"),
                              "says how the metal reflects: its eta and k are ignored");
   const Vec3d r = glm::clamp(constant(reflectance, Vec3d(0.5)), Vec3d(0.0), Vec3d(0.9999));
-  Vec3d extinction;
-  for (int c = 0; c < 3; ++c) extinction[c] = 2 * std::sqrt(r[c]) / std::sqrt(1 - r[c]);
-  return {Vec3d(1.0), extinction};
+  return {Vec3d(1.0), extinction_of_reflectance(r)};
 }
 
 std::size_t Materials::index_of(const MaterialUse& use) {
@@ -208,11 +202,6 @@ const MixParts* Materials::parts_of(const Material& material) const {
   return found == parts_.end() ? nullptr : &found->second;
 }
 
-bool Materials::is_bumped(const Material& material) const {
-  const MixParts* parts = parts_of(material);
-  return parts ? parts->is_bumped : material.height || material.height_texture;
-}
-
 void Materials::read_all() {
   for (std::size_t i = 0; i < context_.program.materials.size(); ++i)
     if (!context_.program.materials[i].name.empty() || first_equal(i) == i) (void)at(i);
@@ -248,13 +237,21 @@ Materials::Made Materials::make(MaterialStatement& statement) {
     return {material, {}};
   }
   add_own_parameters(reader, material);
-  textures_.set_heights(arguments, material);
+  set_surface(arguments, material);
+  arguments.warn_of_unknown();
+  return {material, {}};
+}
+
+// Of pbrt's own parameters a map of normals stands in the place of heights.
+void Materials::set_surface(Arguments& arguments, Material& material) {
   if (const auto normals = textures_.normal_map(arguments)) {
     material.normal_map = normals;
     material.normal_map_is_right_handed = !arguments.flag("normalsalongv", false);
   }
-  arguments.warn_of_unknown();
-  return {material, {}};
+  if (material.normal_map && !arguments.has("heights"))
+    arguments.ignore("displacement", "the material has a normalmap");
+  else
+    textures_.set_heights(arguments, material);
 }
 
 Materials::Made Materials::made(const Material& material) const {
@@ -299,8 +296,8 @@ std::optional<Materials::Made> Materials::mix(Arguments& arguments) {
 
 Materials::Made Materials::mixed(const ScalarInput& amount, const Material& first,
                                  const Material& second, const Place& place) {
-  if (&first == &second || (is_constant(amount) && amount.factor <= 0)) return made(first);
-  if (is_constant(amount) && amount.factor >= 1) return made(second);
+  if (&first == &second || (amount.is_constant() && amount.factor <= 0)) return made(first);
+  if (amount.is_constant() && amount.factor >= 1) return made(second);
   if (is_interface(first)) return with_hole(amount, second, place);
   if (is_interface(second)) return with_hole(textures_.complement(amount, place), first, place);
   if (has_holes(first) || has_holes(second))
@@ -309,7 +306,7 @@ Materials::Made Materials::mixed(const ScalarInput& amount, const Material& firs
                        "as if it were not mixed in");
   Material material;
   material.model = description::MixMaterial{{}, {}, amount};
-  return {material, MixParts{&first, &second, is_bumped(first) || is_bumped(second)}};
+  return {material, MixParts{&first, &second}};
 }
 
 // A part that is not there is a hole.
@@ -320,7 +317,7 @@ Materials::Made Materials::with_hole(const ScalarInput& opacity, const Material&
   ScalarInput& own = holey.material.opacity;
   if (!has_holes(material))
     own = opacity;
-  else if (is_constant(opacity) && is_constant(own))
+  else if (opacity.is_constant() && own.is_constant())
     own.factor *= opacity.factor;
   else
     context_.warn_once("hole", place,

@@ -5,7 +5,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <vector>
 
 #include "scene_io/pbrt/context.h"
 #include "scene_io/pbrt/textures.h"
@@ -16,7 +15,6 @@ namespace candela::pbrt {
 struct MixParts {
   const description::Material* first = nullptr;
   const description::Material* second = nullptr;
-  bool is_bumped = false;
 };
 
 // What rays meet nothing at, and what some of them pass through.
@@ -31,7 +29,6 @@ class Materials {
   [[nodiscard]] const description::Material& of(const MaterialUse& use);
   // Null where it is no mixture. The handles of a mixture's MixMaterial lead nowhere yet.
   [[nodiscard]] const MixParts* parts_of(const description::Material& material) const;
-  [[nodiscard]] bool is_bumped(const description::Material& material) const;
   // Those that no shape uses, for their errors.
   void read_all();
 
@@ -47,6 +44,7 @@ class Materials {
     std::optional<MixParts> parts;
   };
   [[nodiscard]] Made make(MaterialStatement& statement);
+  void set_surface(Arguments& arguments, description::Material& material);
   [[nodiscard]] Made made(const description::Material& material) const;
   [[nodiscard]] std::optional<Made> mix(Arguments& arguments);
   [[nodiscard]] Made mixed(const description::ScalarInput& amount,

@@ -2,8 +2,6 @@
 // them.
 #pragma once
 
-#include <string_view>
-
 namespace candela::pbrt::own {
 
 // "string model" of materials.

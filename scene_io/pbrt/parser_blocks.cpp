@@ -1,5 +1,4 @@
 // Files, blocks and what stands behind a directive's name.
-#include <algorithm>
 
 #include <fmt/format.h>
 

@@ -39,7 +39,7 @@ std::string normalized(std::string_view name) {
 void Parser::camera() {
   auto statement = read_statement();
   if (!statement) return;
-  if (is_singular(state_.transform))
+  if (is_singular(state_.transform.linear))
     return report_.error(statement->place, "the camera's transform is singular");
   keep(std::move(statement), program_.camera);
   program_.camera_from_world = state_.transform;
@@ -248,7 +248,7 @@ void Parser::shape() {
   if (!statement) return;
   ShapeStatement shape{std::move(*statement), state_.transform,  state_.is_reversed,
                        state_.material,       state_.area_light, state_.media};
-  if (is_singular(shape.world_from_object))
+  if (is_singular(shape.world_from_object.linear))
     return report_.error(shape.statement.place,
                          "the current transform is singular and flattens this shape");
   if (is_in_object() && shape.area_light != none) {

@@ -1,5 +1,4 @@
 // The directives that change the current transform.
-#include <cmath>
 
 #include <fmt/format.h>
 

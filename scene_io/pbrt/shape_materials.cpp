@@ -1,7 +1,5 @@
 #include "scene_io/pbrt/shape_materials.h"
 
-#include <fmt/format.h>
-
 #include "scene_io/pbrt/mesh_areas.h"
 
 namespace candela::pbrt {
@@ -19,14 +17,10 @@ MaterialHandle ShapeMaterials::of(ShapeStatement& shape, const Mesh& mesh, std::
     key.inside = media_.of(shape.media.inside).index;
     key.outside = media_.of(shape.media.outside).index;
   }
-  const bool is_bumped = materials_.is_bumped(*key.base);
-  if (shape.area_light != none || is_bumped) {
+  if (shape.area_light != none) {
     const Areas areas = areas_of(mesh, shape.world_from_object);
-    if (is_bumped) key.height_scale = height_scale(areas);
-    if (shape.area_light != none) {
-      read_emission_of(shape, areas.surface / static_cast<double>(count), key);
-      warn_of_uneven_power(shape, mesh, count);
-    }
+    read_emission_of(shape, areas.surface / static_cast<double>(count), key);
+    warn_of_uneven_power(shape, mesh, count);
   }
   return of(key, shape.statement.place);
 }
@@ -95,10 +89,9 @@ void ShapeMaterials::warn_of_uneven_power(const ShapeStatement& shape, const Mes
 MaterialHandle ShapeMaterials::add(const Key& key, const Place& place) {
   Material material = *key.base;
   if (const MixParts* parts = materials_.parts_of(*key.base))
-    material.model = mix_of(*parts, key, std::get<description::MixMaterial>(material.model), place);
+    material.model = mix_of(*parts, std::get<description::MixMaterial>(material.model), place);
   material.emission = {key.emission[0], key.emission[1], key.emission[2]};
   material.emits_both_sides = key.emits_both_sides;
-  if (material.height_scale == heights_are_lengths) material.height_scale = key.height_scale;
   material.media.inside.index = key.inside;
   material.media.outside.index = key.outside;
   material.emission_map.index = key.emission_map;
@@ -108,10 +101,9 @@ MaterialHandle ShapeMaterials::add(const Key& key, const Place& place) {
   return MaterialHandle(context_.scene.materials.size() - 1);
 }
 
-description::MixMaterial ShapeMaterials::mix_of(const MixParts& parts, const Key& key,
-                                                description::MixMaterial mix, const Place& place) {
+description::MixMaterial ShapeMaterials::mix_of(const MixParts& parts, description::MixMaterial mix,
+                                                const Place& place) {
   Key part;
-  part.height_scale = key.height_scale;
   part.base = parts.first;
   mix.first = of(part, place);
   part.base = parts.second;
@@ -125,14 +117,11 @@ void ShapeMaterials::set_opacity(const Key& key, Material& material, const Place
   alpha.map.index = key.opacity_map;
   alpha.texture.index = key.opacity_texture;
   alpha.channel = alpha.map ? description::alpha_or_mean : 0;
-  const auto is_constant = [](const description::ScalarInput& input) {
-    return !input.map && !input.texture;
-  };
-  if (is_constant(alpha) && is_constant(material.opacity))
+  if (alpha.is_constant() && material.opacity.is_constant())
     material.opacity.factor *= alpha.factor;
-  else if (is_constant(material.opacity) && material.opacity.factor == 1)
+  else if (material.opacity.is_constant() && material.opacity.factor == 1)
     material.opacity = alpha;
-  else if (!is_constant(alpha) || alpha.factor != 1)
+  else if (!alpha.is_constant() || alpha.factor != 1)
     context_.warn_once("alpha", place,
                        "the alpha of shapes whose mixture has an interface is "
                        "ignored");

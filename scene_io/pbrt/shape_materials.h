@@ -30,7 +30,6 @@ class ShapeMaterials {
     bool emits_both_sides = false;
     std::uint32_t emission_map = Handle<int>::none;
     bool emission_is_maps_mean = false;
-    double height_scale = 1;
     std::uint32_t inside = Handle<int>::none, outside = Handle<int>::none;  // media
     // Of the shape's alpha.
     double opacity = 1;
@@ -54,8 +53,8 @@ class ShapeMaterials {
                             std::size_t count);
   description::MaterialHandle add(const Key& key, const Place& place);
   // The parts stand before it in the scene.
-  description::MixMaterial mix_of(const MixParts& parts, const Key& key,
-                                  description::MixMaterial mix, const Place& place);
+  description::MixMaterial mix_of(const MixParts& parts, description::MixMaterial mix,
+                                  const Place& place);
   // The shape's alpha, and what a mixture with an interface leaves.
   void set_opacity(const Key& key, description::Material& material, const Place& place);
 

@@ -1,10 +1,10 @@
 // trianglemesh, plymesh and bilinearmesh.
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <fmt/format.h>
 
+#include "scene_io/mesh/float_direction.h"
 #include "scene_io/pbrt/shape_kinds.h"
 #include "scene_io/pbrt/source_files.h"
 #include "scene_io/ply/read_ply.h"
@@ -20,11 +20,8 @@ using Patch = std::array<Vec3d, 4>;  // at u v: 0 0, 1 0, 0 1, 1 1
 Vec2f to_float(const Vec2d& uv) {
   return Vec2f(glm::clamp(uv, Vec2d(-1e30), Vec2d(1e30)));
 }
-// Any length counts, so that long ones may be cut.
 Vec3f to_float(const Vec3d& normal) {
-  const double largest = max_component(glm::abs(normal));
-  const bool is_moderate = largest == 0 || (largest > 1e-18 && largest < 1e18);
-  return Vec3f(is_moderate ? normal : normal / largest);
+  return mesh::to_float_direction(normal);
 }
 
 template <class To, class From>

@@ -1,8 +1,6 @@
 // loopsubdiv: Loop's subdivision surfaces [Loop87], with boundaries as cubic B-splines
 // [Hoppe94, figure 3].
 #include <array>
-#include <cmath>
-#include <map>
 #include <unordered_map>
 
 #include <fmt/format.h>

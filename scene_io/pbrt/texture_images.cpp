@@ -1,5 +1,4 @@
 // Image files as pbrt names them: textures, heights, normals.
-#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -122,7 +121,7 @@ void Textures::set_heights(Arguments& arguments, description::Material& material
   if (!parameter) parameter = arguments.find("bumpmap", {ParameterType::Texture});  // pbrt-v3
   if (!parameter || parameter->type != ParameterType::Texture) return;
   set_height_texture(*parameter, material);
-  material.height_scale = heights_are_lengths;
+  material.heights_are_lengths = true;
 }
 
 // candela's own: heights in the unit that it has.

@@ -19,10 +19,6 @@ using description::UvMapping;
 
 constexpr int deepest = 64;  // textures of textures
 
-bool is_constant(const ColourInput& input) {
-  return !input.map && !input.texture;
-}
-
 std::vector<std::string_view> names_of(const std::map<std::string, TextureStatement>& textures) {
   std::vector<std::string_view> names;
   for (const auto& [name, texture] : textures) names.push_back(name);
@@ -80,7 +76,7 @@ std::optional<ScalarInput> Textures::scalar_texture(const Parameter& parameter) 
 ScalarInput Textures::complement(const ScalarInput& input, const Place& place) {
   ScalarInput result;
   result.factor = 1 - input.factor;
-  if (!input.map && !input.texture) return result;
+  if (input.is_constant()) return result;
   const ColourInput amount = grey({Vec3d(input.factor), input.map, input.texture}, place);
   const description::MixTexture texture{{Vec3d(1.0), {}, {}}, {Vec3d(0.0), {}, {}}, amount};
   result.factor = 1;
@@ -91,16 +87,30 @@ ScalarInput Textures::complement(const ScalarInput& input, const Place& place) {
 ScalarInput Textures::square_root(const ScalarInput& input, const Place& place) {
   ScalarInput result;
   result.factor = std::sqrt(std::max(input.factor, 0.0));
-  if (!input.map && !input.texture) return result;
+  if (input.is_constant()) return result;
   const description::SquareRootTexture texture{grey({Vec3d(1.0), input.map, input.texture}, place)};
   result.texture = add(texture, "root", place).texture;
   return result;
 }
 
-ColourInput Textures::scaled(const ColourInput& input, double factor, const Place& place) {
-  if (is_constant(input)) return {input.factor * factor, {}, {}};
-  if (factor == 1) return input;
-  return add(description::ProductTexture{input, {Vec3d(factor), {}, {}}}, "scaled", place);
+ColourInput Textures::product(const ColourInput& a, const ColourInput& b, const Place& place) {
+  if (a.is_constant() && b.is_constant()) return {a.factor * b.factor, {}, {}};
+  const auto is_one = [](const ColourInput& c) {
+    return c.is_constant() && c.factor == Vec3d(1.0);
+  };
+  if (is_one(a)) return b;
+  if (is_one(b)) return a;
+  return add(description::ProductTexture{a, b}, "product", place);
+}
+
+ScalarInput Textures::scaled(const ScalarInput& input, double factor, const Place& place) {
+  ScalarInput result;
+  result.factor = input.factor * factor;
+  if (input.is_constant()) return result;
+  const ColourInput unscaled = grey({Vec3d(1.0), input.map, input.texture}, place);
+  result.factor = 1;
+  result.texture = product(unscaled, {Vec3d(factor), {}, {}}, place).texture;
+  return result;
 }
 
 void Textures::report_unknown(Kind kind, const Place& place, const std::string& name) const {
@@ -170,7 +180,7 @@ Textures::Value Textures::make(Kind kind, TextureStatement& texture, const std::
   else if (type == "imagemap")
     value = image(kind, texture, arguments, name);
   else if (type == "scale")
-    value = product(kind, arguments, name);
+    value = scale(kind, arguments, name);
   else if (type == "mix")
     value = mix(kind, arguments, name);
   else if (type == "directionmix")
@@ -247,13 +257,13 @@ UvMapping Textures::mapping(const TextureStatement& texture, Arguments& argument
 }
 
 Transform Textures::place_from_world(const TextureStatement& texture) {
-  if (!is_singular(texture.world_from_texture)) return inverse(texture.world_from_texture);
+  if (!is_singular(texture.world_from_texture.linear)) return inverse(texture.world_from_texture);
   context_.report.error(texture.statement.place, "the transform of this texture is singular");
   return {};
 }
 
 // pbrt-v3 names the two factors tex1 and tex2, and so does candela where the second is a colour.
-Textures::Value Textures::product(Kind kind, Arguments& arguments, const std::string& name) {
+Textures::Value Textures::scale(Kind kind, Arguments& arguments, const std::string& name) {
   const bool is_v3 = arguments.has("tex1");
   if (is_v3) arguments.accept({"tex", "scale"});
   description::ProductTexture texture;
@@ -262,7 +272,7 @@ Textures::Value Textures::product(Kind kind, Arguments& arguments, const std::st
     return add(description::SquareRootTexture{texture.first}, name, arguments.statement().place);
   texture.second = is_v3 ? input(kind, arguments, "tex2", Vec3d(1.0))
                          : input(Kind::Float, arguments, "scale", Vec3d(1.0));
-  if (is_constant(texture.first) && is_constant(texture.second))
+  if (texture.first.is_constant() && texture.second.is_constant())
     return ColourInput{texture.first.factor * texture.second.factor, {}, {}};
   return add(texture, name, arguments.statement().place);
 }
@@ -318,7 +328,7 @@ Textures::Value Textures::dots(Kind kind, const TextureStatement& statement, Arg
 
 Vec3d Textures::corner(Kind kind, Arguments& arguments, std::string_view name, double otherwise) {
   const ColourInput value = input(kind, arguments, name, Vec3d(otherwise));
-  if (!is_constant(value))
+  if (!value.is_constant())
     arguments.warning(*arguments.find(name), "is no constant: white is used");
   return value.factor;
 }

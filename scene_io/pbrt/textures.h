@@ -10,10 +10,6 @@
 
 namespace candela::pbrt {
 
-// The height_scale of materials that are not on a shape yet: heights in the world's unit, whose
-// scale is the shape's.
-inline constexpr double heights_are_lengths = 0;
-
 class Textures {
  public:
   explicit Textures(Context& context) : context_(context) {}
@@ -28,9 +24,11 @@ class Textures {
   // 1 minus a number.
   description::ScalarInput complement(const description::ScalarInput& input, const Place& place);
   description::ScalarInput square_root(const description::ScalarInput& input, const Place& place);
-  description::ColourInput scaled(const description::ColourInput& input, double factor,
+  description::ColourInput product(const description::ColourInput& a,
+                                   const description::ColourInput& b, const Place& place);
+  description::ScalarInput scaled(const description::ScalarInput& input, double factor,
                                   const Place& place);
-  // Heights: an image or a texture. `height_scale` becomes heights_are_lengths for pbrt's.
+  // Heights, pbrt's in the world's unit.
   void set_heights(Arguments& arguments, description::Material& material);
   // A file of normals.
   description::ImageHandle normal_map(Arguments& arguments);
@@ -52,7 +50,7 @@ class Textures {
   description::ColourInput grey(const description::ColourInput& input, const Place& place);
   Value image(Kind kind, const TextureStatement& statement, Arguments& arguments,
               const std::string& name);
-  Value product(Kind kind, Arguments& arguments, const std::string& name);
+  Value scale(Kind kind, Arguments& arguments, const std::string& name);
   Value mix(Kind kind, Arguments& arguments, const std::string& name);
   Value direction_mix(Kind kind, const TextureStatement& statement, Arguments& arguments,
                       const std::string& name);

@@ -36,28 +36,20 @@ Transform looking(const Vec3d& eye, const Vec3d& look_at, const Vec3d& up) {
 }
 
 Transform affine(const std::array<double, 16>& m) {
-  return {Mat3d(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]), Vec3d(m[12], m[13], m[14])};
+  const Mat3d linear(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]);
+  return {linear / m[15], Vec3d(m[12], m[13], m[14]) / m[15]};
 }
 
 bool is_affine(const std::array<double, 16>& m) {
-  return m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
+  constexpr double rounding = 1e-6;  // of exporters that calculate in floats
+  return std::max({std::abs(m[3]), std::abs(m[7]), std::abs(m[11]), std::abs(m[15] - 1)}) <
+         rounding;
 }
 
 bool has_finite_numbers(const Transform& transform) {
   const Mat3d& linear = transform.linear;
   return is_finite(linear[0]) && is_finite(linear[1]) && is_finite(linear[2]) &&
          is_finite(transform.translation);
-}
-
-bool is_singular(const Transform& transform) {
-  double largest = 0;
-  for (int c = 0; c < 3; ++c)
-    largest = std::max(largest, max_component(glm::abs(transform.linear[c])));
-  if (!(largest > 0)) return true;
-  const Transform scaled{transform.linear / largest, {}};
-  double edges = 1;
-  for (int c = 0; c < 3; ++c) edges *= length(scaled.linear[c]);
-  return !(std::abs(scaled.determinant()) > 1e-12 * edges);
 }
 
 }  // namespace candela::pbrt

@@ -15,8 +15,6 @@ namespace candela::pbrt {
 // Of 16 numbers, column by column as pbrt writes them. They must be affine: see is_affine().
 [[nodiscard]] Transform affine(const std::array<double, 16>& numbers);
 [[nodiscard]] bool is_affine(const std::array<double, 16>& numbers);
-// Maps all of space onto less than it.
-[[nodiscard]] bool is_singular(const Transform& transform);
 [[nodiscard]] bool has_finite_numbers(const Transform& transform);
 
 }  // namespace candela::pbrt

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "scene_io/mesh/float_direction.h"
 #include "scene_io/mesh/smooth_normals.h"
 #include "scene_io/mesh/triangulate.h"
 #include "scene_io/ply/header.h"
@@ -222,11 +223,7 @@ class BodyReader {
     const Vec3d normal{record[NormalX], record[NormalY], record[NormalZ]};
     const bool is_number = is_finite(normal);
     if (!is_number) ++replaced_count_;
-    const double largest = is_number ? max_component(glm::abs(normal)) : 0.0;
-    const bool is_sound = largest > 0.0;
-    // As long as float holds its square, the length is the file's.
-    const bool is_moderate = largest > 1e-18 && largest < 1e18;
-    mesh.normals.push_back(is_sound ? Vec3f(is_moderate ? normal : normal / largest) : Vec3f(0.0f));
+    mesh.normals.push_back(is_number ? mesh::to_float_direction(normal) : Vec3f(0.0f));
   }
 
   void add_uv(const std::array<double, SlotCount + 1>& record, Mesh& mesh) {

@@ -42,14 +42,8 @@ std::string_view kind_of(mode_t mode) {
   return "something else";
 }
 
-Diagnostics fault(const std::string& path, std::string message) {
-  Diagnostics diagnostics;
-  diagnostics.error({std::make_shared<const std::string>(path), 0, 0}, std::move(message));
-  return diagnostics;
-}
-
 Diagnostics not_regular(const std::string& path, mode_t mode) {
-  return fault(path, fmt::format("is {}; expected a regular file", kind_of(mode)));
+  return file_error(path, fmt::format("is {}; expected a regular file", kind_of(mode)));
 }
 
 // Reads to the end, which may have moved since the size was asked for, but never past `max_bytes`.
@@ -65,7 +59,7 @@ Result<std::string> read_descriptor(int descriptor, const std::string& path, std
     }
     const ssize_t count = ::read(descriptor, bytes.data() + filled, bytes.size() - filled);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return fault(path, fmt::format("cannot be read: {}", system_message()));
+    if (count < 0) return file_error(path, fmt::format("cannot be read: {}", system_message()));
     if (count == 0) break;
     filled += static_cast<std::size_t>(count);
   }
@@ -74,26 +68,32 @@ Result<std::string> read_descriptor(int descriptor, const std::string& path, std
 }
 
 Result<std::string> read_plain(const std::string& path, std::uint64_t max_bytes) {
-  if (path.find('\0') != std::string::npos) return fault(path, "is not the name of a file");
+  if (path.find('\0') != std::string::npos) return file_error(path, "is not the name of a file");
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) {
-    return fault(path, fmt::format("cannot be opened: {}", system_message()));
+    return file_error(path, fmt::format("cannot be opened: {}", system_message()));
   }
   if (!S_ISREG(status.st_mode)) return not_regular(path, status.st_mode);
   // The file may have been exchanged since: opened without waiting, and looked at again.
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
   if (file.number() < 0 || ::fstat(file.number(), &status) != 0) {
-    return fault(path, fmt::format("cannot be opened: {}", system_message()));
+    return file_error(path, fmt::format("cannot be opened: {}", system_message()));
   }
   if (!S_ISREG(status.st_mode)) return not_regular(path, status.st_mode);
   const auto size = static_cast<std::uint64_t>(status.st_size);
   if (size > max_bytes) {
-    return fault(path, fmt::format("holds {} bytes; at most {} are read", size, max_bytes));
+    return file_error(path, fmt::format("holds {} bytes; at most {} are read", size, max_bytes));
   }
   return read_descriptor(file.number(), path, static_cast<std::size_t>(size), max_bytes);
 }
 
 }  // namespace
+
+Diagnostics file_error(const std::string& path, std::string message) {
+  Diagnostics diagnostics;
+  diagnostics.error({std::make_shared<const std::string>(path), 0, 0}, std::move(message));
+  return diagnostics;
+}
 
 bool has_gzip_name(std::string_view path) {
   return path.size() > 3 && equal_ignoring_case(path.substr(path.size() - 3), ".gz");

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,6 +21,9 @@ struct FileLimits {
 // The bytes of `path`. One error where it is missing, unreadable, no regular file (a FIFO or a
 // device is never waited for), too large, or a broken gzip file.
 [[nodiscard]] Result<std::string> read_file(const std::string& path, const FileLimits& limits = {});
+
+// One error, of a file as a whole.
+[[nodiscard]] Diagnostics file_error(const std::string& path, std::string message);
 
 // The bytes that a gzip file in memory holds. A bomb is known by its beginning, however large.
 [[nodiscard]] Result<std::string> inflate_gzip(std::string_view bytes, const std::string& name,

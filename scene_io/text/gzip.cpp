@@ -11,12 +11,6 @@
 namespace candela::text {
 namespace {
 
-Diagnostics fault(const std::string& name, std::string message) {
-  Diagnostics diagnostics;
-  diagnostics.error({std::make_shared<const std::string>(name), 0, 0}, std::move(message));
-  return diagnostics;
-}
-
 class Inflater {
  public:
   explicit Inflater(std::string_view bytes) {
@@ -65,7 +59,7 @@ Result<std::string> inflate_gzip(std::string_view bytes, const std::string& name
                     std::max(limits.small_bytes, compressed * limits.inflation));
   };
   Inflater inflater(bytes);
-  if (!inflater.is_ready()) return fault(name, "cannot be inflated: out of memory");
+  if (!inflater.is_ready()) return file_error(name, "cannot be inflated: out of memory");
   std::string out;
   std::size_t filled = 0;
   while (true) {
@@ -80,13 +74,13 @@ Result<std::string> inflate_gzip(std::string_view bytes, const std::string& name
     const int status = inflater.step(out.data() + filled, out.size() - filled, filled);
     const std::uint64_t most = allowed(bytes.size() - inflater.bytes_left());
     if (filled > most)
-      return fault(name, fmt::format("inflates to more than {} bytes; no more is read", most));
+      return file_error(name, fmt::format("inflates to more than {} bytes; no more is read", most));
     if (status == Z_STREAM_END && inflater.is_at_end()) break;
     if (status == Z_STREAM_END) {
       inflater.restart();  // files may be put behind one another
     } else if (status != Z_OK || (filled == before && inflater.is_at_end())) {
-      return fault(name, inflater.is_at_end() ? "ends in the middle of its gzip data"
-                                              : "is not a sound gzip file");
+      return file_error(name, inflater.is_at_end() ? "ends in the middle of its gzip data"
+                                                   : "is not a sound gzip file");
     }
   }
   out.resize(filled);

@@ -104,6 +104,21 @@ TEST(Unit_Validate, AcceptsTransformsOfAnySize) {
   }
 }
 
+TEST(Errors_Validate, LabsAmbientLight) {
+  EXPECT_EQ(error_after([](auto& scene) { scene.lab_ambient = Vec3d(0.1, -1, 0.1); }),
+            "the ambient light is -1, expected 0 to 1e+30");
+}
+
+TEST(Errors_Validate, InputsByAMapAndATexture) {
+  const std::string found = error_after([](auto& scene) {
+    scene.images.push_back({"a.png", {}, {}, {}});
+    scene.textures.push_back({"t", {}, description::CheckerboardTexture{}});
+    scene.materials[0].model = description::DiffuseMaterial{
+        {Vec3d(1.0), description::ImageHandle(0), description::TextureHandle(0)}};
+  });
+  EXPECT_NE(found.find("the reflectance has a map and a texture"), std::string::npos) << found;
+}
+
 TEST(Errors_Validate, Lights) {
   EXPECT_EQ(error_of_light(description::PointLight{{0, not_a_number, 0}, Vec3d(1)}),
             "the position of a light is not finite");

@@ -1,6 +1,9 @@
 // Every kind of file that is read gives the numbers that were put into it.
 #include <gtest/gtest.h>
 
+#include <ImfRgbaFile.h>
+#include <ImfStandardAttributes.h>
+
 #include <cmath>
 #include <cstring>
 
@@ -169,6 +172,27 @@ TEST(Unit_ReadImage, CmykIsConvertedWithAWarning) {
   EXPECT_NEAR(values[0], paper_through_black * (1 - 64 / 255.0), 2);
   EXPECT_NEAR(values[1], paper_through_black * (1 - 128 / 255.0), 2);
   EXPECT_NEAR(values[2], paper_through_black * (1 - 191 / 255.0), 2);
+}
+
+TEST(Unit_ReadImage, OtherPrimariesThanRec709sAreWarnedOf) {
+  const TemporaryFolder folder;
+  const auto said_of = [&](const Imf::Chromaticities& primaries) {
+    const std::string path = folder.path() + "/x.exr";
+    Imf::Header header(1, 1);
+    Imf::addChromaticities(header, primaries);
+    const Imf::Rgba pixel(0.2f, 0.8f, 0.2f);
+    {
+      Imf::RgbaOutputFile file(path.c_str(), header, Imf::WRITE_RGB);
+      file.setFrameBuffer(&pixel, 1, 1);
+      file.writePixels(1);
+    }
+    EXPECT_TRUE(read_image_header(path, {}).diagnostics.list().empty());
+    return message_of(read_decoded_image(path, {}).diagnostics);
+  };
+  EXPECT_EQ(said_of(Imf::Chromaticities()), "");  // those of Rec.709
+  const Imf::Chromaticities rec2020({0.708f, 0.292f}, {0.17f, 0.797f}, {0.131f, 0.046f},
+                                    {0.3127f, 0.329f});
+  EXPECT_NE(said_of(rec2020).find("has other primaries"), std::string::npos);
 }
 
 TEST(Unit_ReadImage, TheLimitIsHeldAgainstFloats) {

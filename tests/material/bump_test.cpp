@@ -48,6 +48,15 @@ TEST(Unit_Bump, DependsNeitherOnTheUnitNorOnTheTiling) {
   expect_near(bump_normal(up, {1e-9f, 0, 0}, {0, 1e-9f, 0}, {3, -2}, 0.1f), once);
 }
 
+TEST(Unit_Bump, OfHeightsThatAreLengthsDependsOnWhatTheyAreLaidOver) {
+  const auto slope_of = [](float edge) {
+    const Vec3f n = bump_normal(up, {edge, 0, 0}, {0, 2 * edge, 0}, {3, 0}, 0.1f, true);
+    return -n.x / n.z;
+  };
+  EXPECT_NEAR(slope_of(1), 0.3f, 1e-6f);
+  EXPECT_NEAR(slope_of(10), 0.03f, 1e-7f);
+}
+
 // A height that rises along u leans the normal against u; a mirrored map still rises along its u.
 TEST(Unit_Bump, LeansAgainstTheSlope) {
   EXPECT_LT(bump_normal(up, {1, 0, 0}, {0, 1, 0}, {1, 0}, 0.5f).x, -0.1f);

@@ -32,19 +32,5 @@ TEST(Unit_ArcTangent, KnowsTheAxesAndTheExtremes) {
   EXPECT_EQ(arc_tangent(1e-30f, 1e30f), 0.0f);
 }
 
-TEST(Unit_ArcCosine, IsWithinItsBoundOfTheLibrarys) {
-  double worst = 0;
-  for (int i = -1'000'000; i <= 1'000'000; ++i) {
-    const float x = static_cast<float>(i) * 1e-6f;
-    const double exact = std::acos(std::clamp(static_cast<double>(x), -1.0, 1.0));
-    const double error = std::abs(static_cast<double>(arc_cosine(x)) - exact);
-    worst = std::max(worst, exact > 0 ? error / exact : error);
-  }
-  EXPECT_LT(worst, 4e-7);
-  EXPECT_EQ(arc_cosine(1.0f), 0.0f);
-  EXPECT_EQ(arc_cosine(1.5f), 0.0f);
-  EXPECT_EQ(arc_cosine(-1.5f), 3.14159265358979323846f);
-}
-
 }  // namespace
 }  // namespace candela

@@ -17,7 +17,8 @@ namespace candela {
 // Segments APP1..13, APP15 and COM go (Exif, colour profiles, thumbnails); a size that the data
 // cannot hold is refused.
 [[nodiscard]] Result<Bytes> guard_jpeg(Bytes bytes);
-// Deep and multi-part files are refused, and tables of chunks that are longer than the file.
+// Deep and multi-part files are refused, and tables of chunks that are longer than the file; other
+// primaries than Rec.709's are warned of.
 [[nodiscard]] Result<Bytes> guard_exr(Bytes bytes);
 // Run-length-encoded files are refused (OpenImageIO 2.4.7 reads none aright and throws on some),
 // and sizes that the file does not hold.

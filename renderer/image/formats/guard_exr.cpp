@@ -2,6 +2,8 @@
 // then a table of 8 bytes for each chunk of lines or tile.
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -21,7 +23,16 @@ struct ExrHeader {
   std::uint64_t tile_width = 0, tile_height = 0;
   std::size_t channel_bytes = 0;  // of the list that names them: 18 or more a channel
   std::size_t compression = 0;
+  bool has_other_primaries = false;
 };
+
+// x and y of red, green, blue and white [BT.709]; "chromaticities" holds them as floats.
+bool are_of_rec709(ByteCursor& cursor) {
+  constexpr std::array<float, 8> rec709{.64f, .33f, .3f, .6f, .15f, .06f, .3127f, .329f};
+  return std::ranges::all_of(rec709, [&](float coordinate) {
+    return std::abs(std::bit_cast<float>(cursor.u32_little()) - coordinate) < 2e-3f;
+  });
+}
 
 void read_attribute(std::string_view name, std::span<const unsigned char> value,
                     ExrHeader& header) {
@@ -38,6 +49,8 @@ void read_attribute(std::string_view name, std::span<const unsigned char> value,
     header.channel_bytes = value.size();
   } else if (name == "compression") {
     header.compression = cursor.u8();
+  } else if (name == "chromaticities") {
+    header.has_other_primaries = !are_of_rec709(cursor);
   }
 }
 
@@ -94,7 +107,12 @@ Result<Bytes> guard_exr(Bytes bytes) {
   if (chunk_count(header, is_tiled) > cursor.remaining() / 8)
     return failure(fmt::format("claims {} x {} pixels, which its {} bytes cannot hold",
                                header.width, header.height, bytes.size()));
-  return bytes;
+  Diagnostics found;
+  if (header.has_other_primaries)
+    found.warning({},
+                  "has other primaries (chromaticities) than Rec.709's, as which its numbers "
+                  "are taken");
+  return {std::move(bytes), std::move(found)};
 }
 
 }  // namespace candela

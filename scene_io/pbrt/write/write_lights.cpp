@@ -4,8 +4,6 @@
 #include <bit>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "renderer/math/constants.h"
 #include "scene_io/pbrt/textures.h"
 

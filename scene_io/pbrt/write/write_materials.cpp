@@ -1,7 +1,5 @@
 #include "scene_io/pbrt/write/write_materials.h"
 
-#include <fmt/format.h>
-
 #include "scene_io/pbrt/write/write_model.h"
 
 namespace candela::pbrt {
@@ -16,10 +14,10 @@ using description::ScalarInput;
 using description::SceneDescription;
 
 bool varies(const ColourInput& input) {
-  return input.map || input.texture;
+  return !input.is_constant();
 }
 bool varies(const ScalarInput& input) {
-  return input.map || input.texture;
+  return !input.is_constant();
 }
 // A second width asks for the directions of u and v even where both are constant.
 bool varies(const ScalarInput& along, const std::optional<ScalarInput>& across) {
@@ -27,6 +25,10 @@ bool varies(const ScalarInput& along, const std::optional<ScalarInput>& across) 
 }
 bool varies(const description::Coat& coat) {
   return varies(coat.roughness, coat.roughness_across);
+}
+
+bool is_bumped(const Material& material) {
+  return (material.height || material.height_texture) && material.height_scale != 0;
 }
 
 struct Textured {
@@ -62,11 +64,11 @@ struct Textured {
 
 }  // namespace
 
-bool is_bumped(const SceneDescription& scene, const Material& material) {
+bool has_heights_by_uv(const SceneDescription& scene, const Material& material) {
   if (const auto* mix = std::get_if<MixMaterial>(&material.model))
-    return is_bumped(scene, scene.materials[mix->first.index]) ||
-           is_bumped(scene, scene.materials[mix->second.index]);
-  return (material.height || material.height_texture) && material.height_scale != 0;
+    return has_heights_by_uv(scene, scene.materials[mix->first.index]) ||
+           has_heights_by_uv(scene, scene.materials[mix->second.index]);
+  return is_bumped(material) && !material.heights_are_lengths;
 }
 
 bool is_textured(const SceneDescription& scene, const Material& material) {
@@ -109,19 +111,25 @@ Directive MaterialWriter::mixture(const std::string& name, const MixMaterial& mi
 }
 
 bool MaterialWriter::has_heights(const Material& material) {
-  return is_bumped(context_.scene, material) &&
-         (material.height_texture || textures_.facts_of(material.height));
+  return is_bumped(material) && (material.height_texture || textures_.facts_of(material.height));
 }
 
-// pbrt's heights are lengths; candela's are in edges of the uv square on the surface.
+// pbrt's heights are lengths.
 void MaterialWriter::add_surface(const Material& material, double height_unit, Directive& out) {
-  if (has_heights(material))
+  if (has_heights(material) && material.heights_are_lengths)
+    out.add(textures_.heights("displacement", material, material.height_scale));
+  else if (has_heights(material))
     out.add(textures_.heights("displacement", material, material.height_scale * height_unit))
         .add_own(textures_.heights("heights", material, 1))
         .add_own("float heightscale", material.height_scale);
   if (!material.normal_map) return;
   const std::string file = textures_.file_of(material.normal_map);
   if (file.empty()) return;
+  if (has_heights(material))
+    context_.warn(material.span,
+                  fmt::format("material '{}': lost for pbrt: its heights, beside its "
+                              "map of normals",
+                              material.name));
   out.add("string normalmap", file);
   if (!material.normal_map_is_right_handed) out.add_own("bool normalsalongv", true);
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -36,9 +35,9 @@ class MaterialWriter {
   std::map<std::pair<std::uint32_t, double>, std::string> names_;
 };
 
-// Has heights that change its normals, or a part of it has.
-[[nodiscard]] bool is_bumped(const description::SceneDescription& scene,
-                             const description::Material& material);
+// Has heights in edges of the uv square, which are lengths on each shape, or a part of it has.
+[[nodiscard]] bool has_heights_by_uv(const description::SceneDescription& scene,
+                                     const description::Material& material);
 // Looks anything up by texture coordinates, or a part of it does.
 [[nodiscard]] bool is_textured(const description::SceneDescription& scene,
                                const description::Material& material);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/math/reflectance.h"
 #include "scene_io/pbrt/own_names.h"
 
 namespace candela::pbrt {
@@ -15,11 +16,8 @@ using description::ColourInput;
 using description::Material;
 using description::ScalarInput;
 
-bool is_constant(const ColourInput& input) {
-  return !input.map && !input.texture;
-}
 bool is_black(const ColourInput& input) {
-  return is_constant(input) && input.factor == Vec3d(0.0);
+  return input.is_constant() && input.factor == Vec3d(0.0);
 }
 double mean(const Vec3d& v) {
   return (v.x + v.y + v.z) / 3;
@@ -111,7 +109,7 @@ struct ModelWriter {
   // At grazing angles Schlick's term lets ks of all light be reflected.
   WrittenModel operator()(const description::CookTorranceMaterial& m) const {
     Highlight h{m.diffuse, m.specular, m.roughness, m.eta_k, even_amount, 1, mean(m.f0)};
-    if (is_constant(m.specular)) {
+    if (m.specular.is_constant()) {
       h.reflectance.factor = m.specular.factor * m.f0;
       h.reflectance_scale = 1;
       h.amount = max_component(m.specular.factor);
@@ -139,14 +137,14 @@ struct ModelWriter {
     // pbrt takes reflectances and not lab3's numbers, which are read through pow 2.2.
     ColourInput diffuse = m.diffuse;
     for (int c = 0; c < 3; ++c) diffuse.factor[c] = std::pow(std::max(diffuse.factor[c], 0.0), 2.2);
-    const double width = std::sqrt(2 / (std::max(m.shininess, 0.0) + 2));
+    const double width = width_of_exponent(m.shininess);
     Highlight h{diffuse, m.specular, {width, {}, 0, {}}, {}, even_amount};
     // lab3's diffuse part gets what the highlight leaves, on the way in and on the way out; and at
     // grazing angles the highlight reflects all.
-    if (is_constant(m.specular)) {
+    if (m.specular.is_constant()) {
       const double left = 1 - mean(m.specular.factor);
       h.diffuse_scale = left * left;
-      if (is_constant(diffuse))
+      if (diffuse.is_constant())
         h.amount = std::max(1 - h.diffuse_scale * max_component(diffuse.factor),
                             max_component(m.specular.factor));
     }
@@ -157,7 +155,7 @@ struct ModelWriter {
     out.add_own(textures.colour("lab.specular", m.specular));
     out.add_own("float lab.shininess", m.shininess);
     const ScalarInput& opacity = material.opacity;
-    if (opacity.map || opacity.texture || opacity.factor != 1)
+    if (!opacity.is_constant() || opacity.factor != 1)
       out.add_own(textures.scalar("lab.opacity", opacity));
     return model;
   }
@@ -175,7 +173,7 @@ struct ModelWriter {
   // A constant above 1 is an error for pbrt.
   [[nodiscard]] WrittenParameter reflectance(std::string_view parameter,
                                              const ColourInput& input) const {
-    if (!is_constant(input) || max_component(input.factor) <= 1)
+    if (!input.is_constant() || max_component(input.factor) <= 1)
       return textures.colour(parameter, input);
     lose("what it reflects above 1");
     return textures.colour(parameter, {glm::min(input.factor, Vec3d(1.0)), {}, {}});

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/description/validate.h"
 #include "scene_io/pbrt/write/write_lights.h"
 #include "scene_io/pbrt/write/write_materials.h"
 #include "scene_io/pbrt/write/write_media.h"
@@ -20,8 +21,10 @@ std::string section(std::string_view title, const std::string& text) {
 // What is asked for first is written last: shapes ask for materials, those for textures.
 Result<WrittenScene> write_pbrt(const description::SceneDescription& scene,
                                 const WriteOptions& options) {
+  Diagnostics diagnostics = description::validate(scene);
+  if (diagnostics.has_errors()) return diagnostics;
   WrittenScene written;
-  Diagnostics diagnostics;
+  diagnostics = {};  // of warnings compile() tells
   WriteContext context{scene, options, written, diagnostics};
   TextureWriter textures(context);
   MaterialWriter materials(context, textures);

@@ -30,7 +30,7 @@ struct WriteOptions {
   std::string folder;      // of meshes and images, relative to the scene file; no '/' at its end
   std::string picture;     // the file that pbrt is to write
   std::size_t camera = 0;  // of several cameras; pbrt has one
-  // Nothing where a file cannot be read.
+  // Nothing where a file cannot be read, as where this is not given.
   std::function<std::optional<ImageFacts>(const std::string& path)> image_facts;
 };
 
@@ -61,8 +61,9 @@ struct WrittenScene {
   std::vector<WrittenSky> skies;
 };
 
-// The same bytes for the same scene. The scene must be valid (description/validate.h). Diagnostics
-// are warnings of what is lost for pbrt.
+// The same bytes for the same scene. Errors are those of description/validate.h. What the scene's
+// defaults do not say is what readers take it for: `filter` and `filter_radius` belong there.
+// Warnings are of what is lost for pbrt.
 [[nodiscard]] Result<WrittenScene> write_pbrt(const description::SceneDescription& scene,
                                               const WriteOptions& options);
 

@@ -1,8 +1,6 @@
 #include "scene_io/pbrt/write/write_shapes.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -83,7 +81,7 @@ class ShapeWriter {
     if (uses_.at(use_of(instance)) == 1) return false;
     return std::none_of(parts.begin(), parts.end(), [&](const Part& part) {
       const Material& material = material_of(part);
-      return material.emission != Vec3d(0.0) || is_bumped(context_.scene, material);
+      return material.emission != Vec3d(0.0) || has_heights_by_uv(context_.scene, material);
     });
   }
 
@@ -116,8 +114,9 @@ class ShapeWriter {
   std::string shape(const Part& part, const Transform& object_to_world) {
     const Material& material = material_of(part);
     std::string text = "AttributeBegin\n" + transform(object_to_world);
-    const double unit =
-        is_bumped(context_.scene, material) ? 1 / height_scale_of(part, object_to_world) : 1;
+    const double unit = has_heights_by_uv(context_.scene, material)
+                            ? 1 / height_scale_of(part, object_to_world)
+                            : 1;
     text += "  NamedMaterial " + in_quotes(materials_.name_of(part.material, unit)) + "\n";
     const std::string media = media_.interface_of(material.media);
     if (!media.empty()) text += "  " + media;

@@ -100,10 +100,6 @@ bool is_grey(const Vec3d& colour) {
   return colour.x == colour.y && colour.y == colour.z;
 }
 
-bool is_constant(const ColourInput& input) {
-  return !input.map && !input.texture;
-}
-
 }  // namespace
 
 // One texture of the description -> its directive.
@@ -125,7 +121,7 @@ struct TextureDirectives {
     Directive out = directive("scale");
     out.add(input("tex", t.first)).add(writer.input(TextureWriter::Kind::Float, "scale", t.second));
     if (kind == TextureWriter::Kind::Spectrum &&
-        !(is_constant(t.second) && is_grey(t.second.factor)))
+        !(t.second.is_constant() && is_grey(t.second.factor)))
       out.add_own(input("tex1", t.first)).add_own(input("tex2", t.second));
     return out;
   }
@@ -233,7 +229,7 @@ std::optional<ImageFacts> TextureWriter::facts_of(ImageHandle handle) {
   const description::Image& image = context_.scene.images[handle.index];
   const auto [at, is_new] = facts_.try_emplace(image.path);
   if (!is_new) return at->second;
-  at->second = context_.options.image_facts(image.path);
+  if (context_.options.image_facts) at->second = context_.options.image_facts(image.path);
   if (!at->second)
     context_.warn(image.span,
                   fmt::format("the image '{}' cannot be read: it is magenta, as candela "

@@ -1,6 +1,7 @@
 // Materials with a Type: the extension.
 #include <gtest/gtest.h>
 
+#include "renderer/math/reflectance.h"
 #include "scene_io/lab3/metals.h"
 #include "tests/scene_io/lab3/lab3_text.h"
 
@@ -159,12 +160,12 @@ TEST(Unit_TypedMaterials, Conductors) {
   EXPECT_EQ(own.k, Vec3d(1, 2, 3));
   EXPECT_EQ(own.roughness.factor, 0);
   const auto f0 = model_of<ConductorMaterial>("Type: conductor, F0: [.9, .5, 0]");
-  expect_near(lab3::normal_reflectance(f0.eta, f0.k), Vec3d(0.9, 0.5, 0));
+  expect_near(normal_reflectance(f0.eta, f0.k), Vec3d(0.9, 0.5, 0));
 }
 
 TEST(Unit_TypedMaterials, MetalsReflectAsTheyLook) {
   for (const lab3::Metal& metal : lab3::metals()) {
-    const Vec3d reflectance = lab3::normal_reflectance(metal.eta, metal.k);
+    const Vec3d reflectance = normal_reflectance(metal.eta, metal.k);
     EXPECT_GT(reflectance.x, 0.45) << metal.name;
     EXPECT_LT(reflectance.x, 1) << metal.name;
     const auto named =
@@ -172,9 +173,9 @@ TEST(Unit_TypedMaterials, MetalsReflectAsTheyLook) {
     expect_near(named.f0, reflectance);
   }
   // Gold and copper are red, the others grey within a tenth.
-  const Vec3d gold = lab3::normal_reflectance(lab3::metals()[0].eta, lab3::metals()[0].k);
+  const Vec3d gold = normal_reflectance(lab3::metals()[0].eta, lab3::metals()[0].k);
   expect_near(gold, Vec3d(0.942, 0.704, 0.404), 0.001);
-  const Vec3d silver = lab3::normal_reflectance(lab3::metals()[1].eta, lab3::metals()[1].k);
+  const Vec3d silver = normal_reflectance(lab3::metals()[1].eta, lab3::metals()[1].k);
   expect_near(silver, Vec3d(0.98), 0.01);
 }
 

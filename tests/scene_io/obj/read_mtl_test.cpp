@@ -188,6 +188,21 @@ TEST(Unit_Mtl, FullMetalWorkflowConservesEnergyAndKeepsTheReflectance) {
   EXPECT_EQ(mapped.images.at(m.roughness.map.index).path, "folder/r.png");
 }
 
+// A map has no factor: metalness between 0 and 1 counts as the nearer one.
+TEST(Unit_Mtl, MapsAreOfMetalsOrOfWhatIsNone) {
+  const auto mapped = [](std::string_view metalness) {
+    return std::get<CookTorranceMaterial>(
+        only(fmt::format("Kd .8 .5 .2\nmap_Kd a.png\nPm {}\n", metalness), MtlUse::Full).model);
+  };
+  EXPECT_TRUE(mapped(".45").diffuse.map);
+  EXPECT_FALSE(mapped(".45").specular.map);
+  EXPECT_NEAR(mapped(".45").specular.factor.x * mapped(".45").f0.x, 0.04, 1e-15);
+  EXPECT_FALSE(mapped(".55").diffuse.map);
+  EXPECT_EQ(mapped(".55").diffuse.factor, Vec3d(0.0));
+  EXPECT_TRUE(mapped(".55").specular.map);
+  EXPECT_EQ(mapped(".55").f0, Vec3d(1.0));
+}
+
 TEST(Unit_Mtl, IgnoreReadsNothing) {
   EXPECT_TRUE(parse("newmtl a\nKd x\n", MtlUse::Ignore).materials.empty());
 }

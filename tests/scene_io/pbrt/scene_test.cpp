@@ -278,17 +278,27 @@ TEST(Unit_PbrtMaterials, MaterialsAndTexturesMayFollow) {
 }
 
 TEST(Unit_PbrtMaterials, HeightsAreLengthsInTheWorld) {
-  const auto scale_of = [](const std::string& transform) {
-    const auto scene = pbrt_world(
-        "Texture \"h\" \"float\" \"imagemap\" \"string filename\" \"picture.png\"\n"
-        "Material \"diffuse\" \"texture displacement\" \"h\"\n" +
-        transform + "Shape \"bilinearmesh\" \"point3 P\" [ 0 0 0  2 0 0  0 2 0  2 2 0 ]");
-    EXPECT_TRUE(scene.materials.at(0).height_texture.is_valid());
-    return scene.materials.at(0).height_scale;
-  };
-  // The uv square's edge is 2 long, then 6.
-  EXPECT_NEAR(scale_of(""), 1.0 / 2, 1e-12);
-  EXPECT_NEAR(scale_of("Scale 3 3 3\n"), 1.0 / 6, 1e-12);
+  const auto scene = pbrt_world(R"(
+    Texture "h" "float" "imagemap" "string filename" "picture.png" "float scale" -3.5
+    Material "diffuse" "texture displacement" "h"
+    Shape "disk" Scale 3 3 3 Shape "disk")");
+  ASSERT_EQ(scene.materials.size(), 1u);  // of whatever size their shapes are
+  EXPECT_TRUE(scene.materials[0].height_texture.is_valid());
+  EXPECT_TRUE(scene.materials[0].heights_are_lengths);
+  EXPECT_EQ(scene.materials[0].height_scale, 1);
+  EXPECT_FALSE(description::validate(scene).has_errors());
+}
+
+// pbrt looks at the one or the other.
+TEST(Errors_PbrtMaterials, HeightsBesideAMapOfNormals) {
+  const std::string both =
+      "Texture \"h\" \"float\" \"checkerboard\" Material \"diffuse\" "
+      "\"string normalmap\" \"picture.png\" \"texture displacement\" \"h\" Shape \"disk\"";
+  EXPECT_EQ(pbrt_world_warning(both),
+            "2:88: 'displacement' is ignored: the material has a normalmap");
+  const auto scene = pbrt_world(both);
+  EXPECT_TRUE(scene.materials.at(0).normal_map.is_valid());
+  EXPECT_FALSE(scene.materials.at(0).height_texture.is_valid());
 }
 
 TEST(Errors_PbrtMaterials, WhatIsIgnored) {

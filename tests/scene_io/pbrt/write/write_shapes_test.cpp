@@ -160,6 +160,19 @@ TEST(Unit_WriteShapes, HeightsAreLengthsForPbrt) {
   EXPECT_TRUE(trip.written.images[0].name.ends_with(".png"));
 }
 
+TEST(Unit_WriteShapes, HeightsThatAreLengthsStayWhatTheyAre) {
+  SceneDescription scene = scene_with_camera();
+  scene.textures = {{"ramp", {}, description::BilinearTexture{}}};
+  const auto rough = test::add_material(scene, test::diffuse(Vec3d(0.5)));
+  scene.materials[0].height_texture = description::TextureHandle(0u);
+  scene.materials[0].heights_are_lengths = true;
+  test::add_mesh(scene, square(), rough, placed(0, 2));
+  const RoundTrip trip = test::round_trip(scene);
+  EXPECT_TRUE(trip.scene.materials[0].heights_are_lengths);
+  EXPECT_EQ(trip.scene.materials[0].height_scale, 1);
+  EXPECT_EQ(trip.scene.textures.size(), 1u) << trip.written.text;
+}
+
 // Of other files than PNG pbrt knows no encoding.
 TEST(Unit_WriteTextures, GammaOfAnyFileIsKept) {
   for (const char* file : {"wood.exr", "wood.png"}) {
