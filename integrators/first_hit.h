@@ -1,7 +1,7 @@
 // What the film's layers (AOVs) keep of the first hit. For all integrators.
 #pragma once
 
-#include "renderer/bsdf/dispatch.h"
+#include "renderer/bsdf/albedo.h"
 #include "renderer/camera/camera.h"
 #include "renderer/film/film.h"
 #include "renderer/geometry/surface_point.h"

@@ -1,4 +1,4 @@
-// An integrator's kernel, bound to what it reads. The render loop knows no more of an integrator.
+// An integrator's kernel, bound to what it reads.
 #pragma once
 
 #include <functional>

@@ -7,6 +7,7 @@
 
 #include "integrators/background_pixels.h"
 #include "integrators/check_media.h"
+#include "integrators/check_options.h"
 #include "integrators/feasible_options.h"
 #include "integrators/kernel.h"
 #include "integrators/path/check_sampling.h"
@@ -100,6 +101,7 @@ bool has_light(const Scene& scene) {
 RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
                     const RenderOptions& options, ProgressSink* progress,
                     const CancelFlag* cancel) {
+  require_valid(scene, options);
   const Filter filter = make_filter(options);
   const RenderOptions rounds = feasible_options(scene, options);
   RenderResult result{Film(options.width, options.height, rendered_rect(options), options.aovs,

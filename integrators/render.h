@@ -38,6 +38,8 @@ enum class SamplerKind : std::uint8_t { Sobol, Padded, Independent };
 enum class Guiding : std::uint8_t { Off, Auto, On };
 
 inline constexpr int max_lamp_rays = 64;
+inline constexpr int max_side = 65536;  // of a picture
+inline constexpr int max_samples_per_pixel = 1 << 30;
 
 // What costs a sample less and changes nothing that is expected of it; false is for comparisons.
 struct PathSavings {
@@ -170,6 +172,7 @@ struct RenderResult {
 
 // Runs on the current arena's threads (base/parallel.h: with_threads). `progress` and `cancel` may
 // be null. When `cancel` becomes true the running tiles end and the film so far is returned.
+// Throws std::invalid_argument for options that check_options() (check_options.h) refuses.
 [[nodiscard]] RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
                                   const RenderOptions& options, ProgressSink* progress,
                                   const CancelFlag* cancel);

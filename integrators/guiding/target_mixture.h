@@ -8,7 +8,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 
 #include "renderer/math/constants.h"
 #include "renderer/math/float4.h"

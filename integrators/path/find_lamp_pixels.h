@@ -1,7 +1,6 @@
 // Which pixels are to have more camera rays for lamps, and how many, before any sample is drawn.
 #pragma once
 
-#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>

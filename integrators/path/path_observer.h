@@ -4,7 +4,6 @@
 
 #include <cstdint>
 
-#include "renderer/math/colour.h"
 #include "renderer/math/ray.h"
 
 namespace candela {

@@ -8,6 +8,7 @@
 #include "integrators/path/feature_set.h"
 #include "integrators/path/guide.h"
 #include "integrators/path/next_event.h"
+#include "integrators/path/survival.h"
 #include "integrators/plain_direction.h"
 #include "renderer/light/environment.h"
 #include "renderer/material/bsdf_at.h"
@@ -218,21 +219,7 @@ template <FeatureSet F>
   return true;
 }
 
-// Russian roulette: false ends the path, else survivors stand for the ended. The eta^2 of
-// refraction is taken out, since it comes back when the path leaves the glass [Pharr23,
-// section 14.5.4]; so is what a guide takes of the throughput where it sends most paths: it ends
-// none of them sooner than the BSDF would. The survival probability stays below 1 so that paths end
-// in closed white scenes too, by little: light that leaves a trap (total reflection) in shares
-// smaller than what roulette takes would have no variance. Nor is it less than the random numbers
-// can tell from 0, with which more paths would survive than it says.
-inline constexpr float highest_survival_on_surfaces = 0.998f;
-inline constexpr float lowest_survival = 0x1p-24f;
-[[nodiscard]] inline float survival_probability(std::uint32_t bounce, float roulette_throughput,
-                                                Roulette roulette, float highest) {
-  if (bounce < roulette.first_bounce) return 1;
-  return std::max(std::min(roulette_throughput * roulette.inverse_threshold, highest),
-                  lowest_survival);
-}
+// Russian roulette: false ends the path, else survivors stand for the ended.
 [[nodiscard]] inline bool survives_roulette(float u, std::uint32_t bounce, Roulette roulette,
                                             PathState& path,
                                             float highest = highest_survival_on_surfaces) {

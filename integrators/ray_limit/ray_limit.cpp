@@ -1,5 +1,6 @@
 // `--ray-limit`: how near a render is to the cost of its rays alone.
 
+#include "integrators/check_options.h"
 #include "integrators/feasible_options.h"
 #include "integrators/path/kernels.h"
 #include "integrators/render.h"
@@ -91,6 +92,7 @@ std::optional<RayLimit> measure(const Scene& scene, const A& accelerator,
 
 std::optional<RayLimit> measure_ray_limit(const Scene& scene, const AnyAccelerator& accelerator,
                                           const RenderOptions& options, const CancelFlag* cancel) {
+  require_valid(scene, options);
   return std::visit([&](const auto& a) { return measure(scene, a, options, cancel); }, accelerator);
 }
 

@@ -1,6 +1,6 @@
 #include "integrators/roulette/walk.h"
 
-#include "integrators/path/path_step.h"
+#include "integrators/path/survival.h"
 
 namespace candela {
 

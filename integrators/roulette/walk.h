@@ -1,11 +1,10 @@
 // What another Russian roulette would have made of a path.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "integrators/path_plan.h"
-#include "renderer/math/colour.h"
+#include "renderer/math/vec.h"
 
 namespace candela {
 

@@ -1,7 +1,6 @@
 // The accelerator a render uses, chosen once.
 #pragma once
 
-#include <string_view>
 #include <variant>
 
 #include "renderer/accel/bvh_accel.h"

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "renderer/accel/ray_block.h"
 #include "renderer/math/bounds.h"

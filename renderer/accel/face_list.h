@@ -3,7 +3,6 @@
 // this or that side, nothing is claimed: a watertight intersector is to be asked.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>

@@ -2,7 +2,6 @@
 // scene of few, or the walls of a room with a few dense things in it.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "renderer/accel/box_list.h"

@@ -2,7 +2,6 @@
 
 #include "renderer/accel/accelerator.h"
 #include "renderer/math/frame.h"
-#include "renderer/sampling/dimension.h"
 #include "renderer/sampling/sampler.h"
 #include "renderer/sampling/warp.h"
 

@@ -1,7 +1,10 @@
 #include "renderer/base/parallel.h"
 
 #include <algorithm>
+#include <latch>
 #include <optional>
+#include <thread>
+#include <vector>
 
 #if defined(__SSE2__)
 #include <pmmintrin.h>
@@ -71,10 +74,24 @@ void parallel_for_chunks(std::size_t count, std::size_t grain,
   handover.end();
 }
 
+// Where the system allows no more threads oneTBB's workers end the process: asked before, it is an
+// exception.
+void require_threads(int count) {
+  std::latch are_started(1);
+  std::vector<std::jthread> others;
+  struct Release {
+    std::latch& latch;
+    ~Release() { latch.count_down(); }
+  } const release{are_started};
+  for (int i = 1; i < count; ++i) others.emplace_back([&] { are_started.wait(); });
+}
+
 void with_threads(int threads, const std::function<void()>& work, Denormals denormals) {
   const int count = threads > 0 ? threads : available_threads();
-  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(std::max(count, 1)));
+  require_threads(count);
+  std::optional<tbb::global_control> more;  // its least value is that of the whole process
+  if (count > available_threads())
+    more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
   std::optional<FlushDenormals> flush;
   if (denormals == Denormals::Flushed) flush.emplace();
   const FloatingPointTraps traps(Traps::On);  // in the arena's workers likewise

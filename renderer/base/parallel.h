@@ -29,6 +29,10 @@ void with_threads(int threads, const std::function<void()>& work,
 // (floating_point_traps.h) off in all threads. In builds without traps nothing but work().
 void without_traps(const std::function<void()>& work);
 
+// Throws std::system_error where the system does not allow so many threads, this one among them.
+// with_threads() asks it for its own.
+void require_threads(int count);
+
 // The number of processors this process may run on.
 [[nodiscard]] int available_threads();
 

@@ -110,7 +110,7 @@ class Film {
   void add_weighted(int x, int y, std::uint32_t sample_index, const Rgb& radiance) {
     sums_[index(x, y) * replicates_ + sum_of(sample_index)] += balanced(radiance);
   }
-  // A sample that was invalid: it counts as black so that sums of others stand.
+  // A sample that was invalid: it counts as black, and as clear, so that sums of others stand.
   void add_invalid(int x, int y);
   // What the pixel's samples took, in rays or the like: sample_density.h weighs it.
   void add_cost(int x, int y, std::uint32_t cost) { pixels_[index(x, y)].cost += cost; }

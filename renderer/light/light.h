@@ -5,7 +5,6 @@
 
 #include <cstdint>
 
-#include "renderer/math/constants.h"
 #include "renderer/math/ray.h"
 #include "renderer/math/vec.h"
 #include "renderer/texture/texture.h"

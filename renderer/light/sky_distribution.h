@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/math/constants.h"
 #include "renderer/math/vec.h"
 #include "renderer/sampling/distribution.h"
 

@@ -29,7 +29,8 @@ namespace candela {
 // product folded onto itself, as in wyhash [Wang20].
 [[nodiscard]] constexpr std::uint64_t hash_counter(std::uint64_t key, std::uint64_t n) {
   const std::uint64_t a = key + 0x9e3779b97f4a7c15ull * (n + 1);
-  const unsigned __int128 product = static_cast<unsigned __int128>(a) * (a ^ 0xa0761d6478bd642full);
+  __extension__ using Wide = unsigned __int128;
+  const Wide product = static_cast<Wide>(a) * (a ^ 0xa0761d6478bd642full);
   return static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
 }
 

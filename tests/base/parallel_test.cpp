@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
+#include <thread>
 #include <vector>
 
 namespace candela {
@@ -33,6 +35,26 @@ TEST(Agreement_Parallel, ChunksCoverTheRangeWithoutOverlap) {
     });
   });
   EXPECT_EQ(visits, std::vector<int>(1003, 1));
+}
+
+// Each of two pieces waits until the other runs as well.
+bool run_at_once() {
+  std::atomic<int> running = 0;
+  std::atomic<bool> have_met = false;
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  parallel_for(2, [&](std::size_t) {
+    if (++running == 2) have_met = true;
+    while (!have_met && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
+    --running;
+  });
+  return have_met;
+}
+
+TEST(Unit_Parallel, AnArenaOfOneThreadLeavesOthersTheirs) {
+  if (available_threads() < 2) GTEST_SKIP() << "one processor";
+  bool is_inner_parallel = false;
+  with_threads(1, [&] { with_threads(2, [&] { is_inner_parallel = run_at_once(); }); });
+  EXPECT_TRUE(is_inner_parallel);
 }
 
 TEST(Unit_Parallel, NothingToDoIsFine) {

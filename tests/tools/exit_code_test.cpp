@@ -173,6 +173,8 @@ TEST(Errors_CommandLine, OutputsAreCheckedByFolderExtensionAndName) {
   EXPECT_EQ(check({folder + "/a.exr"}, folder + "/none/s.json"), ExitCode::Output);
   EXPECT_EQ(check({folder + "/a.exr"}, ""), ExitCode::Output);
   EXPECT_EQ(check({folder + "/a.exr", folder + "/./a.exr"}, {}), ExitCode::Usage);
+  EXPECT_EQ(check({"none.exr", "./none.exr"}, {}), ExitCode::Usage);
+  EXPECT_EQ(check({"none.exr"}, std::filesystem::current_path() / "none.exr"), ExitCode::Usage);
   EXPECT_EQ(check({folder + "/a.exr", folder + "/a.png"}, folder + "/s"), ExitCode::Done);
   EXPECT_EQ(file_names(folder), std::vector<std::string>{"folder.exr"});
   std::filesystem::create_symlink("a.exr", folder + "/link.exr");  // to what is not there yet
@@ -298,6 +300,10 @@ TEST(Errors_CommandLine, WhatNobodyCaughtIsABug) {
     throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
   };
   EXPECT_EQ(cli::guarded(lacks_threads), ExitCode::Limit);
+  const auto as_onetbb_says = []() -> ExitCode {
+    throw std::runtime_error("pthread_create has failed: Resource temporarily unavailable");
+  };
+  EXPECT_EQ(cli::guarded(as_onetbb_says), ExitCode::Limit);
   EXPECT_EQ(cli::guarded([] { return ExitCode::Comparison; }), ExitCode::Comparison);
   EXPECT_NE(testing::internal::GetCapturedStderr().find("bug in candela: surprise"),
             std::string::npos);

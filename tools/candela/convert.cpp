@@ -45,7 +45,7 @@ class Conversion {
       : arguments_(arguments), target_(arguments.output) {}
 
   ExitCode run() {
-    if (target_.extension() != ".pbrt")
+    if (target_.extension() != ".pbrt")  // a name that is nothing else has none
       return fail(ExitCode::Usage,
                   fmt::format("'{}': expected a name that ends with .pbrt", arguments_.output));
     const Diagnostics unwritable = check_writable_file(arguments_.output);

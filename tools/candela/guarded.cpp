@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string_view>
 #include <system_error>
 
 namespace candela::cli {
@@ -11,7 +12,8 @@ namespace {
 // The system has no memory for one more thread's stack, or allows no more threads.
 bool lacks_threads(const std::exception& exception) {
   const auto* failure = dynamic_cast<const std::system_error*>(&exception);
-  return failure && failure->code() == std::errc::resource_unavailable_try_again;
+  if (failure) return failure->code() == std::errc::resource_unavailable_try_again;
+  return std::string_view(exception.what()).starts_with("pthread_create");  // oneTBB's own
 }
 
 }  // namespace

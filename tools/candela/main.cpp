@@ -90,12 +90,14 @@ ExitCode run_command(const InfoArguments& arguments) {
   return code;
 }
 ExitCode run_command(const CheckArguments& arguments) {
+  require_threads(available_threads());
   return run_check(arguments);
 }
 ExitCode run_command(const CompareArguments& arguments) {
   return run_compare(arguments);
 }
 ExitCode run_command(const ConvertArguments& arguments) {
+  require_threads(available_threads());
   return run_convert(arguments);
 }
 ExitCode run_command(const BenchArguments& arguments) {

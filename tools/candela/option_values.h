@@ -103,8 +103,6 @@ template <class T>
 // "on" or "off".
 [[nodiscard]] Result<bool> parse_switch(std::string_view text);
 
-inline constexpr int max_side = 65536;
-inline constexpr int max_samples_per_pixel = 1 << 30;
 inline constexpr int max_replicates = 1024;
 inline constexpr double min_roulette_threshold = 1e-6;
 

@@ -11,10 +11,12 @@
 namespace candela::cli {
 namespace {
 
-// Where a link leads to nothing yet, what will be there.
+// Where a link leads to nothing yet, what will be there. Absolute first: what is not there stays as
+// it is written else.
 std::string canonical(const std::string& path) {
   std::error_code error;
-  const auto resolved = std::filesystem::weakly_canonical(find_output_target(path).path, error);
+  const auto target = std::filesystem::absolute(find_output_target(path).path, error);
+  const auto resolved = std::filesystem::weakly_canonical(target, error);
   return error ? path : resolved.string();
 }
 
