@@ -46,7 +46,10 @@ void check_picture(const Scene& scene, const RenderOptions& options, const Check
     check.error(fmt::format("the crop {},{},{},{} is no part of {} x {} pixels", options.crop->x0,
                             options.crop->y0, options.crop->x1, options.crop->y1, options.width,
                             options.height));
-  if (options.filter_radius)
+  // A box without a width is the pixel's middle.
+  if (options.filter_radius && options.filter == FilterKind::Box)
+    check.within("the filter's radius", *options.filter_radius, 0.0f, 16.0f);
+  else if (options.filter_radius)
     check.above_zero("the filter's radius", static_cast<double>(*options.filter_radius), 16);
   if (options.white_balance_kelvins)
     check.within("the white balance", *options.white_balance_kelvins, 100.0, 1e9);

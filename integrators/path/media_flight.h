@@ -35,7 +35,8 @@ template <class A>
     if (medium) {
       const Medium& around = scene.media[medium.index];
       float end = t;
-      if (flight.hit.is_hit() && (t < near_surface || may_pass(around, t / 2, free)))
+      const bool ends_at_surface = around.scatters() && flight.hit.is_hit();
+      if (ends_at_surface && (t < near_surface || may_pass(around, t / 2, free)))
         end = end_in_medium(t, met_point(scene, flight.hit, -ray.direction), ray.direction);
       const float way = fly_through(around, end, free);
       if (way < infinity) {

@@ -42,7 +42,7 @@ struct FreeFlight {
 
 // Whether the flight does not end within `distance` of a medium that scatters.
 [[nodiscard]] inline bool may_pass(const Medium& medium, float distance, const FreeFlight& flight) {
-  return medium.scatters() && flight.left >= medium.extinction[flight.channel] * distance;
+  return flight.left >= medium.extinction[flight.channel] * distance;
 }
 
 // Through `distance` of a medium: how far in it the flight ends, or infinity where it passes.

@@ -47,13 +47,13 @@ struct ModelWriter {
   TextureWriter& textures;
 
   WrittenModel operator()(const description::DiffuseMaterial& m) const {
-    return start("diffuse").add(reflectance("reflectance", m.reflectance));
+    return start("diffuse").add(textures.colour("reflectance", m.reflectance));
   }
 
   WrittenModel operator()(const description::MirrorMaterial& m) const {
     lose("pbrt's mirrors are metals: they reflect more at grazing angles");
     Directive out = start("conductor");
-    out.add(reflectance("reflectance", m.reflectance)).add("float roughness", 0.0);
+    out.add(textures.colour("reflectance", m.reflectance)).add("float roughness", 0.0);
     return out.add_own("string model", own::mirror)
         .add_own(textures.colour("mirror.reflectance", m.reflectance));
   }
@@ -80,7 +80,7 @@ struct ModelWriter {
   }
 
   WrittenModel operator()(const description::CoatedDiffuseMaterial& m) const {
-    Directive out = start("coateddiffuse").add(reflectance("reflectance", m.reflectance));
+    Directive out = start("coateddiffuse").add(textures.colour("reflectance", m.reflectance));
     add_coat("", m.coat, out);
     return out;
   }
@@ -95,8 +95,8 @@ struct ModelWriter {
 
   WrittenModel operator()(const description::DiffuseTransmissionMaterial& m) const {
     return start("diffusetransmission")
-        .add(reflectance("reflectance", m.reflectance))
-        .add(reflectance("transmittance", m.transmittance));
+        .add(textures.colour("reflectance", m.reflectance))
+        .add(textures.colour("transmittance", m.transmittance));
   }
 
   WrittenModel operator()(const description::InterfaceMaterial&) const {
@@ -170,21 +170,12 @@ struct ModelWriter {
                  fmt::format("material '{}': lost for pbrt: {}", material.name, what));
   }
 
-  // A constant above 1 is an error for pbrt.
-  [[nodiscard]] WrittenParameter reflectance(std::string_view parameter,
-                                             const ColourInput& input) const {
-    if (!input.is_constant() || max_component(input.factor) <= 1)
-      return textures.colour(parameter, input);
-    lose("what it reflects above 1");
-    return textures.colour(parameter, {glm::min(input.factor, Vec3d(1.0)), {}, {}});
-  }
-
   [[nodiscard]] std::string part_name(const std::string& part) const {
     return context.unique_name("material", name + " " + part);
   }
 
   [[nodiscard]] WrittenModel plain(const ColourInput& diffuse) const {
-    return start("diffuse").add(reflectance("reflectance", diffuse));
+    return start("diffuse").add(textures.colour("reflectance", diffuse));
   }
 
   // The metal alone where nothing else reflects.

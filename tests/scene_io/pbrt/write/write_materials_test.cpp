@@ -220,11 +220,5 @@ TEST(Unit_WriteMaterials, WhatShinesAndHasHoles) {
   EXPECT_EQ(back.material.opacity.factor, 0.625);
 }
 
-TEST(Unit_WriteMaterials, ReflectancesAbovePbrtsAreCutAndNamed) {
-  const Outcome back = outcome_of_model(DiffuseMaterial{{Vec3d(2, 0.5, 0.5), {}, {}}});
-  EXPECT_EQ(std::get<DiffuseMaterial>(back.material.model).reflectance.factor, Vec3d(1, 0.5, 0.5));
-  EXPECT_EQ(back.lost.size(), 1u);
-}
-
 }  // namespace
 }  // namespace candela::pbrt
