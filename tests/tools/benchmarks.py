@@ -102,9 +102,9 @@ def compared(on, off, same_picture, rate):
 
 
 def noise_of_a_rate(count, spread):
-    """Twice the logarithm's standard error that is stated of times to the same error, and the
-    deviation of the times themselves, over 300 measurements of `count` seeds. Pairs have no noise:
-    all of it is the rate's, by runs whose errors scatter by that part."""
+    """Half of the logarithm's 95 % interval that is stated of times to the same error, and the same
+    by the times themselves, over 300 measurements of `count` seeds. Pairs have no noise: all of it
+    is the rate's, by runs whose errors scatter by that part."""
     random, found = numpy.random.RandomState(1), []
     for _ in range(300):
         fewer, more = (runs_of([[mean * (1 + float(spread) * random.standard_normal()), cpu, cpu]
@@ -120,13 +120,13 @@ def error_rate(fewer, more):
 
 
 def verdicts(rows):
-    """The lines, and what is noted. `rows`: of the first technique, {scene: [time to the same
-    error, factor by which it may be off, reference's word, whether it is used]}."""
+    """The lines, and what is noted. `rows`: of the first technique and eight pairs, {scene: [time
+    to the same error, factor by which it may be off, reference's word, whether it is used]}."""
     name, notes = ablation.TECHNIQUES[0].name, []
     lines = ablation.verdicts(
         [{"technique": name, "scene": scene, "time_to_error": ratio, "low": ratio / factor,
           "high": ratio * factor, "cpu_with_making": 1.0, "reference": reference, "used": used}
-         for scene, (ratio, factor, reference, used) in json.loads(rows).items()], notes.append)
+         for scene, (ratio, factor, reference, used) in json.loads(rows).items()], 8, notes.append)
     return lines, notes
 
 
@@ -164,32 +164,6 @@ def ratios_of(pairs, counts):
                            json.loads(counts))
 
 
-class AskedOfCycles:
-    """Stands for Cycles: keeps what it is asked for, and gives grey pictures."""
-
-    def __init__(self, folder):
-        self.folder, self.jobs = pathlib.Path(folder), []
-
-    def made_by(self):
-        return []
-
-    def render(self, _, jobs):
-        from blender.cycles_renders import Picture
-        self.jobs += jobs
-        return {job: Picture(numpy.ones((2, 2, 3)), job.spp, 2.0, 2.0) for job in jobs}
-
-
-def asked_of_cycles(folder, counts):
-    """[samples, first sample] of each picture of a pair, and of each of a reference."""
-    counts, cycles = json.loads(counts), AskedOfCycles(folder)
-    bench = peers.Bench(None, cycles, 2, counts, 1, 1, with_all=True)
-    right = bench.cycles_reference("scene", {}, 16 * counts[-1])
-    references_asked, cycles.jobs = cycles.jobs, []
-    bench.their_ladders("scene", {}, right, 1)
-    return [[[job.spp, job.first_sample] for job in jobs]
-            for jobs in (cycles.jobs, references_asked)]
-
-
 def better_settings(ours, theirs):
     """Of one pair."""
     return peers.better_settings([tuple(
@@ -216,7 +190,7 @@ def approximated(folder, scenes):
     """What is told of these scenes, as a table."""
     out = pathlib.Path(folder)
     peers.tell_approximated(results.Results(out, "Peers", "", ""), json.loads(scenes))
-    return sorted(file.name for file in out.iterdir())
+    return sorted(file.name for file in out.glob("[!.]*"))
 
 
 def errors(shape, reference_noise, picture_noise):
@@ -317,9 +291,10 @@ def exit_status(words):
 
 
 def scaling_verdicts(thread_rows, exponents):
-    """`exponents`: of soup and terrain [[exponent, error], ...], of a ray and of its bare call."""
-    costs = [of.format(shape) for shape in scaling.SHAPES for of in (scaling.RENDER, scaling.ALONE)]
-    powers = [fits.Power(*pair, 1) for pair in json.loads(exponents)]
+    """`exponents`: of soup and terrain, of four sizes [exponent, error], of a ray over its bare
+    call."""
+    costs = [scaling.RATIO.format(shape) for shape in scaling.SHAPES]
+    powers = [fits.Power(*pair, 1, 2) for pair in json.loads(exponents)]
     rows = [{"threads": n, "times_faster": faster} for n, faster in json.loads(thread_rows)]
     return [row["verdict"] for row in scaling.verdicts(rows, dict(zip(costs, powers)))]
 
@@ -366,7 +341,7 @@ def page(folder, rows):
     made.table("rows", "Rows & more", json.loads(rows))
     made.note("A note.")
     made.finish()
-    return sorted(file.name for file in out.iterdir())
+    return sorted(file.name for file in out.glob("[!.]*"))
 
 
 def answer():

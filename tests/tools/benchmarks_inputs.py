@@ -5,6 +5,7 @@
 
 import argparse
 import contextlib
+import dataclasses
 import json
 import pathlib
 import sys
@@ -16,7 +17,10 @@ sys.path += [str(ROOT / "tools" / "benchmarks"), str(ROOT / "tools" / "dev" / "s
 import ablation  # noqa: E402
 import before  # noqa: E402
 import chosen_scenes  # noqa: E402
+import main  # noqa: E402
 import memory  # noqa: E402
+import numpy  # noqa: E402
+import peers  # noqa: E402
 import processes  # noqa: E402
 import renders  # noqa: E402
 import replicates  # noqa: E402
@@ -142,6 +146,124 @@ def before_allows(spp):
         return parser.parse_args(["candela", "--spp", spp]).spp
     except SystemExit:
         return None
+
+
+def rungs(trials):
+    """Which of the counts 32 to 64, 64 to 128 tell a rate. `trials`: {count: names of the samples
+    that trials took}."""
+    trials, asked = json.loads(trials), []
+
+    def runs_of(count):
+        asked.append(count)
+        return [truth.Run(1, 1, 1, 1, count, stats=dict.fromkeys(trials[str(count)], 7))]
+
+    try:
+        truth.ladder(runs_of, (32, 64), (64, 128))
+        return asked[-2:]
+    except processes.ProgramFailed as reason:
+        return str(reason)
+
+
+def means_before_and_now(rows):
+    """What is noted. `rows`: {scene: [ratio of times, ratio of the pictures' means]}."""
+    made = types.SimpleNamespace(notes=[])
+    made.note = made.notes.append
+    before.tell_all(made, [{"scene": scene, "cpu_ratio": ratio, "wall_ratio": ratio,
+                            "means_before_over_now": means, "reference": "good"}
+                           for scene, (ratio, means) in json.loads(rows).items()])
+    return made.notes
+
+
+class AskedOfCycles:
+    """Stands for Cycles: keeps what it is asked for, and gives grey pictures."""
+
+    def __init__(self, folder):
+        self.folder, self.jobs = pathlib.Path(folder), []
+
+    def made_by(self):
+        return []
+
+    def render(self, _, jobs):
+        from blender.cycles_renders import Picture
+        self.jobs += jobs
+        return {job: Picture(numpy.ones((2, 2, 3)), job.spp, 2.0, 2.0) for job in jobs}
+
+
+@dataclasses.dataclass
+class KnowsHash:
+    """Stands for candela: of every scene's files."""
+    scene_hash: str
+
+    def info(self, _):
+        return {"scene_hash": self.scene_hash}
+
+
+def cycles_reference_is_made(folder):
+    """Whether it is: at first, again, where a file of the scene has changed, and where the kept one
+    was cut short."""
+    cycles, found = AskedOfCycles(folder), []
+
+    def is_made(scene_hash):
+        cycles.jobs = []
+        peers.Bench(KnowsHash(scene_hash), cycles, 2, [4], 1, 1, False).cycles_reference(
+            "scene", "file", {}, 64)
+        return bool(cycles.jobs)
+
+    for scene_hash in ("a", "a", "b", "b"):
+        found.append(is_made(scene_hash))
+    for file in cycles.folder.iterdir():
+        file.write_bytes(file.read_bytes()[:100])
+    return found + [is_made("b"), is_made("b")]
+
+
+def asked_of_cycles(folder, counts):
+    """[samples, first sample] of each picture of a pair, and of each of a reference."""
+    counts, cycles = json.loads(counts), AskedOfCycles(folder)
+    bench = peers.Bench(KnowsHash("a"), cycles, 2, counts, 1, 1, with_all=True)
+    right = bench.cycles_reference("scene", "file", {}, 16 * counts[-1])
+    references_asked, cycles.jobs = cycles.jobs, []
+    bench.their_ladders("scene", {}, right, 1)
+    return [[[job.spp, job.first_sample] for job in jobs]
+            for jobs in (cycles.jobs, references_asked)]
+
+
+def left_by_two_runs(folder):
+    """Files of a run that told one table, and of one that was stopped within another; between them
+    stands someone's own."""
+    out = pathlib.Path(folder)
+
+    def seen():
+        return sorted(file.name for file in out.glob("[!.]*"))
+
+    made = results.Results(out, "First", "", "")
+    made.table("first", "First", [{"a": 1}])
+    made.finish()
+    (out / "own.csv").write_text("1\n")
+    stopped = results.Results(out, "Second", "", "")
+    found = seen()
+    stopped.keep("second", [{"b": 2}])
+    stopped.finish_stopped()
+    return found, seen(), "<td>2</td>" in (out / "index.html").read_text()
+
+
+def locks(folder):
+    """Whether a second run may write into the folder while a first one does, and after it."""
+    def is_free():
+        try:
+            main.locked(pathlib.Path(folder)).close()
+            return True
+        except SystemExit:
+            return False
+
+    with main.locked(pathlib.Path(folder)):
+        found = is_free()
+    return found, is_free()
+
+
+def options_between(words):
+    """The scenes and the size."""
+    options = main.parsed(json.loads(words))
+    return options.scenes, options.size
 
 
 def answer():

@@ -98,6 +98,61 @@ TEST_F(Unit_BenchmarksInputs, EarlierBuildsAreComparedByFourSamplesAtLeast) {
   EXPECT_EQ(ask({"before_allows", "4"}), 4);
 }
 
+// The trials that choose paths begin at some number of samples, where another estimator begins.
+TEST_F(Unit_BenchmarksInputs, RatesAreThoseOfOneEstimator) {
+  EXPECT_EQ(ask({"rungs", R"({"32": [], "64": [], "128": ["reuse_samples"]})"}), (Json{32, 64}));
+  EXPECT_EQ(ask({"rungs", R"({"32": [], "64": ["reuse_samples"], "128": ["reuse_samples"]})"}),
+            (Json{64, 128}));
+  const Json told = ask({"rungs", R"({"32": [], "64": ["roulette_samples"],
+                                             "128": ["roulette_samples", "reuse_samples"]})"});
+  EXPECT_NE(told.get<std::string>().find("expected more --spp"), std::string::npos) << told;
+}
+
+// What is another picture would count as an error.
+TEST_F(Unit_BenchmarksInputs, EarlierBuildsMeansAreOfTheSamePictures) {
+  const Json told =
+      ask({"means_before_and_now", R"({"a": [2, 1], "b": [9, 0.5], "c": [8, 1.01]})"});
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_TRUE(told[0].get<std::string>().starts_with("b: the earlier pictures' mean is 0.500"));
+  EXPECT_TRUE(told[1].get<std::string>().starts_with("geometric mean of 2 scenes: 4.00 by CPU"));
+}
+
+// Over aligned blocks of samples Cycles spreads them evenly; sample 0 goes through the centre.
+TEST_F(Unit_BenchmarksInputs, PeersPicturesFillBlocksOfCyclesSamples) {
+  for (const char* counts : {"[4, 16]", "[4, 16, 64]", "[4, 16, 64, 256]"}) {
+    const Json asked = ask({"asked_of_cycles", fresh_folder("asked_of_cycles"), counts});
+    for (const Json& jobs : asked) {
+      EXPECT_GE(jobs.size(), 6u);
+      for (const Json& job : jobs)
+        EXPECT_EQ(job[1].get<int>() % job[0].get<int>(), 0) << counts << ": " << job;
+    }
+    for (const Json& job : asked[1]) EXPECT_GT(job[1], 0);
+  }
+}
+
+// At first, again, of other files' content, again; after the kept one was cut short, again.
+TEST_F(Unit_BenchmarksInputs, CyclesReferencesAreKeptAsLongAsTheyAreWholeAndOfTheScene) {
+  EXPECT_EQ(ask({"cycles_reference_is_made", fresh_folder("cycles_reference")}),
+            (Json{true, false, true, false, true, false}));
+}
+
+// And nothing of someone else's.
+TEST_F(Unit_BenchmarksInputs, WhatAnEarlierRunLeftGoes) {
+  const Json left = ask({"left_by_two_runs", fresh_folder("two_runs")});
+  EXPECT_EQ(left[0], Json{"own.csv"});
+  EXPECT_EQ(left[1], (Json{"index.html", "own.csv", "second.csv"}));
+  EXPECT_EQ(left[2], true) << "what is there of a table that was stopped";
+}
+
+TEST_F(Unit_BenchmarksInputs, AFolderIsOneRuns) {
+  EXPECT_EQ(ask({"locks", fresh_folder("locks")}), (Json{false, true}));
+}
+
+TEST_F(Unit_BenchmarksInputs, OptionsMayStandBeforeScenes) {
+  EXPECT_EQ(ask({"options_between", R"(["before", "PROGRAM", "--size", "8", "box"])"}),
+            Json::parse(R"([["box"], 8])"));
+}
+
 // What the lists of packages are, asked together or apart.
 TEST(Unit_Setup, ListsThePackagesOfAllSetsThatAreAskedFor) {
   const auto listed = [](std::vector<std::string> words) {

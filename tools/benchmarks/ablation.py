@@ -4,8 +4,9 @@ A scene's picture is rendered with everything on and with one technique off, in 
 that take turns; above 1 the technique pays. relMSE falls as a power of the time, which pictures of
 as many and of twice the samples tell, without adaptive sampling; so the time to the same error
 follows from both ratios. On by default stays what gains 5 % in the geometric mean and, beyond
-noise, anything at all, and of which no scene says beyond noise that it loses more than 3 %. low and
-high: twice the standard error of the logarithm, in which the power's own error is.
+noise, anything at all, and of which no scene says beyond noise that it loses more than 3 %: of
+twenty verdicts, not scenes, at most one is to be wrong in that. low and high: the 95 % interval, in
+which the power's own error is.
 cpu_with_making: CPU time with what the scene and its trees took to make.
 """
 
@@ -16,7 +17,8 @@ from collections.abc import Callable
 import chosen_scenes
 import truth
 from arguments import at_least
-from fits import geometric_mean, mean_with_factor, ratio_of_errors, spread, with_factor
+from fits import (at_level, geometric_mean, mean_with_factor, ratio_of_errors, spread,
+                  with_factor)
 from processes import ProgramFailed
 from references import square
 from renders import CandelaFailed
@@ -171,7 +173,7 @@ def run(options):
     results.table("ablation", title, rows,
                   "used: no where the scene has no use for it, so that both sides are one program.")
     results.table("verdicts", "Time to the same error, off over on, over the scenes that use it",
-                  verdicts(rows, results.note),
+                  verdicts(rows, plan.pairs, results.note),
                   "with_making: mean of CPU time with what the scene and its trees took to make.")
     results.finish()
 
@@ -196,7 +198,8 @@ def rows_of(candela, name, scene, techniques, plan, note):
     right = None
     info = candela.info(scene)
     if not all(technique.same_picture for technique in techniques):
-        right = truth.reference(candela, name, scene, plan.size, 16 * plan.spp)
+        right = truth.reference_for(candela, name, scene, plan.size, 16 * plan.spp,
+                                    spp=plan.spp, threads=plan.threads)
     rows, ladders = [], {}  # by what holds on both sides
     for technique in techniques:
         try:
@@ -215,11 +218,14 @@ def rows_of(candela, name, scene, techniques, plan, note):
 
 
 def ladder_of(candela, scene, right, plan, both):
-    """Runs by seed, of as many samples and of twice as many. Adaptive sampling, which begins at
-    some number of them, would look as if error fell the faster there."""
-    return [[truth.measured(candela, scene, right,
-                            **plan.options(seed, spp) | both | {"adaptive": "off"})
-             for seed in plan.seeds()] for spp in (plan.spp, 2 * plan.spp)]
+    """Runs by seed, of as many samples and of twice as many, or of half as many. Adaptive sampling,
+    which begins at some number of them, would look as if error fell the faster there."""
+    def runs_of(spp):
+        return [truth.measured(candela, scene, right,
+                               **plan.options(seed, spp) | both | {"adaptive": "off"})
+                for seed in plan.seeds()]
+
+    return truth.ladder(runs_of, (plan.spp, 2 * plan.spp), (max(plan.spp // 2, 1), plan.spp))
 
 
 def pictures(candela, scene, right, technique, plan):
@@ -254,8 +260,8 @@ def used_word(technique, on, off, info):
 
 def compared(on, off, ladder):
     """Ratios off / on: of CPU time by pairs, of error by medians, and of both together by pairs:
-    the geometric mean, with twice its standard error; nan where an error is lost in the
-    reference's noise. `ladder`: of ladder_of(); None where pictures are the same."""
+    the geometric mean, with its 95 % interval; nan where an error is lost in the reference's
+    noise. `ladder`: of ladder_of(); None where pictures are the same."""
     cpu, built, wall = (spread(getattr(b, key) / getattr(a, key) for a, b in zip(on, off))
                         for key in ("cpu_seconds", "built_cpu_seconds", "seconds"))
     times = [b.cpu_seconds / a.cpu_seconds for a, b in zip(on, off)]
@@ -272,7 +278,7 @@ def compared(on, off, ladder):
             "time_to_error": mean, "low": mean / factor, "high": mean * factor}
 
 
-def verdicts(rows, note):
+def verdicts(rows, pairs, note):
     """A line a technique, over the scenes that use it and of which the errors are known."""
     lines = []
     for technique in TECHNIQUES:
@@ -282,18 +288,20 @@ def verdicts(rows, note):
             note(f"{technique.name}: no scene uses it")
         own = truth.counted(own, ("time_to_error",), note, f"{technique.name}: the mean")
         if own:
-            lines.append({"technique": technique.name} | verdict(own)
+            lines.append({"technique": technique.name} | verdict(own, pairs)
                          | {"with_making": geometric_mean(r["cpu_with_making"] for r in own)})
     return lines
 
 
-def verdict(rows):
+def verdict(rows, pairs):
     """It gains where the mean does, and is above 1 beyond noise; a scene loses where that is no
-    noise. Of single pairs no noise is known: nothing is said."""
-    mean, factor = mean_with_factor((r["time_to_error"] for r in rows),
-                                    (r["high"] / r["time_to_error"] for r in rows))
+    noise in any of them [Sidak67]. Of single pairs no noise is known: nothing is said."""
+    ratios, factors = zip(*((r["time_to_error"], r["high"] / r["time_to_error"]) for r in rows))
+    mean, factor = mean_with_factor(ratios, factors, pairs - 1)
     least = min(rows, key=lambda r: r["time_to_error"])
-    losing = [r["scene"] for r in rows if r["high"] < LOSS]
+    level = 1 - .95 ** (1 / len(rows))
+    losing = [r["scene"] for r, ratio, own in zip(rows, ratios, factors)
+              if ratio * at_level(own, pairs - 1, level) < LOSS]
     pays = "yes" if mean >= GAIN and mean / factor > 1 and not losing else "no"
     return {"scenes": len(rows), "geometric_mean": mean, "low": mean / factor,
             "high": mean * factor, "least": least["time_to_error"], "where": least["scene"],

@@ -11,7 +11,7 @@ differently.
 import itertools
 
 import chosen_scenes
-from arguments import at_least
+from arguments import above_zero, at_least
 from fits import geometric_mean, growth
 from generated import generated
 
@@ -26,7 +26,7 @@ def add_arguments(parser):
     parser.add_argument("--quick", action="store_true",
                         help="generated ones up to 10^4 triangles, short measurements")
     parser.add_argument("--most", type=at_least(3), metavar="N", help="largest power of ten (7)")
-    parser.add_argument("--seconds", type=float, metavar="S",
+    parser.add_argument("--seconds", type=above_zero, metavar="S",
                         help="for each kind of rays (0.5)")
 
 
@@ -61,7 +61,7 @@ def run(options):
     disagreeing = sum(r["disagreeing"] for r in rows + grown)
     results.note(f"{disagreeing} of {sum(r['rays'] for r in rows + grown)} rays disagree")
     results.finish()
-    return FAILED if disagreeing else 0
+    return FAILED if disagreeing or not rows + grown else 0
 
 
 def tell_means(results, rows):
@@ -115,7 +115,8 @@ def exponents(rows):
 def plotted(out, rows):
     import plots
     styles = {"embree": {"color": "C0"}, "bvh": {"color": "C1"}}
-    for shape in SHAPES:
+    shapes = [shape for shape in SHAPES if any(r["shape"] == shape for r in rows)]
+    for shape in shapes:
         own = [r for r in rows if r["shape"] == shape]
         x = [r["triangles"] for r in own]
         curves = [(f"{back_end}, {key}", x, [r[f"{back_end}_{key}"] for r in own],
@@ -126,6 +127,7 @@ def plotted(out, rows):
     curves = [(f"{back_end}, {shape}", [r["triangles"] for r in rows if r["shape"] == shape],
                [max(r[f"{back_end}_build_s"], 1e-5) for r in rows if r["shape"] == shape],
                styles[back_end] | {"linestyle": line})
-              for back_end in BACK_ENDS for shape, line in zip(SHAPES, ("-", "--"))]
-    plots.power_plot(out / "build.png", curves, "triangles", "seconds of building")
-    yield "build.png", "building, all threads"
+              for back_end in BACK_ENDS for shape, line in zip(shapes, ("-", "--"))]
+    if curves:
+        plots.power_plot(out / "build.png", curves, "triangles", "seconds of building")
+        yield "build.png", "building, all threads"

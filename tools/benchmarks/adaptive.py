@@ -3,8 +3,8 @@
 error_gain is the ratio of relMSE, off over on; time_ratio that of CPU time, on over off; efficiency
 the time to the same error without over with, by the rate at which the error falls from as many
 samples to twice as many: what adaptive sampling gains lies there. Each seed tells such ratios of
-its own: of them the geometric mean, with twice the standard error of its logarithm (plus_minus, low
-and high), in which the rate's own is.
+its own: of them the geometric mean, with half of the 95 % interval of its logarithm (plus_minus,
+low and high), in which the rate's own error is.
 """
 
 import math
@@ -81,11 +81,15 @@ def run(options):
     scenes = chosen_scenes.chosen(candela, out, options.scenes, chosen_scenes.names(), results.note)
     for name, path in scenes.items():
         with results.attempt(name):
-            right = truth.reference(candela, name, path, options.size,
-                                    REFERENCE_FACTOR * max(options.spp))
+            most = max(options.spp)
+            right = truth.reference_for(candela, name, path, options.size, REFERENCE_FACTOR * most,
+                                        spp=2 * most, threads=1, replicates=options.replicates)
             for spp in options.spp:
-                rows.append(row_of(name, spp, measure(candela, path, right, spp, options), right))
-                print(f"{name}, {spp} spp: {rows[-1]['efficiency']:.2f}", flush=True)
+                with results.attempt(f"{name} at {spp} spp"):
+                    found = measure(candela, path, right, spp, options)
+                    truth.ladder(found.get, ("off", "twice"))  # or else no rate is told
+                    rows.append(row_of(name, spp, found, right))
+                    print(f"{name}, {spp} spp: {rows[-1]['efficiency']:.2f}", flush=True)
             results.keep("adaptive", rows)
     results.table("adaptive", f"{options.size}x{options.size}, {options.seeds} seeds", rows)
     found = truth.counted(rows, ("efficiency",), results.note)

@@ -2,13 +2,14 @@
 
 Both render every scene with what they do by default, in pairs of one seed that take turns, and are
 held against one reference. Each pair tells ratios of its own: of them median, range and geometric
-mean, with twice the standard error of the mean's logarithm (plus_minus), in which that of the rate
-is with which error falls over time; the range is without it. Where one of the two does
+mean, with half of the 95 % interval of the mean's logarithm (plus_minus), in which the error of the
+rate is with which error falls over time; the range is without it. Where one of the two does
 not tell its CPU time of rendering, that of both is the whole process's, less the median of what a
 picture of one sample takes (start-up, reading, building, writing), in proportion to the other
 samples. Wall time is of rendering alone. What one of them cannot read is left out with a sentence.
 """
 
+import dataclasses
 import json
 import os
 import pathlib
@@ -22,7 +23,7 @@ from processes import cpu_seconds_of
 from renders import rendering_cpu_seconds
 
 ABOUT = "against another build of candela: time to the same error"
-SAME_MEANS = .03  # by how much the two pictures' means may differ before that is told
+SAME_MEANS = .03  # by how much the two pictures' means may differ before the mean is without them
 
 
 def add_arguments(parser):
@@ -53,7 +54,8 @@ def run(options):
         with results.attempt(name):
             programs = [Program(path.resolve(), out / "renders", words)
                         for path in (options.before, options.program)]
-            right = truth.reference(candela, name, scene, size, 16 * spp)
+            right = truth.reference_for(candela, name, scene, size, 16 * spp, spp=spp,
+                                        threads=options.threads)
             rows.append({"scene": name} | row(programs, right, spp, range(1, pairs + 1)))
             print(f"{name}: {shown(rows[-1]['cpu_ratio'])}", flush=True)
             results.keep("before", rows)
@@ -63,12 +65,13 @@ def run(options):
 
 
 def tell_all(results, rows):
+    same = [r for r in rows if abs(r["means_before_over_now"] - 1) <= SAME_MEANS]
     for r in rows:
-        if abs(r["means_before_over_now"] - 1) > SAME_MEANS:
+        if r not in same:
             results.note(f"{r['scene']}: the earlier pictures' mean is "
                          f"{r['means_before_over_now']:.3f} of these; where that is no noise, it "
-                         "counts as their error")
-    found = truth.counted(rows, ("cpu_ratio", "wall_ratio"), results.note)
+                         "counts as their error: the mean is without it")
+    found = truth.counted(same, ("cpu_ratio", "wall_ratio"), results.note)
     if found:
         results.note(f"geometric mean of {len(found)} scenes: "
                      f"{geometric_mean(r['cpu_ratio'] for r in found):.2f} by CPU time, "
@@ -80,11 +83,14 @@ def row(programs, right, spp, seeds):
     """`programs`: the earlier one and this one."""
     told = programs[0].told & programs[1].told
     pairs = [[program.measured(spp, seed, right, told) for program in programs] for seed in seeds]
-    # Without adaptive sampling, which begins at some number of samples: error would look as if it
-    # fell the faster there.
-    ladder = [[programs[1].measured(count, seed, right, told, "--adaptive", "off")
-               for seed in seeds] for count in (spp // 2, spp)]
-    return (compared(pairs, ladder)
+
+    def runs_of(count):
+        # Without adaptive sampling, which begins at some number of samples: error would look as if
+        # it fell the faster there.
+        return [programs[1].measured(count, seed, right, told, "--adaptive", "off")
+                for seed in seeds]
+
+    return (compared(pairs, truth.ladder(runs_of, (spp // 2, spp), (spp, 2 * spp)))
             | {"reference": truth.judged(right, *([run.relmse for run in runs]
                                                   for runs in zip(*pairs)))})
 
@@ -112,12 +118,13 @@ class Program:
         process, stats = self.process_cpu_seconds(spp, seed, *words), self.read_stats()
         cpu = (rendering_cpu_seconds({key: stats["cpu_seconds"][key] for key in told})
                if "render" in told else max(process - self.start, 1e-6) * spp / (spp - 1))
-        return truth.run_of(read_exr(self.exr), right, cpu, stats["seconds"]["render"], spp)
+        run = truth.run_of(read_exr(self.exr), right, cpu, stats["seconds"]["render"], spp)
+        return dataclasses.replace(run, stats=stats)
 
 
 def compared(pairs, ladder):
     """`pairs`: [before, now] each. Ratios before / now, pair by pair, so that ranges have the
-    errors' noise. `ladder`: runs now of half the samples and of all, of the same seeds."""
+    errors' noise. `ladder`: runs now of fewer samples and of more, of the same seeds."""
     errors = [ratio_of_errors(before.relmse, now.relmse) for before, now in pairs]
     rate = truth.rate_of_runs(*ladder)
 

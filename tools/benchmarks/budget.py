@@ -108,6 +108,14 @@ def write_record(path, counts):
                                        for name, count in counts.items()}}, indent=1) + "\n")
 
 
+def read_record(path):
+    """{} where there is none."""
+    try:
+        return json.loads(path.read_text()) if path.exists() else {}
+    except ValueError as problem:
+        sys.exit(f"tools/bench: {path} is no JSON: {problem}")
+
+
 def run(options):
     from renders import Candela
     from results import FAILED, Results
@@ -117,8 +125,8 @@ def run(options):
     results = Results(options.out, "The budget", __doc__,
                       Candela(options.program, options.out).version())
     scenes = dict(list(fixed_scenes(options.out).items())[:2 if options.quick else None])
+    file = read_record(options.file)
     counts = {name: counted(options, name, scene) for name, scene in scenes.items()}
-    file = json.loads(options.file.read_text()) if options.file.exists() else {}
     record = file.get("instructions_per_sample", {})
     results.table("budget", f"Instructions a camera sample, {SIZE}, {SPP} spp",
                   [row(record, name, count) for name, count in counts.items()])

@@ -14,11 +14,12 @@ import calibration_goals as goals
 from arguments import at_least, numbers
 from chosen_scenes import present, safe, tell_absent
 from fits import spread
-from references import (SEEDS, layers, reference, rendered_once, side_by_side, square,
+from references import (SEEDS, layers, long_enough, reference, rendered_once, side_by_side, square,
                         with_weight)
 from renders import Candela, CandelaFailed
 from results import FAILED, Results
 from scenes import shipped_pbrt_scenes
+from student import student_t
 
 ABOUT = "the stated error against the true one"
 
@@ -175,12 +176,7 @@ def ratio_with_range(pictures):
     without = [(stated - p.stated) / (true - p.true) for p in pictures]
     centre = sum(without) / n
     error = math.sqrt((n - 1) / n * sum((r - centre) ** 2 for r in without))
-    return ratio, student_t_95(n - 1) * error
-
-
-def student_t_95(degrees):
-    """Within 2 % from 4 degrees on."""
-    return 1.96 + 2.37 / degrees + 2.8 / degrees ** 2
+    return ratio, student_t(n - 1) * error
 
 
 def is_exact(pictures):
@@ -193,13 +189,14 @@ def measured(candela, scene, spp, most, options):
     it is."""
     seeds = options.rare_seeds if scene.name in RARE else options.seeds
     renders = side_by_side(lambda seed: rendered(candela, scene, spp, seed), range(1, seeds + 1))
-    for longer in LONGER:
+
+    def held_against(longer):
         truth = truth_of(candela, scene, size_of(spp),
                          min(REFERENCE_LENGTH * most * longer, LONGEST))
         truth = with_heavy_pixels(candela, scene, size_of(spp), renders, truth)
-        doubt = unsure(renders, truth)
-        if doubt <= goals.SURE:
-            break
+        return truth, unsure(renders, truth)
+
+    truth, doubt = long_enough(held_against, LONGER, lambda found: found[1] <= goals.SURE)
     return [picture(render, truth) for render in renders], truth, doubt
 
 
@@ -345,8 +342,6 @@ def run(options):
     rows, stop_rows = [], []
     if not options.no_cases:
         rows = cases(results, candela, options, counts)
-        if not rows:
-            sys.exit("tools/bench: none of these scenes has anything random")
         tell_cases(results, rows)
     if options.stops:
         stop_rows = stops(results, candela, options)
@@ -355,11 +350,13 @@ def run(options):
     for sentence in missed:
         results.note(f"missed: {sentence}")
     results.finish()
-    return FAILED if missed else 0
+    return FAILED if missed or not rows + stop_rows else 0
 
 
 def tell_cases(results, rows):
     results.table("calibration", "Stated over true", rows)
+    if not rows:
+        return
     for key, what in (("stated_over_true", "stated / true"),
                       ("interval_holds", "share of the pictures within their interval")):
         of = spread(r[key] for r in rows)

@@ -73,7 +73,8 @@ def run(options):
     rows, ends = [], []
     for name, scene in scenes.items():
         with results.attempt(name):
-            right = truth.reference(candela, name, scene, size, 16 * most)
+            right = truth.reference_for(candela, name, scene, size, 16 * most, spp=most,
+                                        threads=options.threads)
             allowed = [c for c in curves if is_allowed(results, candela, name, scene, c)]
             common = {"size": f"{size}x{size}", "threads": options.threads}
             own = points(candela, name, scene, right, allowed, counts, seeds, common)

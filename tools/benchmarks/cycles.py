@@ -138,6 +138,9 @@ def told_agreement(results, compared, scale):
     tests = sum(result.tests for *_, result in compared)
     failures = [f"{scene}: {text}" for scene, _, _, result in compared
                 for text in result.failures(tests)]
+    for sentence in [f"{scene}: {text}" for scene, _, _, result in compared
+                     for text in result.untold()]:
+        results.note(sentence)
     for sentence in failures or ["they agree within their noise"]:
         results.note(sentence)
     return failures

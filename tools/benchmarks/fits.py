@@ -1,8 +1,10 @@
-"""Medians with ranges, fitted exponents, geometric means."""
+"""Medians with ranges, fitted exponents, geometric means, and by how much they may be off."""
 
 import dataclasses
 import math
 import statistics
+
+from student import student_t
 
 
 @dataclasses.dataclass
@@ -10,9 +12,6 @@ class Spread:
     median: float
     low: float
     high: float
-
-    def __str__(self):
-        return f"{self.median:.3g} ({self.low:.3g}-{self.high:.3g})"
 
 
 def spread(values):
@@ -26,9 +25,14 @@ class Power:
     exponent: float
     error: float  # standard error of the exponent; nan where there are but two points
     factor: float
+    degrees: int = 0  # of freedom, of the error
 
     def __str__(self):
         return f"{self.exponent:.3f} ± {self.error:.3f}"
+
+    def plus_minus(self):
+        """Half of the exponent's 95 % interval."""
+        return student_t(self.degrees) * self.error
 
 
 def fit_power(x, y):
@@ -42,7 +46,7 @@ def fit_power(x, y):
     slope = sum((a - mean_x) * (b - mean_y) for a, b in points) / square
     rest = sum((b - mean_y - slope * (a - mean_x)) ** 2 for a, b in points)
     error = math.sqrt(rest / (n - 2) / square) if n > 2 else math.nan
-    return Power(slope, error, math.exp(mean_y - slope * mean_x))
+    return Power(slope, error, math.exp(mean_y - slope * mean_x), n - 2)
 
 
 GROWN_FROM = 10_000  # triangles: their tree no longer fits into the nearest cache
@@ -84,21 +88,23 @@ def ratio_of_errors(above, below):
 
 
 def with_factor(ratios):
-    """Geometric mean, and the factor by which it may be off: twice its logarithm's standard error,
-    nan of a single ratio. Both are nan where a ratio is: the other pairs' alone would be those with
-    the larger errors."""
+    """Geometric mean, and the factor by which it may be off: half of its logarithm's 95 % interval,
+    by Student's t; nan of a single ratio. Both are nan where a ratio is: the other pairs' alone
+    would be those with the larger errors."""
     ratios = list(ratios)
     if not ratios or not all(ratio > 0 for ratio in ratios):
         return math.nan, math.nan
     logs = [math.log(ratio) for ratio in ratios]
-    error = statistics.stdev(logs) / math.sqrt(len(logs)) if len(logs) > 1 else math.nan
-    return math.exp(statistics.fmean(logs)), math.exp(2 * error)
+    if len(logs) == 1:
+        return math.exp(logs[0]), math.nan
+    error = statistics.stdev(logs) / math.sqrt(len(logs))
+    return math.exp(statistics.fmean(logs)), math.exp(student_t(len(logs) - 1) * error)
 
 
 def jackknifed(log_of, count):
-    """exp of log_of(seeds) by seeds 0 to `count`, and the factor by which it may be off: twice the
-    standard error that leaving out each seed in turn tells, nan of a single one. Both are nan where
-    the logarithm is without any of them."""
+    """exp of log_of(seeds) by seeds 0 to `count`, and the factor by which it may be off: half of
+    the 95 % interval that leaving out each seed in turn tells, nan of a single one. Both are nan
+    where the logarithm is without any of them."""
     seeds = range(count)
     if count == 1:
         return math.exp(log_of(seeds)), math.nan
@@ -107,19 +113,30 @@ def jackknifed(log_of, count):
         return math.nan, math.nan
     mean = statistics.fmean(without)
     error = math.sqrt((count - 1) / count * sum((log - mean) ** 2 for log in without))
-    return math.exp(log_of(seeds)), math.exp(2 * error)
+    return math.exp(log_of(seeds)), math.exp(student_t(count - 1) * error)
 
 
-def mean_with_factor(means, factors):
-    """Geometric mean of several, and the factor by which it may be off, from theirs."""
-    means, logs = list(means), [math.log(factor) for factor in factors]
-    return geometric_mean(means), math.exp(math.hypot(*logs) / len(means))
+def mean_with_factor(means, factors, degrees):
+    """Geometric mean of several, and the factor by which it may be off, from theirs, which are of
+    so many degrees of freedom each; all together have more [Welch47]."""
+    means = list(means)
+    squares = [(math.log(factor) / student_t(degrees)) ** 2 for factor in factors]
+    error = math.sqrt(sum(squares)) / len(means)
+    if not error > 0:
+        return geometric_mean(means), math.exp(error)
+    together = degrees * sum(squares) ** 2 / sum(square ** 2 for square in squares)
+    return geometric_mean(means), math.exp(student_t(together) * error)
+
+
+def at_level(factor, degrees, level):
+    """A factor by which something may be off at another level than 95 %."""
+    return factor ** (student_t(degrees, level) / student_t(degrees))
 
 
 def ratio_columns(key, ratios, factor=None):
-    """Of a table: median, range and geometric mean of ratios, one a pair, with twice the standard
-    error of the mean's logarithm, that of `factor` where more than the pairs' is known. Empty where
-    there are no ratios, or one is nan."""
+    """Of a table: median, range and geometric mean of ratios, one a pair, with half of the 95 %
+    interval of the mean's logarithm, that of `factor` where more than the pairs' is known. Empty
+    where there are no ratios, or one is nan."""
     names = [f"{key}_{part}" for part in ("ratio", "low", "high", "mean", "plus_minus")]
     ratios = list(ratios)
     if not ratios or any(map(math.isnan, ratios)):

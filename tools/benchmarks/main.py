@@ -2,6 +2,7 @@
 ABOUT (a line for --help), add_arguments(parser) and run(options), which gives the exit status."""
 
 import argparse
+import fcntl
 import importlib
 import os
 import pathlib
@@ -30,12 +31,44 @@ def parser_and_commands():
     return parser, commands.choices
 
 
-def main():
-    options = parser_and_commands()[0].parse_args()
+def parsed(words):
+    """Options may stand anywhere behind the measurement's name."""
+    parser, commands = parser_and_commands()
+    if words and words[0] in commands:
+        return commands[words[0]].parse_intermixed_args(words[1:])
+    return parser.parse_args(words)
+
+
+def locked(folder):
+    """A file that keeps other runs out of the folder as long as it is open: pictures have the same
+    names in all."""
+    folder.mkdir(parents=True, exist_ok=True)
+    file = (folder / ".lock").open("w")
     try:
-        sys.exit(options.run(options))
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        sys.exit(f"tools/bench: another run writes into {folder}; expected another --out")
+    return file
+
+
+def main():
+    options = parsed(sys.argv[1:])
+    try:
+        with locked(options.out):
+            sys.exit(status_of(options))
     except OSError as problem:  # a program that fails is one too (processes.py)
         sys.exit(f"tools/bench: {problem}")
+
+
+def status_of(options):
+    """The exit status; a run that is stopped leaves the page as far as it got."""
+    from results import Results
+    try:
+        return options.run(options)
+    except KeyboardInterrupt:
+        if Results.latest:
+            Results.latest.finish_stopped()
+        return 130
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ import pathlib
 import chosen_scenes
 import renders
 import scenes
+from arguments import size
 from results import Results, status
 
 ABOUT = "peak memory of a render against the scene's meshes and textures; bytes a triangle"
@@ -24,7 +25,8 @@ ONE_TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 
 
 def add_arguments(parser):
-    parser.add_argument("--size", default="256x256", help="of the forest's picture (256x256)")
+    parser.add_argument("--size", type=size, default="256x256", metavar="WxH",
+                        help="of the forest's picture (256x256)")
     parser.add_argument("--quick", action="store_true", help="generated scenes only, small ones")
 
 

@@ -6,7 +6,7 @@ pairs that are told, which flatters it by some of their noise. Each renderer is 
 against a long reference of its own, of other seeds, so that no difference between the two counts as
 an error of either; how far the references' means are apart is told beside. Neither states an error
 (`--replicates 1`). Each pair tells ratios of its own: of them median, range and geometric mean,
-with twice the standard error of the mean's logarithm. Time is of rendering alone. Cycles' CPU time
+with half of the 95 % interval of the mean's logarithm. Time is of rendering alone. Cycles' CPU time
 is that of the call that renders, less what a picture of one sample costs (start-up,
 synchronization, file), in proportion to the other samples. Beside it Embree's tutorial path tracer,
 for speed at equal samples: it draws point lights only, ends paths early and writes 8 bits, so
@@ -28,6 +28,7 @@ import json
 import math
 import os
 import statistics
+import zipfile
 
 import chosen_scenes
 import truth
@@ -93,7 +94,7 @@ def run(options):
     points, ratios, means, seen = [], [], [], []
     files = chosen_scenes.chosen(candela, out, options.scenes or default_scenes(), (),
                                  results.note)
-    scenes = described(candela, out, files, options.nearest)
+    scenes = described(candela, out, files, options.nearest, results.note)
     tell_approximated(results, scenes)
     for name, scene in scenes.items():
         with results.attempt(name):
@@ -110,8 +111,8 @@ def run(options):
     results.table("points", f"All points, {bench.size}x{bench.size}, {bench.pairs} pairs", points)
     results.table("ratios", "Cycles over candela: times as slow to the same error", ratios,
                   "To the relMSE that Cycles has at so many samples, and to a relMSE where both "
-                  "get there; ranges over the pairs; plus_minus is twice the standard error of the "
-                  "mean's logarithm. relmse_cpu_s: relMSE times CPU seconds at so many samples.")
+                  "get there; ranges over the pairs; plus_minus is half of the 95 % interval of "
+                  "the mean's logarithm. relmse_cpu_s: relMSE times CPU seconds at so many samples.")
     results.table("means", "The references' means, candela's over Cycles'", means)
     show_references(results, seen)
     tell_all(results, bench.counts[-1], ratios)
@@ -160,7 +161,7 @@ def ladder(most):
     return [4 ** power for power in range(1, 10) if 4 ** power <= most]
 
 
-def described(candela, out, files, nearest=False):
+def described(candela, out, files, nearest=False, tell=print):
     """Name -> what Blender is told. What cannot be compared is left out with a sentence."""
     from blender import blender_scene, pbrt_scene
     from renders import CandelaFailed
@@ -174,7 +175,7 @@ def described(candela, out, files, nearest=False):
             else:
                 scenes[name] = blender_scene.read(file, SCALES.get(name, 1))
         except blender_scene.Unsupported as reason:
-            print(f"{name} is left out: {reason}", flush=True)
+            tell(f"{name} is left out: {reason}")
     if not scenes:
         raise CandelaFailed("none of these scenes can be compared with Cycles")
     return scenes
@@ -195,7 +196,7 @@ class Bench:
         most = self.counts[-1]
         ours = truth.reference(self.candela, name, file, self.size, REFERENCE * most,
                                max_depth="none")
-        theirs = self.cycles_reference(name, scene, CYCLES_REFERENCE * most)
+        theirs = self.cycles_reference(name, file, scene, CYCLES_REFERENCE * most)
         apart = float(ours.image.mean() / theirs.image.mean())
         pairs = [(self.our_ladders(file, ours, seed), self.their_ladders(name, scene, theirs, seed))
                  for seed in range(1, self.pairs + 1)]
@@ -246,24 +247,36 @@ class Bench:
         return Job(chosen_scenes.safe(name), self.size, self.size, spp, seed,
                    first_sample=first_sample)
 
-    def cycles_reference(self, name, scene, spp):
+    def cycles_reference(self, name, file, scene, spp):
         """From eight seeds, whose spread tells its noise; kept as long as Blender's version, its
-        scripts and the scene are the same. Sample 0, which goes through the pixel's centre, is not
-        among them."""
+        scripts and the scene, with the content of its files, are the same. Sample 0, which goes
+        through the pixel's centre, is not among them."""
         import numpy
-        from references import with_weight
-        key = hashlib.sha256(json.dumps([self.cycles.made_by(), scene, self.size,
-                                         spp]).encode()).hexdigest()[:16]
-        file = self.cycles.folder / f"reference_{chosen_scenes.safe(name)}_{key}.npz"
-        if not file.exists():
-            seeds, each = 8, spp // 4
-            jobs = [self.job(name, each, 900001 + i, each) for i in range(seeds)]
-            made = self.cycles.render({chosen_scenes.safe(name): scene}, jobs)
-            images = numpy.array([made[job].colour for job in jobs])
-            numpy.savez(file, image=images.mean(axis=0),
-                        variance=images.var(axis=0, ddof=1) / seeds)
-        kept = numpy.load(file)
-        return with_weight(kept["image"], kept["variance"])
+        key = hashlib.sha256(json.dumps([self.cycles.made_by(), scene, self.size, spp,
+                                         self.candela.info(file)["scene_hash"]]
+                                        ).encode()).hexdigest()[:16]
+        kept = self.cycles.folder / f"reference_{chosen_scenes.safe(name)}_{key}.npz"
+        if (found := kept_reference(kept)) is not None:
+            return found
+        seeds, each = 8, spp // 4
+        jobs = [self.job(name, each, 900001 + i, each) for i in range(seeds)]
+        made = self.cycles.render({chosen_scenes.safe(name): scene}, jobs)
+        images = numpy.array([made[job].colour for job in jobs])
+        whole = kept.with_suffix(".part.npz")  # so that none is kept that was stopped half-way
+        numpy.savez(whole, image=images.mean(axis=0), variance=images.var(axis=0, ddof=1) / seeds)
+        whole.replace(kept)
+        return kept_reference(kept)
+
+
+def kept_reference(file):
+    """None where there is none, or none that can be read."""
+    import numpy
+    from references import with_weight
+    try:
+        with numpy.load(file) as kept:
+            return with_weight(kept["image"], kept["variance"])
+    except (OSError, EOFError, ValueError, KeyError, zipfile.BadZipFile):
+        return None
 
 
 def their_run(picture, right, taken_off):

@@ -16,6 +16,15 @@ def side_by_side(work, items):
         return list(pool.map(work, items))
 
 
+def long_enough(made, lengths, is_good):
+    """made(length) with the first of the lengths for which it is good, or else with the last."""
+    for length in lengths:
+        found = made(length)
+        if is_good(found):
+            break
+    return found
+
+
 def square(size):
     return f"{size}x{size}"
 

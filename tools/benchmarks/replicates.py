@@ -9,6 +9,7 @@ import pathlib
 import truth
 from arguments import at_least
 from references import layers, reference, side_by_side, square
+from student import student_t
 
 ABOUT = "what stating an error costs: noise with more replicates over that with one"
 
@@ -49,18 +50,20 @@ def run(options):
                           spp=16 * max(COUNTS))
         for spp in COUNTS:
             found = [relmse(candela, path, right, spp, r, options.seeds) for r in REPLICATES]
-            rows += [{"case": name, "spp": spp} | row for row in rows_of(found, right)]
+            rows += [{"case": name, "spp": spp} | row
+                     for row in rows_of(found, right, options.seeds)]
         print(f"{name}: done", flush=True)
     results.table("replicates", "relMSE over that of one replicate", rows,
-                  "plus_minus: twice the standard error.")
+                  "plus_minus: half of the 95 % interval.")
     results.finish()
 
 
-def rows_of(found, right):
+def rows_of(found, right, seeds):
     """`found`: mean and standard error by number of replicates."""
     one, one_error = found[0]
     for replicates, (mean, error) in zip(REPLICATES[1:], found[1:]):
         ratio = mean / one
         yield {"replicates": replicates, "ratio": ratio,
-               "plus_minus": 2 * ratio * math.hypot(error / mean, one_error / one),
+               "plus_minus": student_t(seeds - 1) * ratio * math.hypot(error / mean,
+                                                                       one_error / one),
                "reference": truth.judged(right, [mean], [one])}

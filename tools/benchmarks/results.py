@@ -17,7 +17,9 @@ MISSED = {"no", "exceeded", "missed"}  # the words of verdicts that say so
 
 class Results:
     """Tables are printed and written as soon as they are there; finish() writes the page.
-    keep() is for what of a table is there already."""
+    keep() is for what of a table is there already. What an earlier run left in the folder goes."""
+
+    latest = None  # for what stops a measurement
 
     def __init__(self, out, title, about, version):
         self.out, self.title = out, title
@@ -26,19 +28,25 @@ class Results:
                       "date": datetime.datetime.now(datetime.timezone.utc).strftime(
                           "%Y-%m-%d %H:%M UTC"), "processor": processor()}
         out.mkdir(parents=True, exist_ok=True)
+        self.kept = {}  # rows by name, of tables that are not told yet
+        self.files = Files(out)
+        Results.latest = self
 
     def table(self, name, title, rows, text=""):
         """`rows`: dicts of one shape; keys are the columns. Without a name no file is written."""
         if not rows:
             return self.note(f"{title}: nothing was measured.")
         if name:
-            write_csv(self.out / f"{name}.csv", rows)
+            self.keep(name, rows)
+            del self.kept[name]
         print(f"\n{title}\n{text_table(rows)}", flush=True)
         self.parts.append(f"<h2>{html.escape(title)}</h2>"
                           + (f"<p>{html.escape(text)}</p>" if text else "") + html_table(rows))
 
     def keep(self, name, rows):
-        write_csv(self.out / f"{name}.csv", rows)
+        if rows:
+            self.kept[name] = rows
+            write_csv(self.files.add(f"{name}.csv"), rows)
 
     @contextlib.contextmanager
     def attempt(self, what):
@@ -59,7 +67,7 @@ class Results:
     def finish(self):
         facts = "".join(f"<dt>{html.escape(key)}</dt><dd><code>{html.escape(value)}</code></dd>"
                         for key, value in self.facts.items())
-        (self.out / "index.html").write_text(f"""<!DOCTYPE html>
+        self.files.add("index.html").write_text(f"""<!DOCTYPE html>
 <html lang="en">
 <head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <title>candela: {html.escape(self.title)}</title><style>{STYLE}</style></head>
@@ -71,10 +79,38 @@ class Results:
 """)
         print(f"\n{self.out / 'index.html'}")
 
+    def finish_stopped(self):
+        """With what of tables is there already."""
+        self.note("Stopped: the rest was not measured.")
+        for name, rows in list(self.kept.items()):
+            self.table(name, f"{name}, so far", rows)
+        self.finish()
+
+
+class Files:
+    """What a measurement leaves in a folder, by a list of it there: so that what an earlier run
+    left, and no other file, goes."""
+
+    def __init__(self, folder):
+        self.folder, self.list = folder, folder / ".files"
+        for name in self.list.read_text().splitlines() if self.list.exists() else []:
+            (folder / name).unlink(missing_ok=True)
+        self.list.unlink(missing_ok=True)
+        self.names = set()
+
+    def add(self, name):
+        """The file's path."""
+        if name not in self.names:
+            self.names.add(name)
+            with self.list.open("a") as file:
+                file.write(f"{name}\n")
+        return self.folder / name
+
 
 def status(verdicts):
-    """The exit status."""
-    return FAILED if MISSED & set(verdicts) else 0
+    """The exit status; where nothing was measured nothing is met."""
+    found = set(verdicts)
+    return FAILED if MISSED & found or not found else 0
 
 
 def first_line(reason):
@@ -88,9 +124,6 @@ def shown(value):
 
 
 def write_csv(path, rows):
-    """No file where there are none."""
-    if not rows:
-        return
     with path.open("w", newline="") as file:
         writer = csv.writer(file)
         writer.writerow(rows[0])

@@ -2,7 +2,7 @@
 
 Box filter, each pixel's paths its own, roulette from 1/2 on, without splitting and adaptive
 sampling, so that both take the same ways. Ratios are those of pictures in pairs of one
-seed: median, range and geometric mean, with twice the standard error of the mean's logarithm
+seed: median, range and geometric mean, with half of the 95 % interval of the mean's logarithm
 (plus_minus); none where an error is lost in the reference's noise. cpu: the CPU time with Sobol
 points over that without. Last, what such points take by themselves.
 """
@@ -44,7 +44,7 @@ def run(options):
     results = Results(out, "Sobol points", __doc__, candela.version())
     size = options.size or (48 if options.quick else 128)
     seeds = range(1, 1 + (options.seeds or (2 if options.quick else 8)))
-    box = chosen_scenes.chosen(candela, out, ["cornell_box_diffuse"], ())["cornell_box_diffuse"]
+    box = chosen_scenes.present()["cornell_box_diffuse"]
     pictures = [("Cornell box, direct light", box, {"max_depth": 1}),
                 ("Cornell box", box, {"max_depth": "none"})]
     for squares in SQUARES_A_PIXEL:

@@ -11,21 +11,36 @@ from math import log, nan
 import references
 from chosen_scenes import safe
 from fits import error_rate, jackknifed, ratio_of_errors, spread, times_to_same_error
+from processes import ProgramFailed
 
 TRIMMED = 1e-3  # of the pixels, the worst
 NOISE_ALLOWED = 1 / 20
+# How many times as long a reference may become where it is too noisy for the pictures.
+LONGER = (1, 4, 16)
+MARGIN = 1.5  # below a picture's error: another way's, or another seed's, may be as much smaller
 
 
 def reference(candela, name, scene, size, spp, **options):
-    return references.reference(candela, f"reference_{safe(name)}_{size}", scene,
+    return references.reference(candela, f"reference_{safe(name)}_{size}_{spp}", scene,
                                 size=references.square(size), spp=spp, replicates=16, filter="box",
                                 **options)
 
 
+def reference_for(candela, name, scene, size, least, **options):
+    """One of `least` samples, or of more, until it is good enough for pictures by these options."""
+    def is_good(right):
+        run = measured(candela, scene, right, size=references.square(size), **options)
+        return judged(right, [run.relmse / MARGIN]) == "good"
+
+    return references.long_enough(
+        lambda longer: reference(candela, name, scene, size, longer * least), LONGER, is_good)
+
+
 def trimmed(truth, image):
-    """relMSE without the worst pixels, whose noise of the reference stays in."""
-    errors = sorted(((image - truth.image) ** 2 * truth.weight).mean(axis=2).ravel())
-    return float(statistics.fmean(errors[:len(errors) - max(1, round(len(errors) * TRIMMED))]))
+    """relMSE without the pixels that are seen to be the worst."""
+    seen = ((image - truth.image) ** 2 * truth.weight).mean(axis=2).ravel()
+    kept = seen.argsort()[:seen.size - round(seen.size * TRIMMED)]
+    return float(truth.errors(image).mean(axis=2).ravel()[kept].mean())
 
 
 @dataclasses.dataclass
@@ -63,6 +78,24 @@ def rate_of_runs(fewer, more):
                       mean(r.cpu_seconds for r in more) / mean(r.cpu_seconds for r in fewer))
 
 
+def trials_of(runs):
+    """The trials that candela took: what they choose, from some number of samples on, is another
+    estimator."""
+    return {key for run in runs for key in ("reuse_samples", "roulette_samples")
+            if run.stats.get(key)}
+
+
+def ladder(runs_of, *rungs):
+    """Runs of fewer and of more samples, which tell a rate: the first of the `rungs`, pairs of
+    counts, both of which take the same trials."""
+    for counts in rungs:
+        fewer, more = map(runs_of, counts)
+        if trials_of(fewer) == trials_of(more):
+            return fewer, more
+    raise ProgramFailed("trials to share paths, or of roulette, begin between the numbers of "
+                        "samples that tell the rate; expected more --spp")
+
+
 def time_to_same_error(times, errors, fewer, more):
     """Geometric mean of times_to_same_error() over seeds, and the factor by which it may be off.
     `times`, `errors`: ratios by seed; `fewer`, `more`: the same seeds' runs, which tell the rate.
@@ -79,7 +112,7 @@ def judged(truth, *errors):
     """Whether the reference is good enough for the smallest of the errors that are claimed with it;
     `errors`: lists of relMSE, whose medians count."""
     smallest = min(statistics.median(of) for of in errors)
-    return "good" if truth.own_relmse() < NOISE_ALLOWED * smallest else "too noisy"
+    return "good" if truth.own_relmse() <= NOISE_ALLOWED * smallest else "too noisy"
 
 
 def counted(rows, keys, note, mean="the mean"):
@@ -89,14 +122,30 @@ def counted(rows, keys, note, mean="the mean"):
     for reason in sorted(reasons):
         names = (name_of(row) for row in rows if why_not(row, keys) == reason)
         note(f"{mean} is without {', '.join(names)}: {reason}")
-    return [row for row in rows if why_not(row, keys) is None]
+    kept = [row for row in rows if why_not(row, keys) is None]
+    tell_bias(*([row[keys[0]] for row in of if is_told(row[keys[0]])]
+                for of in (kept, [row for row in rows if row not in kept])), note, mean)
+    return kept
+
+
+def tell_bias(kept, left, note, mean):
+    """Where what is left out lies on one side of all that is counted."""
+    if len(kept) < 2 or not left:
+        return
+    side = ("above" if min(left) > max(kept) else "below" if max(left) < min(kept) else None)
+    if side:
+        note(f"{mean} may be off: what it is without lies {side} all that it counts")
+
+
+def is_told(value):
+    return value is not None and value > 0
 
 
 def why_not(row, keys):
     """None where the row counts."""
     if row.get("reference") not in ("good", None):
         return "the reference is too noisy"
-    if not all(row[key] is not None and row[key] > 0 for key in keys):
+    if not all(is_told(row[key]) for key in keys):
         return "an error or a time is lost in noise"
     return None
 

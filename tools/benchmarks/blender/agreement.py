@@ -5,9 +5,11 @@ import math
 
 import numpy
 
+from student import student_tail
+
 BLOCK = 8  # pixels
 LEVEL = .01  # of finding a difference where there is none, in all of a run
-RATIO = .003  # of the channels' means, at most
+RATIO = .003  # of the channels' means, at most, beyond twice the standard error
 # Sums of 32-bit floats are no better than this; where nothing varies (inside of a lamp) it counts.
 ROUNDING = 1e-5
 
@@ -25,8 +27,9 @@ class Agreement:
     def failures(self, tests):
         """Sentences. `tests`: how many such p this run looks at in all."""
         level = 1 - (1 - LEVEL) ** (1 / tests)  # [Sidak67]
-        found = [f"mean ratio of {c}: {r:.5f}, expected within {RATIO} of 1"
-                 for c, r in zip("RGB", self.ratio) if not abs(r - 1) <= RATIO]
+        found = [f"mean ratio of {c}: {r:.5f} +- {e:.5f}, expected within {RATIO} of 1, beyond "
+                 "twice that error" for c, r, e in zip("RGB", self.ratio, self.ratio_error)
+                 if not abs(r - 1) <= RATIO + 2 * e]
         found += [f"block {x}, {y} of {'RGB'[c]}: t = {self.t[y, x, c]:.2f}, p = {p:.2g}, "
                   f"expected at least {level:.2g}"
                   for (y, x, c), p in numpy.ndenumerate(self.p) if not p >= level]
@@ -34,6 +37,13 @@ class Agreement:
                   f"p = {p:.2g}, expected at least {level:.2g}"
                   for c, s, p in zip("RGB", self.spread, self.spread_p) if not p >= level]
         return found
+
+    def untold(self):
+        """Sentences: of means that do not fail, and whose error hides a difference of RATIO."""
+        return [f"mean ratio of {c}: {r:.5f} +- {e:.5f}: whether it is within {RATIO} of 1 is not "
+                "told; expected more seeds or samples"
+                for c, r, e in zip("RGB", self.ratio, self.ratio_error)
+                if e > RATIO and abs(r - 1) <= RATIO + 2 * e]
 
     @property
     def tests(self):
@@ -77,18 +87,6 @@ def welch(a, b):
     is_noisy = va + vb > 10 * floor
     freedom = numpy.where(is_noisy, freedom, min(len(a), len(b)) - 1)
     return t, freedom, is_noisy, numpy.sqrt(variance)
-
-
-def student_tail(t, freedom):
-    """P(|T| > t). With t = sqrt(n) tan(x) Student's density is cos(x)^(n - 1), up to a factor."""
-    nodes, weights = numpy.polynomial.legendre.leggauss(64)
-    start = numpy.arctan(t / numpy.sqrt(freedom))
-    half = (math.pi / 2 - start) / 2
-    x = start[..., None] + half[..., None] * (nodes + 1)
-    tail = (numpy.cos(x) ** (freedom[..., None] - 1) * weights).sum(axis=-1) * half
-    log_gamma = numpy.vectorize(math.lgamma)
-    whole = numpy.sqrt(math.pi) * numpy.exp(log_gamma(freedom / 2) - log_gamma((freedom + 1) / 2))
-    return 2 * tail / whole
 
 
 def spread_of(t, freedom, is_noisy):

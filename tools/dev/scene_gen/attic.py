@@ -29,8 +29,8 @@ def pyramid(x, z, radius, height):
 
 
 def scene(meshes, random, width):
-    if not 0 < width <= 3.9:
-        raise ValueError(f"--width is {width:g}; expected above 0, at most 3.9")
+    if not .01 <= width <= 3.9:
+        raise ValueError(f"--width is {width:g}; expected .01 to 3.9")
     half = width / 2
     window = triangle((-half, EAVES, BACK + .005), (half, EAVES, BACK + .005),
                       (0, EAVES + 2.3 * half / 2, BACK + .005))

@@ -22,6 +22,8 @@ def floor_places(random, count):
 
 
 def scene(meshes, random, balls):
+    if balls < 0:
+        raise ValueError(f"--balls is {balls}; expected at least 0")
     places = floor_places(random, balls)
     if len(places) < balls:
         raise ValueError(f"--balls is {balls}; only {len(places)} have room")

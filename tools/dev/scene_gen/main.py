@@ -39,7 +39,7 @@ def main():
     options = arguments(generate)
     try:
         print(generate.generate(options.pop("scene"), options.pop("out"), **options))
-    except (OSError, ValueError) as problem:
+    except (OSError, ValueError, MemoryError) as problem:
         sys.exit(f"tools/scene_gen: {problem}")
 
 

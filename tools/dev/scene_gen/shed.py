@@ -8,8 +8,8 @@ PARAMETERS = {"width": (1., "of the shed, up to 8")}
 
 
 def scene(meshes, random, width):
-    if not 0 < width <= 8:
-        raise ValueError(f"--width is {width:g}; expected above 0, at most 8")
+    if not .01 <= width <= 8:
+        raise ValueError(f"--width is {width:g}; expected .01 to 8")
     half, height = width / 2, .6 * width
     low = [(-half, 0, -half), (half, 0, -half), (half, 0, half), (-half, 0, half)]
     high = [(x, height, z) for x, _, z in low]

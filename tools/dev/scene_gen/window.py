@@ -8,8 +8,8 @@ PARAMETERS = {"width": (3., "of the window, up to 3.9")}
 
 
 def scene(meshes, random, width):
-    if not 0 < width <= 3.9:
-        raise ValueError(f"--width is {width:g}; expected above 0, at most 3.9")
+    if not .01 <= width <= 3.9:
+        raise ValueError(f"--width is {width:g}; expected .01 to 3.9")
     things = joined(box((-2, 0, -2), (2, 3, 2.2), inward=True),
                     turned_box((.8, 1.2, .7), (-.2, .6, -.85), 10))
     half = width / 2
