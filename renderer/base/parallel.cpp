@@ -77,13 +77,13 @@ void parallel_for_chunks(std::size_t count, std::size_t grain,
 // Where the system allows no more threads oneTBB's workers end the process: asked before, it is an
 // exception.
 void require_threads(int count) {
-  std::latch are_started(1);
+  std::latch may_end(1);
   std::vector<std::jthread> others;
   struct Release {
     std::latch& latch;
     ~Release() { latch.count_down(); }
-  } const release{are_started};
-  for (int i = 1; i < count; ++i) others.emplace_back([&] { are_started.wait(); });
+  } const release{may_end};
+  for (int i = 1; i < count; ++i) others.emplace_back([&] { may_end.wait(); });
 }
 
 void with_threads(int threads, const std::function<void()>& work, Denormals denormals) {

@@ -134,7 +134,7 @@ TEST(Errors_Convert, EndWithTheirCodesAndWriteNothing) {
   };
   expect_code({"convert", small_scene()}, 2, "OUT is missing");
   expect_code({"convert", small_scene(), folder + "/a.yaml"}, 2,
-              "expected a name that ends with .pbrt");
+              "expected a name and .pbrt behind it");
   expect_code({"convert", small_scene(), out, "--camera", "3"}, 2, "only camera 0");
   expect_code({"convert", folder + "/none.yaml", out}, 3, "none.yaml");
   expect_code({"convert", asset("cornell_box"), out, "--strict"}, 3, "lost for pbrt");

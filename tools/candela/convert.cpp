@@ -45,9 +45,9 @@ class Conversion {
       : arguments_(arguments), target_(arguments.output) {}
 
   ExitCode run() {
-    if (target_.extension() != ".pbrt")  // a name that is nothing else has none
+    if (target_.extension() != ".pbrt")
       return fail(ExitCode::Usage,
-                  fmt::format("'{}': expected a name that ends with .pbrt", arguments_.output));
+                  fmt::format("'{}': expected a name and .pbrt behind it", arguments_.output));
     const Diagnostics unwritable = check_writable_file(arguments_.output);
     console_.print(unwritable);
     if (unwritable.has_errors()) return ExitCode::Output;
