@@ -18,6 +18,10 @@ class Check {
     if (!(value >= low && value <= high))
       error(fmt::format("{} is {}, expected {} to {}", what, value, low, high));
   }
+  template <class Number>
+  void at_least_zero(std::string_view what, Number value) const {
+    if (!(value >= 0)) error(fmt::format("{} is {}, expected at least 0", what, value));
+  }
   // `high`: infinity where any number is right.
   void above_zero(std::string_view what, double value, double high) const {
     if (!(value > 0 && value <= high))
@@ -46,11 +50,12 @@ void check_picture(const Scene& scene, const RenderOptions& options, const Check
     check.error(fmt::format("the crop {},{},{},{} is no part of {} x {} pixels", options.crop->x0,
                             options.crop->y0, options.crop->x1, options.crop->y1, options.width,
                             options.height));
+  constexpr double widest = description::RenderDefaults::widest_filter;
   // A box without a width is the pixel's middle.
   if (options.filter_radius && options.filter == FilterKind::Box)
-    check.within("the filter's radius", *options.filter_radius, 0.0f, 16.0f);
+    check.within("the filter's radius", static_cast<double>(*options.filter_radius), 0.0, widest);
   else if (options.filter_radius)
-    check.above_zero("the filter's radius", static_cast<double>(*options.filter_radius), 16);
+    check.above_zero("the filter's radius", static_cast<double>(*options.filter_radius), widest);
   if (options.white_balance_kelvins)
     check.within("the white balance", *options.white_balance_kelvins, 100.0, 1e9);
 }
@@ -63,7 +68,7 @@ void check_sampling(const RenderOptions& options, const Check& check) {
   if (options.target_relmse)
     check.above_zero("the relMSE to stop at", *options.target_relmse, INFINITY);
   if (options.time_limit_seconds)
-    check.within("the limit of time", *options.time_limit_seconds, 0.0, 1e9);
+    check.at_least_zero("the limit of time", *options.time_limit_seconds);
 }
 
 void check_paths(const RenderOptions& options, const Check& check) {
@@ -73,7 +78,7 @@ void check_paths(const RenderOptions& options, const Check& check) {
   check.above_zero("the report's probability to go on", static_cast<double>(options.report_p_rr),
                    1);
   check.above_zero("what samples are dimmed to", static_cast<double>(options.clamp), INFINITY);
-  if (options.max_depth) check.within("the depth", *options.max_depth, 0, 1 << 30);
+  if (options.max_depth) check.at_least_zero("the depth", *options.max_depth);
 }
 
 }  // namespace

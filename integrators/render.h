@@ -38,8 +38,8 @@ enum class SamplerKind : std::uint8_t { Sobol, Padded, Independent };
 enum class Guiding : std::uint8_t { Off, Auto, On };
 
 inline constexpr int max_lamp_rays = 64;
-inline constexpr int max_side = 65536;  // of a picture
-inline constexpr int max_samples_per_pixel = 1 << 30;
+inline constexpr int max_side = description::RenderDefaults::largest_side;  // of a picture
+inline constexpr int max_samples_per_pixel = description::RenderDefaults::most_samples;
 
 // What costs a sample less and changes nothing that is expected of it; false is for comparisons.
 struct PathSavings {

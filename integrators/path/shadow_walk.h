@@ -72,7 +72,8 @@ template <class A>
     }
     if (!is_clear_boundary(scene, hit)) return Rgb(0);
     Crossing crossing = cross_boundary(scene, hit, wo, medium);
-    const float end = end_in_medium(hit.t, crossing.point, ray.direction);
+    const bool scatters = medium && scene.media[medium.index].scatters();
+    const float end = scatters ? end_in_medium(hit.t, crossing.point, ray.direction) : hit.t;
     depth += optical_depth_along(scene, medium, ray, end);
     medium = crossing.beyond;
     ray = shadow_ray_behind(ray, crossing.point);

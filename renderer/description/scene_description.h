@@ -153,9 +153,10 @@ struct Material {
   ScalarInput opacity{1.0, {}, 0};     // coverage in [0,1]: the probability of a hit
   ImageHandle height;                  // bump map: grey heights
   TextureHandle height_texture{};      // the same by a texture
-  double height_scale = 1.0;  // height of white, in units of the uv square's edge on the surface
-  bool heights_are_lengths = false;  // in the world's unit instead
-  ImageHandle normal_map;            // tangent-space normals, encoded (n+1)/2
+  // Height of white: a length in the world, or in units of the uv square's edge on the surface.
+  double height_scale = 1.0;
+  bool heights_are_lengths = false;
+  ImageHandle normal_map;  // tangent-space normals, encoded (n+1)/2
   // Its y is n x dp/du, as pbrt has it, even where the uv map is mirrored; else it runs along v.
   bool normal_map_is_right_handed = false;
   MediumInterface media{};
@@ -302,6 +303,7 @@ struct RenderDefaults {
   static constexpr std::int64_t largest_side = 65536;
   static constexpr std::int64_t most_samples = std::int64_t{1} << 30;
   static constexpr std::int64_t deepest = 1000000;  // of max_depth
+  static constexpr double widest_filter = 32;       // its radius in pixels
 
   std::optional<int> width, height, samples_per_pixel, max_depth;
   std::optional<std::string> integrator, filter;

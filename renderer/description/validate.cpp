@@ -52,7 +52,7 @@ bool has_light(const SceneDescription& scene) {
 
 void check_defaults(const SceneDescription& scene, Diagnostics& diagnostics) {
   const std::optional<double>& radius = scene.defaults.filter_radius;
-  constexpr double widest = 32;  // pixels
+  constexpr double widest = RenderDefaults::widest_filter;
   if (radius && !(*radius > 0 && *radius <= widest))
     diagnostics.error({}, fmt::format("the filter's radius is {} pixels, expected above 0 and at "
                                       "most {}",

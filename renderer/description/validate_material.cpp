@@ -196,6 +196,9 @@ void check_material(const SceneDescription& scene, const Material& material,
   check.input(material.opacity, "the opacity");
   check.image(material.height, "heights");
   check.texture(material.height_texture, "heights");
+  if (material.height && material.height_texture)
+    diagnostics.error(material.span, fmt::format("material '{}': heights have a map and a texture",
+                                                 material.name));
   check.image(material.normal_map, "normals");
   if (!std::isfinite(material.height_scale))
     diagnostics.error(material.span, fmt::format("material '{}': the scale of its heights is not "

@@ -32,9 +32,7 @@ Face face_of(TextureHandle texture, const TextureStore& textures) {
 Face add_face(description::Image image, description::Wrap wrap, TextureStore& textures,
               Diagnostics& diagnostics) {
   image.wrap = wrap;
-  const TextureHandle texture = textures.add(image, diagnostics);
-  textures.count_as_light(texture);
-  Face face = face_of(texture, textures);
+  Face face = face_of(textures.add_light(image, diagnostics), textures);
   face.columns_wrap = wrap == description::Wrap::Repeat;
   return face;
 }

@@ -122,9 +122,7 @@ struct DeltaLightCompiler {
     if (!handle) return {};
     description::Image image = description.images[handle.index];
     image.wrap = description::Wrap::Clamp;
-    const TextureHandle map = textures.add(image, diagnostics);
-    textures.count_as_light(map);
-    return map;
+    return textures.add_light(image, diagnostics);
   }
 };
 

@@ -109,9 +109,7 @@ TextureHandle TextureCompiler::image(description::ImageHandle image) {
 }
 
 TextureHandle TextureCompiler::light_image(description::ImageHandle image) {
-  const TextureHandle texture = this->image(image);
-  if (texture) store_.count_as_light(texture);
-  return texture;
+  return image ? store_.add_light(scene_.images[image.index], diagnostics_) : TextureHandle{};
 }
 
 TextureCompiler::Scalar TextureCompiler::scalar(description::ImageHandle handle) {

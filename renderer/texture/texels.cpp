@@ -117,8 +117,9 @@ bool is_grey(const TexelArray& texels) {
   return true;
 }
 
-TextureFile::TextureFile(std::string path, SourceSpan span, const Result<ImageHeader>& found)
-    : path_(std::move(path)), span_(std::move(span)), is_broken_(!found) {
+TextureFile::TextureFile(std::string path, SourceSpan span, const Result<ImageHeader>& found,
+                         bool is_light)
+    : path_(std::move(path)), span_(std::move(span)), is_broken_(!found), is_light_(is_light) {
   if (is_broken_) return;
   width_ = found->width;
   height_ = found->height;
@@ -175,12 +176,6 @@ void TextureFile::decode_file() {
                                             "counts as 0, infinity as {}",
                                             path_, count, largest_half));
   if (is_light_) remove_negative();
-}
-
-void TextureFile::count_as_light() {
-  if (is_light_) return;
-  is_light_ = true;
-  if (is_decoded()) remove_negative();
 }
 
 void TextureFile::remove_negative() {

@@ -41,7 +41,8 @@ struct TexelArray {
 class TextureFile {
  public:
   // A file that `found` has errors about is magenta from the start.
-  TextureFile(std::string path, SourceSpan span, const Result<ImageHeader>& found);
+  // Of one that is light values below 0 count as 0, and are told of with what else is wrong.
+  TextureFile(std::string path, SourceSpan span, const Result<ImageHeader>& found, bool is_light);
   // No file: pixels that were calculated, finite.
   TextureFile(std::string name, TexelArray texels);
 
@@ -53,9 +54,10 @@ class TextureFile {
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] int channels() const { return channels_; }
   [[nodiscard]] std::size_t bytes() const;
+  [[nodiscard]] bool holds_floats() const {
+    return type_ == SampleType::Half || type_ == SampleType::Float;
+  }
 
-  // Values below 0 count as 0, and are told of with what else is wrong. Before others look at them.
-  void count_as_light();
   // Decodes at the first call; any number of threads may call at once.
   const TexelArray& texels();
   [[nodiscard]] bool is_decoded() const { return is_decoded_.load(std::memory_order_acquire); }

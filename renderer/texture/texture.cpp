@@ -21,7 +21,8 @@
 namespace candela {
 
 struct TextureStore::Files {
-  std::map<std::string, std::unique_ptr<TextureFile>> by_path;
+  // By path, and by whether the image shines.
+  std::map<std::pair<std::string, bool>, std::unique_ptr<TextureFile>> by_path;
   std::vector<std::unique_ptr<TextureFile>> calculated;
   std::map<std::tuple<const TextureFile*, Encoding, Wrap>, TextureHandle> handle_of;
 };
@@ -119,10 +120,6 @@ class Texture {
                        });
   }
 
-  void count_as_light() {
-    if (file_ != nullptr) file_->count_as_light();
-  }
-
  private:
   // Of what is no image of several texels.
   [[nodiscard]] Vec4f special(const TextureStore& store, Vec2f uv, const TexturePoint* at) const {
@@ -175,26 +172,37 @@ void warn_of(const Result<ImageHeader>& header, const SourceSpan& span, Diagnost
 
 }  // namespace
 
-TextureHandle TextureStore::add(const description::Image& image, Diagnostics& diagnostics) {
-  const std::string key = std::filesystem::path(image.path).lexically_normal().string();
-  std::unique_ptr<TextureFile>& file = files_->by_path[key];
-  if (!file) {
-    const Result<ImageHeader> header = read_image_header(image.path, DecodeLimits{});
-    // A broken image is magenta, but codecs that are not there end the run.
-    const Diagnostics missing = header ? Diagnostics{} : why_codecs_are_missing();
-    for (const Diagnostic& reason : missing.list())
-      diagnostics.error(image.span, fmt::format("texture '{}' {}", image.path, reason.message));
-    if (!missing.has_errors()) warn_of(header, image.span, diagnostics);
-    file = std::make_unique<TextureFile>(image.path, image.span, header);
-  }
-  const auto [at, is_new] = files_->handle_of.try_emplace({file.get(), image.encoding, image.wrap},
+// Values below 0, which are no light, only files of floats have: all uses share the others.
+TextureFile& TextureStore::file_of(const description::Image& image, bool is_light,
+                                   Diagnostics& diagnostics) {
+  const std::string path = std::filesystem::path(image.path).lexically_normal().string();
+  const auto other = files_->by_path.find({path, !is_light});
+  if (other != files_->by_path.end() && !other->second->holds_floats()) return *other->second;
+  std::unique_ptr<TextureFile>& file = files_->by_path[{path, is_light}];
+  if (file) return *file;
+  const Result<ImageHeader> header = read_image_header(image.path, DecodeLimits{});
+  // A broken image is magenta, but codecs that are not there end the run.
+  const Diagnostics missing = header ? Diagnostics{} : why_codecs_are_missing();
+  for (const Diagnostic& reason : missing.list())
+    diagnostics.error(image.span, fmt::format("texture '{}' {}", image.path, reason.message));
+  if (!missing.has_errors()) warn_of(header, image.span, diagnostics);
+  file = std::make_unique<TextureFile>(image.path, image.span, header, is_light);
+  return *file;
+}
+
+TextureHandle TextureStore::add(TextureFile& file, const description::Image& image) {
+  const auto [at, is_new] = files_->handle_of.try_emplace({&file, image.encoding, image.wrap},
                                                           TextureHandle(textures_.size()));
-  if (is_new) textures_.push_back(std::make_unique<Texture>(*file, image.encoding, image.wrap));
+  if (is_new) textures_.push_back(std::make_unique<Texture>(file, image.encoding, image.wrap));
   return at->second;
 }
 
-void TextureStore::count_as_light(TextureHandle image) {
-  textures_[image.index]->count_as_light();
+TextureHandle TextureStore::add(const description::Image& image, Diagnostics& diagnostics) {
+  return add(file_of(image, false, diagnostics), image);
+}
+
+TextureHandle TextureStore::add_light(const description::Image& image, Diagnostics& diagnostics) {
+  return add(file_of(image, true, diagnostics), image);
 }
 
 TextureHandle TextureStore::add(const std::string& name, TexelArray texels, Wrap wrap) {
@@ -360,7 +368,7 @@ bool TextureStore::is_decoded(TextureHandle texture) const {
 
 std::size_t TextureStore::decoded_bytes() const {
   std::size_t bytes = 0;
-  for (const auto& [path, file] : files_->by_path)
+  for (const auto& [key, file] : files_->by_path)
     if (file->is_decoded()) bytes += file->texels().bytes();
   for (const auto& file : files_->calculated) bytes += file->texels().bytes();
   return bytes;
@@ -368,13 +376,13 @@ std::size_t TextureStore::decoded_bytes() const {
 
 double TextureStore::decoding_seconds() const {
   double seconds = 0;
-  for (const auto& [path, file] : files_->by_path) seconds += file->decoding_seconds();
+  for (const auto& [key, file] : files_->by_path) seconds += file->decoding_seconds();
   return seconds;
 }
 
 Diagnostics TextureStore::decoding_diagnostics() const {
   Diagnostics found;
-  for (const auto& [path, file] : files_->by_path) found.append(file->decoding_diagnostics());
+  for (const auto& [key, file] : files_->by_path) found.append(file->decoding_diagnostics());
   return found;
 }
 

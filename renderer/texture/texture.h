@@ -37,6 +37,7 @@ struct TextureInfo {
 };
 
 struct TexelArray;
+class TextureFile;
 
 // The scene's textures. Immutable but for this: a texture decodes itself once, on first touch, from
 // whichever thread comes first. A texture whose file is missing or broken is magenta (1, 0, 1) with
@@ -53,8 +54,8 @@ class TextureStore {
   // give equal handles, and equal paths share their pixels.
   TextureHandle add(const description::Image& image, Diagnostics& diagnostics);
 
-  // Of an image's values those below 0 are no light: they count as 0. Before anything is looked up.
-  void count_as_light(TextureHandle image);
+  // The same of an image that shines, whose values below 0 are no light: they count as 0.
+  TextureHandle add_light(const description::Image& image, Diagnostics& diagnostics);
 
   // An image that was calculated: linear, already decoded, under a name for messages, no path.
   TextureHandle add(const std::string& name, TexelArray texels, Wrap wrap);
@@ -66,7 +67,7 @@ class TextureStore {
   // repeat their value in r, g, b; files without alpha have alpha 1. Values above 1 pass (HDR), and
   // so do negative ones of float files with Encoding::Linear. Colour is not premultiplied by alpha
   // but as the file stores it. Wrap::Black has alpha 0 outside where the file has alpha.
-  // Of stored values NaN counts as 0 and infinity as the largest half, of light (count_as_light())
+  // Of stored values NaN counts as 0 and infinity as the largest half, of light (add_light())
   // what is below 0 as 0; decoding_diagnostics() says how many there were.
   [[nodiscard]] Vec4f lookup(TextureHandle texture, Vec2f uv) const;
   // lookup() and lookup_at() but for an image's power of LabGamma, for callers that take that of
@@ -139,6 +140,9 @@ class TextureStore {
 
  private:
   struct Files;  // pixels by path, and those that were calculated
+  TextureFile& file_of(const description::Image& image, bool is_light, Diagnostics& diagnostics);
+  TextureHandle add(TextureFile& file, const description::Image& image);
+
   std::vector<std::unique_ptr<Texture>> textures_;
   std::unique_ptr<Files> files_;
 };

@@ -51,8 +51,17 @@ class LineTable {
     }
     return offset;
   }
+  // Where a value stands whose tags and anchors (!!str, &a) begin at `offset`.
+  [[nodiscard]] std::size_t behind_properties(std::size_t offset) const {
+    while (offset < text_.size() && (text_[offset] == '!' || text_[offset] == '&')) {
+      offset = std::min(text_.find_first_of(" \t\r\n", offset), text_.size());
+      offset = std::min(text_.find_first_not_of(" \t\r\n", offset), text_.size());
+    }
+    return offset;
+  }
   // Whether a quote that nothing closes begins at `offset`.
   [[nodiscard]] bool has_unclosed_quote(std::size_t offset) const {
+    offset = behind_properties(offset);
     const char quote = offset < text_.size() ? text_[offset] : '\0';
     if (quote != '"' && quote != '\'') return false;
     const std::string_view escape = quote == '"' ? "\\" : "''";

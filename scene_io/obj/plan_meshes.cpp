@@ -1,4 +1,3 @@
-
 #include "scene_io/obj/build_meshes.h"
 
 namespace candela::obj {

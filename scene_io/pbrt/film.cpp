@@ -157,7 +157,7 @@ void read_filter(Context& context) {
   const double sigma = arguments.number("sigma").value_or(0.5);
   if (const auto own = arguments.string("filter")) {  // one that only candela has
     context.scene.defaults.filter = *own;
-    context.scene.defaults.filter_radius = x;
+    context.scene.defaults.filter_radius = x;  // validate() looks at it
     return arguments.warn_of_unknown();
   }
   if (statement.type == "gaussian" && sigma != 0.5)
@@ -170,11 +170,11 @@ void read_filter(Context& context) {
                                             text::quoted(statement.type)));
   context.scene.defaults.filter = std::string(known->name);
   const double radius = x.value_or(known->radius);
-  if (!(radius > 0 && radius <= 16))
+  if (!(radius > 0 && radius <= RenderDefaults::widest_filter))
     return context.report.error(statement.place,
                                 fmt::format("the filter's radius is {}, expected above 0 and at "
-                                            "most 16",
-                                            radius));
+                                            "most {}",
+                                            radius, RenderDefaults::widest_filter));
   context.scene.defaults.filter_radius = radius;
   if (y && *y != radius)
     context.warn_once("yradius", statement.place, "filters are square: the xradius is used");

@@ -23,17 +23,13 @@ double width_of(double roughness) {
 
 // Of textures 1.5 times the root, which is within a tenth of the polynomial.
 ScalarInput width_of(MaterialReader& reader, const ScalarInput& roughness, bool remaps) {
-  ScalarInput width = roughness;
-  const Place& place = reader.arguments.statement().place;
-  if (!roughness.is_constant() && !remaps) return roughness;
-  if (!roughness.is_constant())
+  if (!roughness.is_constant()) {
+    if (!remaps) return roughness;
+    const Place& place = reader.arguments.statement().place;
     return reader.textures.scaled(reader.textures.square_root(roughness, place), 1.5, place);
-  // Glass and mirrors that are smooth say 0.
-  if (roughness.factor <= 0)
-    width.factor = 0;
-  else
-    width.factor = remaps ? width_of(roughness.factor) : std::min(roughness.factor, 1.0);
-  return width;
+  }
+  if (roughness.factor <= 0) return {0.0, {}, 0, {}};  // glass and mirrors that are smooth say it
+  return {remaps ? width_of(roughness.factor) : std::min(roughness.factor, 1.0), {}, 0, {}};
 }
 
 Widths read_widths_v3(MaterialReader& reader, double otherwise) {
@@ -54,11 +50,15 @@ void set_widths(MaterialReader& reader, double otherwise, Rough& rough) {
   rough.roughness_across = widths.across;
 }
 
+// Textures of Kd are taken for no brighter than this: brighter texels are scaled down with ks.
+constexpr double bright_texel = 0.8;
+
 // kd + ks is at most 1 here: where the file asks for more, ks is what kd leaves, and F0 makes up
-// for it straight on.
-void fit_specular(CookTorranceMaterial& material) {
-  if (!material.diffuse.is_constant() || !material.specular.is_constant()) return;
-  const Vec3d left = Vec3d(1.0) - material.diffuse.factor;
+// for it straight on, as far as it can. `largest_diffuse`: of kd, where that is a texture.
+void fit_specular(CookTorranceMaterial& material, const Vec3d& largest_diffuse) {
+  if (!material.specular.is_constant()) return;
+  const bool is_even = material.diffuse.is_constant();
+  const Vec3d left = Vec3d(1.0) - (is_even ? material.diffuse.factor : largest_diffuse);
   Vec3d& ks = material.specular.factor;
   if (glm::all(glm::lessThanEqual(ks, left))) return;
   if (material.fresnel == description::FresnelModel::Exact) {
@@ -78,8 +78,10 @@ CookTorranceMaterial glossy(MaterialReader& reader, double diffuse, double specu
   CookTorranceMaterial material;
   material.diffuse = reader.reflectance("Kd", diffuse);
   material.specular = reader.reflectance("Ks", specular);
-  reader.arguments.ignore("vroughness", "highlights are as wide along v as along u here");
-  material.roughness = read_widths_v3(reader, 0.1).along;
+  const Widths widths = read_widths_v3(reader, 0.1);
+  material.roughness = widths.along;
+  if (widths.across)
+    reader.arguments.ignore("vroughness", "highlights are as wide along v as along u here");
   if (material.roughness.is_constant() && material.roughness.factor <= 0)
     material.roughness.factor = 1e-3;
   material.geometry = description::GeometryModel::Smith;
@@ -90,7 +92,7 @@ CookTorranceMaterial glossy(MaterialReader& reader, double diffuse, double specu
 
 CookTorranceMaterial plastic(MaterialReader& reader) {
   CookTorranceMaterial material = glossy(reader, 0.25, 0.25);
-  fit_specular(material);
+  fit_specular(material, Vec3d(bright_texel));
   return material;
 }
 
@@ -101,7 +103,7 @@ CookTorranceMaterial uber(MaterialReader& reader) {
   material.ior = ior;
   for (const std::string_view name : {"Kr", "Kt", "opacity"})
     reader.arguments.ignore(name, "an uber material is diffuse and glossy here");
-  fit_specular(material);
+  fit_specular(material, Vec3d(bright_texel));
   return material;
 }
 
@@ -124,7 +126,7 @@ CookTorranceMaterial substrate(MaterialReader& reader) {
   material.specular = {Vec3d(1.0), {}, {}};
   material.fresnel = description::FresnelModel::Schlick;
   material.ior.reset();
-  fit_specular(material);
+  fit_specular(material, bright_texel * left.factor);
   return material;
 }
 
@@ -156,9 +158,10 @@ description::DiffuseTransmissionMaterial translucent(MaterialReader& reader) {
   const ColourInput kd = reader.reflectance("Kd", 0.25);
   const ColourInput reflected = reader.reflectance("reflect", 0.5);
   const ColourInput transmitted = reader.reflectance("transmit", 0.5);
-  reader.arguments.accept({"remaproughness"});
-  for (const std::string_view name : {"Ks", "roughness"})
-    reader.arguments.ignore(name, "translucent materials are diffuse here");
+  reader.arguments.accept({"roughness", "remaproughness"});
+  const ColourInput specular = reader.reflectance("Ks", 0.25);
+  if (!specular.is_constant() || specular.factor != Vec3d(0.0))
+    reader.arguments.ignore("Ks", "translucent materials are diffuse here");
   const Place& place = reader.arguments.statement().place;
   return {reader.textures.product(kd, reflected, place),
           reader.textures.product(kd, transmitted, place)};

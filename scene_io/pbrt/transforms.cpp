@@ -41,9 +41,9 @@ Transform affine(const std::array<double, 16>& m) {
 }
 
 bool is_affine(const std::array<double, 16>& m) {
-  constexpr double rounding = 1e-6;  // of exporters that calculate in floats
-  return std::max({std::abs(m[3]), std::abs(m[7]), std::abs(m[11]), std::abs(m[15] - 1)}) <
-         rounding;
+  // Exporters calculate in floats; the first three are multiplied by coordinates.
+  return std::max({std::abs(m[3]), std::abs(m[7]), std::abs(m[11])}) < 1e-9 &&
+         std::abs(m[15] - 1) < 1e-6;
 }
 
 bool has_finite_numbers(const Transform& transform) {

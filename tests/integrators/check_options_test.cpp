@@ -45,11 +45,13 @@ const Case cases[] = {
     {[](RenderOptions& o) { o.lamp_rays = -1; },
      "the number of rays for lamps is -1, expected 0 to 64"},
     {[](RenderOptions& o) { o.filter_radius = 0.0f; },
-     "the filter's radius is 0, expected above 0 and at most 16"},
+     "the filter's radius is 0, expected above 0 and at most 32"},
     {[](RenderOptions& o) { o.clamp = -1; }, "what samples are dimmed to is -1, expected above 0"},
     {[](RenderOptions& o) { o.white_balance_kelvins = 3.0; },
      "the white balance is 3, expected 100 to 1000000000"},
-    {[](RenderOptions& o) { o.max_depth = -1; }, "the depth is -1, expected 0 to 1073741824"}};
+    {[](RenderOptions& o) { o.max_depth = -1; }, "the depth is -1, expected at least 0"},
+    {[](RenderOptions& o) { o.time_limit_seconds = -1.0; },
+     "the limit of time is -1, expected at least 0"}};
 
 TEST(Errors_CheckOptions, WhatIsOutOfItsRange) {
   const FloatingPointTraps traps(Traps::Off);  // of what is no number
@@ -66,6 +68,18 @@ TEST(Errors_CheckOptions, WhatIsOutOfItsRange) {
     EXPECT_THROW((void)render(scene, accelerator, options, nullptr, nullptr), std::invalid_argument)
         << c.sentence;
   }
+}
+
+// The largest numbers that the command line takes.
+TEST(Unit_CheckOptions, LimitsThatAreNoneAreFine) {
+  RenderOptions options = settings_of(16, 1).options;
+  const Scene scene = compiled(small_room(), options);
+  options.width = options.height = max_side;
+  options.samples_per_pixel = max_samples_per_pixel;
+  options.max_depth = std::numeric_limits<int>::max();
+  options.time_limit_seconds = std::numeric_limits<double>::max();
+  options.filter_radius = 32.0f;
+  EXPECT_TRUE(check_options(scene, options).list().empty());
 }
 
 TEST(Errors_Compile, PicturesWithoutPixels) {

@@ -285,6 +285,21 @@ TEST(Unit_Environment, ValuesBelowZeroAreNoLight) {
   }
 }
 
+// The same file may hold heights as well.
+TEST(Unit_Environment, OtherUsesOfAnImageKeepItsValuesBelowZero) {
+  const description::Image image =
+      write_float_map("both", 4, 2, [](int, int) { return Vec3f(-3); });
+  TextureStore store;
+  Diagnostics diagnostics;
+  const TextureHandle heights = store.add(image, diagnostics);
+  const TextureHandle light = store.add_light(image, diagnostics);
+  EXPECT_EQ(store.lookup(light, Vec2f(0.5f)).x, 0);
+  EXPECT_EQ(store.lookup(heights, Vec2f(0.5f)).x, -3);
+  const description::Image bytes =
+      write_byte_map("bytes_of_both", 4, 2, [](int, int) { return Vec3f(7); });
+  EXPECT_EQ(store.add(bytes, diagnostics), store.add_light(bytes, diagnostics));
+}
+
 TEST(Unit_Environment, CountsTexelsThatAreNotRadiance) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const description::Image image = write_float_map("invalid", 16, 8, [&](int x, int y) {

@@ -76,6 +76,7 @@ class Conversion {
     const Result<pbrt::WrittenScene> written = pbrt::write_pbrt(
         description, {stem + "_files", stem + ".exr", arguments_.camera, image_facts});
     console_.print(written.diagnostics);
+    if (!written) return ExitCode::Scene;
     if (arguments_.scene.is_strict && written.diagnostics.warning_count() > 0) {
       console_.strict_error(written.diagnostics.warning_count(), arguments_.scene.path);
       return ExitCode::Scene;

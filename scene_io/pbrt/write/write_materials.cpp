@@ -13,10 +13,7 @@ using description::MixMaterial;
 using description::ScalarInput;
 using description::SceneDescription;
 
-bool varies(const ColourInput& input) {
-  return !input.is_constant();
-}
-bool varies(const ScalarInput& input) {
+bool varies(const auto& input) {
   return !input.is_constant();
 }
 // A second width asks for the directions of u and v even where both are constant.

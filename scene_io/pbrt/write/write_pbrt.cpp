@@ -21,10 +21,10 @@ std::string section(std::string_view title, const std::string& text) {
 // What is asked for first is written last: shapes ask for materials, those for textures.
 Result<WrittenScene> write_pbrt(const description::SceneDescription& scene,
                                 const WriteOptions& options) {
-  Diagnostics diagnostics = description::validate(scene);
-  if (diagnostics.has_errors()) return diagnostics;
+  Diagnostics invalid = description::validate(scene);
+  if (invalid.has_errors()) return invalid;
   WrittenScene written;
-  diagnostics = {};  // of warnings compile() tells
+  Diagnostics diagnostics;
   WriteContext context{scene, options, written, diagnostics};
   TextureWriter textures(context);
   MaterialWriter materials(context, textures);

@@ -115,6 +115,10 @@ TEST(Errors_YamlTree, UnclosedQuotes) {
             "2:11: this quote is not closed, expected the same mark behind its text");
   EXPECT_EQ(error_in("'Lights: 5\n"),
             "1:1: this quote is not closed, expected the same mark behind its text");
+  for (const char* before : {"!!str ", "&a ", "!!str  &a "})
+    EXPECT_NE(error_in(std::string("A: 1\nB: ") + before + "\"a\nC: []\n").find("is not closed"),
+              std::string::npos)
+        << before;
   EXPECT_EQ(error_in("Lights: \"a \\\" b\"\n"), "1:9: Lights: found 'a \" b', expected a list");
   EXPECT_EQ(error_in("Lights: 'a '' b'"), "1:9: Lights: found 'a ' b', expected a list");
   EXPECT_EQ(error_in("Lights: \"a\n  b\"\n"), "1:9: Lights: found 'a b', expected a list");

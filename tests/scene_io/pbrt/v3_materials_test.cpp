@@ -18,7 +18,7 @@ const std::string textures = R"(
   Texture "squares" "float" "checkerboard"
 )";
 
-// Of a disk that wears it; valid, and with nothing to say.
+// Of a disk that wears it; valid.
 SceneDescription disk_of(const std::string& material) {
   SceneDescription scene = pbrt_world("LightSource \"point\"\n" + textures + "Material " +
                                       material + "\nShape \"disk\"");
@@ -93,6 +93,18 @@ TEST(Unit_PbrtV3Materials, HighlightsGiveWayToWhatIsDiffuse) {
   EXPECT_EQ(dark.fresnel, FresnelModel::Exact);
 }
 
+// As far as texels are no brighter than .8.
+TEST(Unit_PbrtV3Materials, HighlightsGiveWayToTexturesToo) {
+  const auto plastic = model_of<CookTorranceMaterial>(
+      disk_of(R"("plastic" "texture Kd" "board" "rgb Ks" [ .5 .5 .5 ])"));
+  EXPECT_NEAR(plastic.specular.factor.x, 0.2, 1e-12);
+  EXPECT_NEAR(plastic.specular.factor.x * plastic.f0.x, 0.5 * 0.04, 1e-12);
+  const auto substrate = model_of<CookTorranceMaterial>(
+      disk_of(R"("substrate" "texture Kd" "board" "rgb Ks" [ .05 .05 .05 ])"));
+  EXPECT_NEAR(substrate.specular.factor.x, 1 - 0.8 * 0.95, 1e-12);
+  EXPECT_NEAR(substrate.specular.factor.x * substrate.f0.x, 0.05, 1e-12);
+}
+
 // Straight on Ks is reflected, and Kd (1 - Ks) is diffuse.
 TEST(Unit_PbrtV3Materials, SubstratesReflectWhatTheyScatterLess) {
   const auto even = model_of<CookTorranceMaterial>(
@@ -104,6 +116,16 @@ TEST(Unit_PbrtV3Materials, SubstratesReflectWhatTheyScatterLess) {
       disk_of(R"("substrate" "texture Kd" "board" "rgb Ks" [ .1 .1 .1 ])");
   const auto textured = model_of<CookTorranceMaterial>(scene);
   EXPECT_EQ(texture_of<ProductTexture>(scene, textured.diffuse.texture).second.factor, Vec3d(0.9));
+}
+
+TEST(Unit_PbrtV3Materials, SayNothingWhereNothingIsLost) {
+  for (const char* material : {R"("plastic" "float roughness" .1 "float vroughness" .1)",
+                               R"("uber" "float uroughness" .1 "float vroughness" .1)",
+                               R"("translucent" "rgb Ks" [ 0 0 0 ] "float roughness" .1)"}) {
+    const std::string said =
+        pbrt_world_warning(std::string("Material ") + material + " Shape \"disk\"");
+    EXPECT_TRUE(said.ends_with("is a material of pbrt-v3: the nearest model is used")) << said;
+  }
 }
 
 // Beside the warning that they are of pbrt-v3.
