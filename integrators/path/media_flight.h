@@ -2,6 +2,8 @@
 // surface, or nothing any more. Boundaries of media without a surface are no event.
 #pragma once
 
+#include <optional>
+
 #include "integrators/path/path_step.h"
 #include "integrators/path/shadow_walk.h"
 #include "renderer/medium/free_flight.h"
@@ -32,12 +34,15 @@ template <class A>
   flight.hit = hit;
   for (int crossed = 0; crossed <= most_boundaries; ++crossed) {
     const float t = flight.hit.is_hit() ? flight.hit.t : infinity;
+    std::optional<SurfacePoint> met;
     if (medium) {
       const Medium& around = scene.media[medium.index];
       float end = t;
       const bool ends_at_surface = around.scatters() && flight.hit.is_hit();
-      if (ends_at_surface && (t < near_surface || may_pass(around, t / 2, free)))
-        end = end_in_medium(t, met_point(scene, flight.hit, -ray.direction), ray.direction);
+      if (ends_at_surface && (t < near_surface || may_pass(around, t / 2, free))) {
+        met = met_point(scene, flight.hit, -ray.direction);
+        end = end_in_medium(t, *met, ray.direction);
+      }
       const float way = fly_through(around, end, free);
       if (way < infinity) {
         flight.collides = true;
@@ -51,9 +56,9 @@ template <class A>
       path.throughput *= passing_weight(free);
       return flight;
     }
-    Crossing crossing = cross_boundary(scene, flight.hit, -ray.direction, medium);
-    medium = crossing.beyond;
-    ray = spawn_ray(crossing.point, ray.direction);
+    if (!met) met = met_point(scene, flight.hit, -ray.direction);
+    medium = medium_beyond(scene, flight.hit, *met, medium);
+    ray = spawn_ray(*met, ray.direction);
     flight.hit = Hit{};
     if (!is_traceable(ray)) {
       path.radiance = invalid_radiance;

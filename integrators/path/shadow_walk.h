@@ -19,25 +19,16 @@ inline constexpr int most_boundaries = 4096;
   return scene.medium_boundaries[material.index].is_clear;
 }
 
-struct Crossing {
-  SurfacePoint point;
-  MediumHandle beyond;
-};
-
 [[nodiscard]] inline SurfacePoint met_point(const Scene& scene, const Hit& hit, const Vec3f& wo) {
   return make_surface_point(scene.geometries[hit.geometry], instance_of(scene, hit), hit, wo,
                             false);
 }
 
-// Where a ray crosses a surface that only bounds media. `wo`: unit, back along the ray.
-[[nodiscard]] inline Crossing cross_boundary(const Scene& scene, const Hit& hit, const Vec3f& wo,
-                                             MediumHandle current) {
-  Crossing crossing;
-  crossing.point = met_point(scene, hit, wo);
+// The medium behind a surface that only bounds media.
+[[nodiscard]] inline MediumHandle medium_beyond(const Scene& scene, const Hit& hit,
+                                                const SurfacePoint& met, MediumHandle current) {
   const MaterialHandle material = scene.geometries[hit.geometry].material;
-  const MediumBoundary& boundary = scene.medium_boundaries[material.index];
-  crossing.beyond = media_beside(boundary, crossing.point.is_front, current).far;
-  return crossing;
+  return media_beside(scene.medium_boundaries[material.index], met.is_front, current).far;
 }
 
 // Where a ray that meets a surface at `t` leaves the medium before it: as far from the surface as
@@ -71,12 +62,12 @@ template <class A>
       return transmittance_of(depth);
     }
     if (!is_clear_boundary(scene, hit)) return Rgb(0);
-    Crossing crossing = cross_boundary(scene, hit, wo, medium);
+    const SurfacePoint met = met_point(scene, hit, wo);
     const bool scatters = medium && scene.media[medium.index].scatters();
-    const float end = scatters ? end_in_medium(hit.t, crossing.point, ray.direction) : hit.t;
+    const float end = scatters ? end_in_medium(hit.t, met, ray.direction) : hit.t;
     depth += optical_depth_along(scene, medium, ray, end);
-    medium = crossing.beyond;
-    ray = shadow_ray_behind(ray, crossing.point);
+    medium = medium_beyond(scene, hit, met, medium);
+    ray = shadow_ray_behind(ray, met);
     if (ray.t_max == 0) return transmittance_of(depth);
   }
   return Rgb(0);

@@ -1,5 +1,5 @@
 // How large a mesh is in the world and in its texture coordinates: pbrt's heights are lengths in
-// the world, candela's are in edges of the uv square on the surface.
+// the world, those of other scenes are in edges of the uv square on the surface.
 #pragma once
 
 #include <cstdint>

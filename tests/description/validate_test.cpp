@@ -117,6 +117,13 @@ TEST(Errors_Validate, InputsByAMapAndATexture) {
         {Vec3d(1.0), description::ImageHandle(0), description::TextureHandle(0)}};
   });
   EXPECT_NE(found.find("the reflectance has a map and a texture"), std::string::npos) << found;
+  const std::string heights = error_after([](auto& scene) {
+    scene.images.push_back({"a.png", {}, {}, {}});
+    scene.textures.push_back({"t", {}, description::CheckerboardTexture{}});
+    scene.materials[0].height = description::ImageHandle(0);
+    scene.materials[0].height_texture = description::TextureHandle(0);
+  });
+  EXPECT_NE(heights.find("heights have a map and a texture"), std::string::npos) << heights;
 }
 
 TEST(Errors_Validate, Lights) {

@@ -109,6 +109,24 @@ TEST(Unit_Compile, NormalsOfTinyAndHugeMeshesStay) {
 }
 
 // Further away nothing can be seen, and squares of floats end.
+TEST(Errors_Compile, IntensitiesThatFloatsDoNotHold) {
+  description::SceneDescription scene = small_room();
+  add_light(scene, description::PointLight{{0, 0, 0}, Vec3d(1e300)});
+  const Result<Scene> found = compile(scene, {});
+  ASSERT_FALSE(found);
+  EXPECT_NE(found.diagnostics.list()[0].message.find("more than numbers hold"), std::string::npos);
+}
+
+// They are not there to rays.
+TEST(Unit_Compile, CoatsOfIndexOneAreSmooth) {
+  for (const double ior : {1.0, 1.5}) {
+    description::SceneDescription scene = small_room();
+    scene.materials[0].model = description::CoatedDiffuseMaterial{
+        {Vec3d(0.5), {}, {}}, {.ior = ior, .roughness = {0.3, {}, 0, {}}}};
+    EXPECT_EQ(compiled(scene, {}).materials[0].roughness.constant, ior == 1 ? 0.0f : 0.3f);
+  }
+}
+
 TEST(Errors_Compile, CamerasAgainstTheScenesSize) {
   const auto error_of = [](double size, auto&& spoil) {
     description::SceneDescription scene = one_quad();

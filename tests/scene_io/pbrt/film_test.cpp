@@ -270,5 +270,14 @@ TEST(Unit_PbrtCamera, FrameAspectRatio) {
             3);
 }
 
+// pbrt's path integrator does not see them.
+TEST(Errors_PbrtFilm, MediaUnderAnIntegratorWithoutAny) {
+  const std::string media = "WorldBegin\nMakeNamedMedium \"m\" \"string type\" \"homogeneous\"";
+  EXPECT_NE(pbrt_warning("Integrator \"path\"\n" + media).find("does not see media"),
+            std::string::npos);
+  EXPECT_EQ(pbrt_warning("Integrator \"volpath\"\n" + media), "0 of them: ");
+  EXPECT_EQ(pbrt_warning("Integrator \"path\"\nWorldBegin"), "0 of them: ");
+}
+
 }  // namespace
 }  // namespace candela

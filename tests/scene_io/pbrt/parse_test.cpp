@@ -291,5 +291,22 @@ TEST(Errors_PbrtParse, WhatIsMadeToExhaustEndsSoon) {
   EXPECT_LT(seconds_of(texture), 10);
 }
 
+// Exporters calculate in floats.
+TEST(Unit_PbrtTransforms, RoundingOfTheLastRowIsNoPerspective) {
+  const auto place_of = [](const std::string& last_column_end, const std::string& third) {
+    return pbrt_world("Transform [ 2 0 0 " + third + "  0 2 0 0  0 0 2 0  4 0 0 " +
+                      last_column_end + " ] Shape \"disk\"")
+        .instances.at(0)
+        .object_to_world.translation.x;
+  };
+  EXPECT_EQ(place_of("1", "0"), 4);
+  EXPECT_NEAR(place_of(".9999999", "1e-12"), 4 / .9999999, 1e-12);
+  for (const char* row :
+       {"2 0 0 1e-7  0 2 0 0  0 0 2 0  0 0 0 1", "2 0 0 0  0 2 0 0  0 0 2 0  0 0 0 2"})
+    EXPECT_NE(pbrt_world_error(std::string("Transform [ ") + row + " ]").find("is not affine"),
+              std::string::npos)
+        << row;
+}
+
 }  // namespace
 }  // namespace candela

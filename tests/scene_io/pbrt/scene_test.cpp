@@ -289,6 +289,15 @@ TEST(Unit_PbrtMaterials, HeightsAreLengthsInTheWorld) {
   EXPECT_FALSE(description::validate(scene).has_errors());
 }
 
+TEST(Errors_PbrtMaterials, SheetsThatMakeLight) {
+  const std::string sheet = "Material \"diffusetransmission\" \"rgb reflectance\" [ .8 .8 .8 ] ";
+  EXPECT_NE(pbrt_world_warning(sheet + "\"rgb transmittance\" [ .8 .8 .8 ] Shape \"disk\"")
+                .find("more light than it gets"),
+            std::string::npos);
+  EXPECT_EQ(pbrt_world_warning(sheet + "\"rgb transmittance\" [ .2 .2 .2 ] Shape \"disk\""),
+            "0 of them: ");
+}
+
 // pbrt looks at the one or the other.
 TEST(Errors_PbrtMaterials, HeightsBesideAMapOfNormals) {
   const std::string both =

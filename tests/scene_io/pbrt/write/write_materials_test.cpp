@@ -220,5 +220,15 @@ TEST(Unit_WriteMaterials, WhatShinesAndHasHoles) {
   EXPECT_EQ(back.material.opacity.factor, 0.625);
 }
 
+TEST(Unit_WriteMaterials, HeightsBesideAMapOfNormalsAreLostForPbrt) {
+  SceneDescription scene = scene_of(Material{});
+  scene.images = {{"bumps.png", Encoding::Linear, Wrap::Repeat, {}}};
+  scene.materials[0].height = scene.materials[0].normal_map = ImageHandle(0);
+  const test::RoundTrip trip = test::round_trip(scene, {8, 8, 3, -1, false});
+  ASSERT_EQ(trip.diagnostics.list().size(), 1u);
+  EXPECT_NE(trip.diagnostics.list()[0].message.find("its heights, beside its map of normals"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace candela::pbrt
