@@ -22,6 +22,7 @@ import memory  # noqa: E402
 import numpy  # noqa: E402
 import peers  # noqa: E402
 import processes  # noqa: E402
+import references  # noqa: E402
 import renders  # noqa: E402
 import replicates  # noqa: E402
 import results  # noqa: E402
@@ -162,6 +163,17 @@ def rungs(trials):
         return asked[-2:]
     except processes.ProgramFailed as reason:
         return str(reason)
+
+
+def lengths_made(good_from):
+    made = []
+
+    def make(length):
+        made.append(length)
+        return length
+
+    references.long_enough(make, truth.LONGER, lambda length: length >= int(good_from))
+    return made
 
 
 def means_before_and_now(rows):

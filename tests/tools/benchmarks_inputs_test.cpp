@@ -108,6 +108,12 @@ TEST_F(Unit_BenchmarksInputs, RatesAreThoseOfOneEstimator) {
   EXPECT_NE(told.get<std::string>().find("expected more --spp"), std::string::npos) << told;
 }
 
+TEST_F(Unit_BenchmarksInputs, ReferencesGrowUntilTheyAreGood) {
+  EXPECT_EQ(ask({"lengths_made", "1"}), Json{1});
+  EXPECT_EQ(ask({"lengths_made", "3"}), (Json{1, 4}));
+  EXPECT_EQ(ask({"lengths_made", "99"}), (Json{1, 4, 16}));
+}
+
 // What is another picture would count as an error.
 TEST_F(Unit_BenchmarksInputs, EarlierBuildsMeansAreOfTheSamePictures) {
   const Json told =
