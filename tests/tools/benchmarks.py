@@ -307,7 +307,7 @@ def is_allowed(least, text):
 
 
 def perf(report):
-    return [(share, limit.kind_of(where, what), limit.short(what))
+    return [(share, limit.kind_of(where), limit.short(what))
             for share, where, what in limit.perf_shares(report)]
 
 

@@ -54,14 +54,15 @@ class Technique:
     # everything on is that of these options.
     timed_on: dict | None = None
     # Other strategies, splitting and guiding have no walks that choose a roulette, and share no
-    # paths (render.cpp). So that this does not count as theirs, these options hold on both sides.
+    # paths (integrators/feasible_options.cpp). So that this does not count as theirs, these options
+    # hold on both sides.
     both: dict = dataclasses.field(default_factory=dict)
     # Whether the scene uses it: where not, both sides are one program. None: that is not told.
     is_used: Callable[[Seen], bool] | None = None
 
 
 SAME_KERNEL = {"heuristic": "balance"}
-# What is taken where nothing is chosen (path_plan.h).
+# What is taken where nothing is chosen (integrators/path_plan.h).
 PLAIN_PATHS = {"roulette": .5, "reuse": "off"}
 
 TECHNIQUES = (  # a row is a line

@@ -25,20 +25,20 @@ class Profile:
     by_function: dict
 
 
-def count(out, words, within=TILE):
-    """Instructions of the process `words` within calls of `within`; `out`: the file to keep them."""
+def count(out, words):
+    """Instructions of the process `words` within the kernels' tiles; `out`: where to keep them."""
     if not shutil.which("valgrind"):
         raise CandelaFailed("valgrind is not installed; expected Debian's package valgrind, which "
                             "`tools/setup --dev` installs.")
     out.unlink(missing_ok=True)
     done = subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}",
-                           f"--toggle-collect={within}", *map(str, words)],
+                           f"--toggle-collect={TILE}", *map(str, words)],
                           capture_output=True, text=True)
     if done.returncode != 0 or not out.exists():
         raise CandelaFailed(f"valgrind ended with {done.returncode}: {done.stderr.strip()[-800:]}")
     profile = read(out.read_text())
     if profile.total == 0:
-        raise CandelaFailed(f"nothing was counted: no function's name matches '{within}'")
+        raise CandelaFailed(f"nothing was counted: no function's name matches '{TILE}'")
     return profile
 
 

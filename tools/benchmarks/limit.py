@@ -8,7 +8,6 @@ line of what was inlined, as `tools/bench budget` does. Fails where a ratio is a
 
 import collections
 import os
-import pathlib
 import re
 import shutil
 import subprocess
@@ -22,7 +21,6 @@ from processes import ProgramFailed
 from results import Results, status
 
 ABOUT = "CPU time over that of the rays alone, and where the rest of it goes"
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 SHOWN = 14  # lines of each profile
 MANY_TRIANGLES = 50_000
 
@@ -112,11 +110,11 @@ def perf_rows(candela, file, scene, seconds):
               if not where.startswith("ld-linux")]
     whole = sum(share for share, _, _ in shares)
     by_kind = collections.Counter()
-    for share, where, what in shares:
-        by_kind[kind_of(where, what)] += share
+    for share, where, _ in shares:
+        by_kind[kind_of(where)] += share
     rows = [{"what": kind, "share": share / whole} for kind, share in by_kind.most_common()]
     own = [(share, what) for share, where, what in shares
-           if kind_of(where, what) == "candela"][:SHOWN]
+           if kind_of(where) == "candela"][:SHOWN]
     return rows + [{"what": f"candela: {short(what)}", "share": share / whole}
                    for share, what in own]
 
@@ -137,7 +135,7 @@ def perf_shares(report):
             yield float(match[1]), match[2], match[3]
 
 
-def kind_of(where, what):
+def kind_of(where):
     if callgrind.is_embree(where):
         return "Embree"
     if where.startswith("candela"):

@@ -70,7 +70,7 @@ def images(material, textures):
 def metal(material, textures):
     is_bumped = "texture heights" in material
     described = {"surface": "metal", "albedo": colour(material, textures),
-                 "roughness": blender_roughness(material), 
+                 "roughness": blender_roughness(material),
                  "nearest": [METAL] + images(material, textures) + [HEIGHTS] * is_bumped}
     if "rgb eta" in material:
         eta, k = (numpy.array(material[f"rgb {name}"]) for name in ("eta", "k"))

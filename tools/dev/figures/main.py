@@ -4,7 +4,6 @@ tools/figures calls this."""
 import argparse
 import datetime
 import json
-import os
 import pathlib
 import shlex
 import shutil

@@ -12,16 +12,17 @@ from scene_gen.shapes import box, quad, sphere, unit
 PARAMETERS = {}
 ROUGHNESS = (.005, .02, .06, .15)
 RADII = (.04, .12, .36, .9)
+WIDTH, DEPTH = 8, 1.1  # of each plate
 EYE = numpy.array((0, 2, 15.))
 LAMPS = numpy.array((0, 0, 0.))  # the middle of their row
 ALBEDO = .8
 
 
-def plate(centre, width=8, depth=1.1):
+def plate(centre):
     """Mirrors the lamps' row to the eye."""
     normal = unit(unit(LAMPS - centre) + unit(EYE - centre))
-    along = unit(numpy.cross((1, 0, 0), normal)) * depth / 2
-    across = numpy.array((width / 2, 0, 0))
+    along = unit(numpy.cross((1, 0, 0), normal)) * DEPTH / 2
+    across = numpy.array((WIDTH / 2, 0, 0))
     return quad(centre - across - along, centre - across + along, centre + across + along,
                 centre + across - along)
 

@@ -21,8 +21,8 @@ class Mesh:
             return self.normals, self.faces
         return self.face_normals(), numpy.repeat(numpy.arange(len(self.faces))[:, None], 3, axis=1)
 
-    def moved(self, translation, scale=1.0):
-        return Mesh(self.points * scale + translation, self.faces, self.normals)
+    def moved(self, translation):
+        return Mesh(self.points + translation, self.faces, self.normals)
 
 
 def unit(vectors):
