@@ -9,33 +9,31 @@ import json
 import math
 import pathlib
 import statistics
-import sys
 
-ROOT = pathlib.Path(sys.argv[1])
-sys.path += [str(ROOT / "tools" / "benchmarks"), str(ROOT / "tools" / "dev" / "shared")]
+from answers import print_answer  # first: it tells where the modules below are
 
-import ablation  # noqa: E402
-import adaptive  # noqa: E402
-import arguments  # noqa: E402
-import before  # noqa: E402
-import budget  # noqa: E402
-import calibration  # noqa: E402
-import calibration_goals  # noqa: E402
-import callgrind  # noqa: E402
-import convergence  # noqa: E402
-import fits  # noqa: E402
-import generated  # noqa: E402
-import limit  # noqa: E402
-import main  # noqa: E402
-import numpy  # noqa: E402
-import peers  # noqa: E402
-import processes  # noqa: E402
-import references  # noqa: E402
-import renders  # noqa: E402
-import results  # noqa: E402
-import scaling  # noqa: E402
-import times as times_module  # noqa: E402
-import truth  # noqa: E402
+import ablation
+import adaptive
+import arguments
+import before
+import budget
+import calibration
+import calibration_goals
+import callgrind
+import convergence
+import fits
+import generated
+import limit
+import main
+import numpy
+import peers
+import processes
+import references
+import renders
+import results
+import scaling
+import times as times_module
+import truth
 
 
 def helps():
@@ -344,22 +342,4 @@ def page(folder, rows):
     return sorted(file.name for file in out.glob("[!.]*"))
 
 
-def answer():
-    """What else is printed is not the answer."""
-    question, *arguments = sys.argv[2:]
-    with contextlib.redirect_stdout(sys.stderr):
-        return globals()[question](*arguments)
-
-
-def plain(value):
-    """For JSON, which knows no nan."""
-    if isinstance(value, dict):
-        return {key: plain(of) for key, of in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [plain(of) for of in value]
-    if callable(value):
-        return str(value)
-    return None if isinstance(value, float) and math.isnan(value) else value
-
-
-print(json.dumps(plain(answer())))
+print_answer(globals())

@@ -8,27 +8,25 @@ import contextlib
 import dataclasses
 import json
 import pathlib
-import sys
 import types
 
-ROOT = pathlib.Path(sys.argv[1])
-sys.path += [str(ROOT / "tools" / "benchmarks"), str(ROOT / "tools" / "dev" / "shared")]
+from answers import print_answer  # first: it tells where the modules below are
 
-import ablation  # noqa: E402
-import before  # noqa: E402
-import chosen_scenes  # noqa: E402
-import main  # noqa: E402
-import memory  # noqa: E402
-import numpy  # noqa: E402
-import peers  # noqa: E402
-import processes  # noqa: E402
-import references  # noqa: E402
-import renders  # noqa: E402
-import replicates  # noqa: E402
-import results  # noqa: E402
-import sampler  # noqa: E402
-import stress  # noqa: E402
-import truth  # noqa: E402
+import ablation
+import before
+import chosen_scenes
+import main
+import memory
+import numpy
+import peers
+import processes
+import references
+import renders
+import replicates
+import results
+import sampler
+import stress
+import truth
 
 
 class AsksForRenders(renders.Candela):
@@ -278,11 +276,4 @@ def options_between(words):
     return options.scenes, options.size
 
 
-def answer():
-    """What else is printed is not the answer."""
-    question, *arguments = sys.argv[2:]
-    with contextlib.redirect_stdout(sys.stderr):
-        return globals()[question](*arguments)
-
-
-print(json.dumps(answer()))
+print_answer(globals())

@@ -3,18 +3,14 @@
     cycles_comparison.py SOURCE_FOLDER QUESTION [arguments]
 """
 
-import json
 import pathlib
-import sys
 
-ROOT = pathlib.Path(sys.argv[1])
-sys.path += [str(ROOT / "tools" / "benchmarks"), str(ROOT / "tools" / "dev" / "shared")]
+from answers import print_answer  # first: it tells where the modules below are
 
-import numpy  # noqa: E402
-
-from blender import (agreement, blender_scene, closed_form, cycles_renders, equal_area,  # noqa: E402
+import numpy
+from blender import (agreement, blender_scene, closed_form, cycles_renders, equal_area,
                      pbrt_nearest, pbrt_scene)
-from exr import read_channels, read_exr, stacked  # noqa: E402
+from exr import read_channels, read_exr, stacked
 
 
 def scene(path, scale="1"):
@@ -220,4 +216,4 @@ def times(log):
     return cycles_renders.times(pathlib.Path(log).read_text())
 
 
-print(json.dumps(globals()[sys.argv[2]](*sys.argv[3:])))
+print_answer(globals())
