@@ -8,8 +8,8 @@ import dataclasses
 import pathlib
 import re
 import shutil
-import subprocess
 
+from processes import run_checked
 from renders import CandelaFailed
 
 # The kernels' door. Its name begins with what it returns, and within it is no function of which
@@ -31,11 +31,8 @@ def count(out, words):
         raise CandelaFailed("valgrind is not installed; expected Debian's package valgrind, which "
                             "`tools/setup --dev` installs.")
     out.unlink(missing_ok=True)
-    done = subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}",
-                           f"--toggle-collect={TILE}", *map(str, words)],
-                          capture_output=True, text=True)
-    if done.returncode != 0 or not out.exists():
-        raise CandelaFailed(f"valgrind ended with {done.returncode}: {done.stderr.strip()[-800:]}")
+    run_checked(["valgrind", "--quiet", "--tool=callgrind", f"--callgrind-out-file={out}",
+                 f"--toggle-collect={TILE}", *words], failed=CandelaFailed, writes=[out])
     profile = read(out.read_text())
     if profile.total == 0:
         raise CandelaFailed(f"nothing was counted: no function's name matches '{TILE}'")

@@ -4,6 +4,7 @@ generated ones."""
 import pathlib
 
 from generated import generated
+from processes import first_line
 from renders import CandelaFailed
 from scenes import (absent_scenes, pbrt_scenes, scenes_by_name, shared_folder,
                     shipped_pbrt_scenes)
@@ -69,7 +70,7 @@ def is_read(candela, name, file, tell):
         candela.info(file)
         return True
     except CandelaFailed as reason:
-        tell(f"{name} is left out: {str(reason).splitlines()[0]}")
+        tell(f"{name} is left out: {first_line(reason)}")
         return False
 
 

@@ -11,6 +11,7 @@ import truth
 from ablation import PLAIN_PATHS
 from arguments import at_least
 from fits import fit_power, x_where
+from processes import first_line
 from renders import CandelaFailed
 from turns import in_turn
 
@@ -97,7 +98,7 @@ def is_allowed(results, candela, name, scene, curve):
         candela.render("allowed", scene, png=False, size="4x4", spp=1, **CURVES[curve])
         return True
     except CandelaFailed as reason:
-        results.note(f"{name}, {curve}: left out. {str(reason).splitlines()[0]}")
+        results.note(f"{name}, {curve}: left out. {first_line(reason)}")
         return False
 
 

@@ -10,14 +10,13 @@ import collections
 import os
 import re
 import shutil
-import subprocess
 
 import budget
 import callgrind
 import chosen_scenes
 from arguments import at_least
 from fits import geometric_mean, spread
-from processes import ProgramFailed
+from processes import run_checked
 from results import Results, status
 
 ABOUT = "CPU time over that of the rays alone, and where the rest of it goes"
@@ -121,11 +120,7 @@ def perf_rows(candela, file, scene, seconds):
 
 def perf(*words):
     """What it prints; it may not be allowed to look."""
-    done = subprocess.run(["perf", *map(str, words)], capture_output=True, text=True,
-                          env=os.environ | {"DEBUGINFOD_URLS": ""})
-    if done.returncode != 0:
-        raise ProgramFailed(done.stderr.strip() or f"perf ended with {done.returncode}")
-    return done.stdout
+    return run_checked(["perf", *words], env=os.environ | {"DEBUGINFOD_URLS": ""}).stdout
 
 
 def perf_shares(report):

@@ -9,7 +9,7 @@ import shlex
 import sys
 
 from page_parts import STYLE, picture, processor
-from processes import ProgramFailed
+from processes import ProgramFailed, first_line
 
 FAILED = 6  # the exit status where a goal is missed
 MISSED = {"no", "exceeded", "missed"}  # the words of verdicts that say so
@@ -111,10 +111,6 @@ def status(verdicts):
     """The exit status; where nothing was measured nothing is met."""
     found = set(verdicts)
     return FAILED if MISSED & found or not found else 0
-
-
-def first_line(reason):
-    return (str(reason).splitlines() or ["for no reason that was told"])[0]
 
 
 def shown(value):

@@ -7,12 +7,12 @@ pairs of one seed that take turns. How far apart their pictures are stands besid
 
 import json
 import pathlib
-import subprocess
 import types
 
 import chosen_scenes
 from arguments import at_least
 from fits import geometric_mean, spread
+from processes import run_checked
 from renders import CandelaFailed, rendering_cpu_seconds
 
 ABOUT = "against another build of candela: CPU time of the same samples"
@@ -59,12 +59,9 @@ def run(options):
 def rendered(program, exr, words, seed):
     """`cpu_seconds` of the statistics, with one thread."""
     stats = exr.with_suffix(".json")
-    process = subprocess.run(
-        list(map(str, [program, "render", *words, "--seed", seed, "-o", exr, "--stats", stats,
-                       "--adaptive", "off", "--replicates", 1, "--threads", 1, "--quiet"])),
-        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
-    if process.returncode != 0:
-        raise CandelaFailed(process.stderr.strip() or f"{program} ended with {process.returncode}")
+    run_checked([program, "render", *words, "--seed", seed, "-o", exr, "--stats", stats,
+                 "--adaptive", "off", "--replicates", 1, "--threads", 1, "--quiet"],
+                failed=CandelaFailed)
     return json.loads(stats.read_text())["cpu_seconds"]
 
 

@@ -6,10 +6,9 @@ import json
 import pathlib
 import re
 import shutil
-import subprocess
 
 from exr import read_channels, stacked
-from processes import ProgramFailed
+from processes import ProgramFailed, run_checked
 
 SCRIPT = pathlib.Path(__file__).with_name("render_in_cycles.py")
 BESIDE = ("cycles_materials.py", "equal_area.py")  # what it imports
@@ -55,8 +54,8 @@ class Cycles:
         if not shutil.which(self.program):
             raise CyclesFailed(f"'{self.program}' is not installed; expected Debian's package "
                                "blender, which `tools/setup --dev` installs.")
-        return subprocess.run([self.program, "--version"], capture_output=True, text=True,
-                              check=True).stdout.splitlines()[0]
+        told = run_checked([self.program, "--version"], "Blender", CyclesFailed).stdout
+        return told.splitlines()[0]
 
     def made_by(self):
         """What pictures depend on beside scene and job."""
@@ -71,18 +70,15 @@ class Cycles:
             "renders": [dataclasses.asdict(job) | {"exr": str(self._exr(job))} for job in jobs]}))
         for job in jobs:
             self._exr(job).unlink(missing_ok=True)
-        done = subprocess.run([self.program, "-b", "--factory-startup", "--python-exit-code", "1",
-                               "-P", str(SCRIPT), "--debug-cycles", "--", str(file)],
-                              capture_output=True, text=True)
-        (self.folder / "blender.log").write_text(done.stdout + done.stderr)
-        if done.returncode != 0 or not all(self._exr(job).exists() for job in jobs):
-            raise CyclesFailed(f"Blender ended with {done.returncode}; see "
-                               f"{self.folder / 'blender.log'}")
-        rounds, (seconds, cpu_seconds) = samples_taken(done.stdout), times(done.stdout + done.stderr)
+        log = self.folder / "blender.log"
+        done = run_checked([self.program, "-b", "--factory-startup", "--python-exit-code", 1,
+                            "-P", SCRIPT, "--debug-cycles", "--", file],
+                           "Blender", CyclesFailed, map(self._exr, jobs), log)
+        rounds = samples_taken(done.stdout)
+        seconds, cpu_seconds = times(done.stdout + done.stderr)
         in_order = sorted(jobs, key=lambda job: job.scene)  # as the script takes them
         if not len(jobs) == len(seconds) == len(cpu_seconds):
-            raise CyclesFailed(f"{len(jobs)} pictures but {len(seconds)} times in "
-                               f"{self.folder / 'blender.log'}")
+            raise CyclesFailed(f"{len(jobs)} pictures but {len(seconds)} times in {log}")
         return {job: dataclasses.replace(self._picture(job, rounds[str(self._exr(job))]),
                                          seconds=wall, cpu_seconds=cpu)
                 for job, wall, cpu in zip(in_order, seconds, cpu_seconds)}

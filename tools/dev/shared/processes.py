@@ -8,6 +8,26 @@ class ProgramFailed(OSError):
     """A program ended with an error; the text is its own."""
 
 
+def first_line(reason):
+    """Of why a program failed."""
+    return (str(reason).splitlines() or ["for no reason that was told"])[0]
+
+
+def run_checked(words, name=None, failed=ProgramFailed, writes=(), log=None, **options):
+    """Runs a program to its end and gives that, with what was printed as text. `failed` is raised
+    where it ends with an error, or without one of the files that it `writes`: in its own words or,
+    where all that it prints goes into a file `log`, with that file's name. `options`: those of
+    subprocess.run()."""
+    done = subprocess.run(list(map(str, words)), capture_output=True, text=True, **options)
+    if log:
+        log.write_text(done.stdout + done.stderr)
+    if done.returncode != 0 or not all(file.exists() for file in writes):
+        name = name or words[0]
+        raise failed(f"{_reason(name, done.returncode)}; see {log}" if log
+                     else _reason(name, done.returncode, done.stderr))
+    return done
+
+
 def cpu_seconds_of(words):
     """CPU seconds of a process, children and all."""
     process = subprocess.Popen(list(map(str, words)), stdout=subprocess.DEVNULL,
@@ -16,5 +36,9 @@ def cpu_seconds_of(words):
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode != 0:
-        raise ProgramFailed(error.strip() or f"{words[0]} ended with {process.returncode}")
+        raise ProgramFailed(_reason(words[0], process.returncode, error))
     return usage.ru_utime + usage.ru_stime
+
+
+def _reason(name, code, error=""):
+    return error.strip() or f"{name} ended with {code}"

@@ -5,9 +5,8 @@ import functools
 import hashlib
 import json
 import pathlib
-import subprocess
 
-from processes import ProgramFailed
+from processes import ProgramFailed, run_checked
 
 
 class CandelaFailed(ProgramFailed):
@@ -65,10 +64,7 @@ class Candela:
         self.folder.mkdir(parents=True, exist_ok=True)
 
     def _output_of(self, *words):
-        done = subprocess.run([str(self.program), *map(str, words)], capture_output=True, text=True)
-        if done.returncode != 0:
-            raise CandelaFailed(done.stderr.strip() or f"candela ended with {done.returncode}")
-        return done.stdout
+        return run_checked([self.program, *words], "candela", CandelaFailed).stdout
 
     def version(self):
         return self._output_of("--version").strip()
