@@ -38,8 +38,9 @@ def add_arguments(parser):
 
 
 def run(options):
+    from page_parts import shown
     from renders import Candela
-    from results import Results, shown
+    from results import Results
     out = options.out.resolve()
     candela = Candela(options.program, out / "renders")
     size = options.size or (64 if options.quick else 128)

@@ -80,8 +80,9 @@ def add_arguments(parser):
 
 def run(options):
     from blender.cycles_renders import Cycles
+    from page_parts import shown
     from renders import Candela
-    from results import Results, shown
+    from results import Results
     out = options.out.resolve()
     candela = Candela(options.program, out / "candela")
     # What a later Blender has to offer beside the plain settings counts for it.

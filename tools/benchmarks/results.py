@@ -2,13 +2,10 @@
 
 import contextlib
 import csv
-import datetime
 import html
 import math
-import shlex
-import sys
 
-from page_parts import STYLE, picture, processor
+from page_parts import facts_of, page_of, picture, shown, table_of
 from processes import ProgramFailed, first_line
 
 FAILED = 6  # the exit status where a goal is missed
@@ -24,9 +21,7 @@ class Results:
     def __init__(self, out, title, about, version):
         self.out, self.title = out, title
         self.parts = [f"<p>{html.escape(about)}</p>"]
-        self.facts = {"version": version, "command": shlex.join(["tools/bench", *sys.argv[1:]]),
-                      "date": datetime.datetime.now(datetime.timezone.utc).strftime(
-                          "%Y-%m-%d %H:%M UTC"), "processor": processor()}
+        self.facts = facts_of(version, "tools/bench")
         out.mkdir(parents=True, exist_ok=True)
         self.kept = {}  # rows by name, of tables that are not told yet
         self.files = Files(out)
@@ -65,18 +60,8 @@ class Results:
         self.parts.append(f"<p>{html.escape(sentence)}</p>")
 
     def finish(self):
-        facts = "".join(f"<dt>{html.escape(key)}</dt><dd><code>{html.escape(value)}</code></dd>"
-                        for key, value in self.facts.items())
-        self.files.add("index.html").write_text(f"""<!DOCTYPE html>
-<html lang="en">
-<head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
-<title>candela: {html.escape(self.title)}</title><style>{STYLE}</style></head>
-<body>
-<h1>{html.escape(self.title)}</h1>
-<dl>{facts}</dl>
-{chr(10).join(self.parts)}
-</body></html>
-""")
+        self.files.add("index.html").write_text(
+            page_of(self.title, self.title, self.facts, self.parts))
         print(f"\n{self.out / 'index.html'}")
 
     def finish_stopped(self):
@@ -113,12 +98,6 @@ def status(verdicts):
     return FAILED if MISSED & found or not found else 0
 
 
-def shown(value):
-    if isinstance(value, float):
-        return "" if math.isnan(value) else f"{value:.4g}"
-    return "" if value is None else str(value)
-
-
 def write_csv(path, rows):
     with path.open("w", newline="") as file:
         writer = csv.writer(file)
@@ -137,8 +116,5 @@ def text_table(rows):
 
 
 def html_table(rows):
-    head = "".join(f"<th>{html.escape(str(key))}</th>" for key in rows[0])
-    body = "".join("<tr>" + "".join(f"<td>{html.escape(shown(value))}</td>"
-                                    for value in row.values()) + "</tr>" for row in rows)
-    return (f'<div class="table"><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody>'
-            "</table></div>")
+    return table_of(map(str, rows[0]), ["".join(f"<td>{html.escape(shown(value))}</td>"
+                                                for value in row.values()) for row in rows])

@@ -5,7 +5,8 @@ import json
 import sys
 import time
 
-from page_parts import STYLE, picture, shown
+from page import numbers
+from page_parts import page_of, picture
 from reference_pictures import Reference, write_png
 
 SEED = 1
@@ -13,6 +14,11 @@ COLUMNS = (("width", "width"), ("height", "height"), ("triangles", "triangles"),
            ("preparation", "seconds to read and build"), ("seconds", "seconds to render"),
            ("stated_rmse", "stated error (rMSE)"), ("heavy_tails", "share with heavy tails"),
            ("of_reference", "mean of the reference's"))
+ABOUT = """<p>Rendered by <code>path</code> in one run, with the reference beside it where there is one:
+pbrt-v4's picture of the same file, or the picture that the course's own ray tracer made, which
+follows mirrors only. Seconds are of a machine that may have had other work; the error is the one
+that candela states from the picture alone, and not to be trusted in the share of pixels with heavy
+tails.</p>"""
 PAIRS = """
 .pairs { display: grid; gap: 1.5rem; grid-template-columns: repeat(auto-fill, minmax(20rem, 1fr)); }
 .pair { display: grid; gap: .5rem; grid-template-columns: 1fr 1fr; align-items: start; }
@@ -74,40 +80,12 @@ def pair(out, line):
     return "".join(parts + ["</div>"])
 
 
-def table(rows):
-    head = "".join(f"<th>{html.escape(title)}</th>" for _, title in COLUMNS)
-    lines = [f'<div class="table"><table><thead><tr><th></th>{head}</tr></thead><tbody>']
-    for index, line in enumerate(rows):
-        cells = "".join(
-            f'<td data-of="rows/{index}/{key}">{"" if line[key] is None else shown(line[key])}</td>'
-            for key, _ in COLUMNS)
-        lines.append(f"<tr><td>{html.escape(line['caption'])}</td>{cells}</tr>")
-    return "\n".join(lines + ["</tbody></table></div>"])
-
-
 def page(out, record):
     """`record`: what gallery.json holds."""
-    facts = "".join(
-        f"<dt>{html.escape(key)}</dt><dd><code>{html.escape(str(record[key]))}</code></dd>"
-        for key in ("version", "command", "date", "processor", "seconds"))
-    pairs = "\n".join(pair(out, line) for line in record["rows"])
-    return f"""<!DOCTYPE html>
-<html lang="en">
-<head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
-<title>candela: gallery</title><style>{STYLE}{PAIRS}</style></head>
-<body>
-<h1>All scenes that are here</h1>
-<p>Rendered by <code>path</code> in one run, with the reference beside it where there is one: pbrt-v4's
-picture of the same file, or the picture that the course's own ray tracer made, which follows mirrors
-only. Seconds are of a machine that may have had other work; the error is the one that candela
-states from the picture alone, and not to be trusted in the share of pixels with heavy tails.</p>
-<dl>{facts}</dl>
-<div class="pairs">
-{pairs}
-</div>
-{table(record["rows"])}
-</body></html>
-"""
+    facts = {key: value for key, value in record.items() if key != "rows"}
+    parts = ['<div class="pairs">', *(pair(out, line) for line in record["rows"]), "</div>",
+             numbers("rows", COLUMNS, record["rows"])]
+    return page_of("gallery", "All scenes that are here", facts, parts, [ABOUT], PAIRS)
 
 
 def make(candela, out, root, options, facts):

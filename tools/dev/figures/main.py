@@ -2,16 +2,15 @@
 tools/figures calls this."""
 
 import argparse
-import datetime
 import json
 import pathlib
-import shlex
 import shutil
 import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.append(str(ROOT / "tools" / "dev" / "shared"))  # what tools/bench uses too
+TOOL = "tools/figures"
 NAMES = ("figure_1", "figure_2", "figure_3", "figure_4", "figure_5", "encoded_average", "furnace",
          "course_scenes")
 # Plots that docs/ shows, and their names there.
@@ -27,7 +26,7 @@ def positive(text):
 
 def arguments():
     parser = argparse.ArgumentParser(
-        prog="tools/figures",
+        prog=TOOL,
         description="Renders the report's figures and writes them as one HTML page.")
     parser.add_argument("--out", type=pathlib.Path, metavar="DIR",
                         help="folder for index.html, figures.json, renders and plots (figures; "
@@ -85,26 +84,18 @@ def figures_of(workshop, only):
         print(f"tools/figures: {name}: {time.monotonic() - start:.1f} s", file=sys.stderr)
 
 
-def facts(candela):
-    from page_parts import processor
-    return {
-        "version": candela.version(),
-        "command": shlex.join(["tools/figures", *sys.argv[1:]]),
-        "date": datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC"),
-        "processor": processor(),
-    }
-
-
 def run_on_scenes(options):
     """What is made of whole scenes: --gallery, --pbrt."""
     import gallery
     import pbrt_differences
+    from page_parts import facts_of
     from renders import Candela
 
     out = (options.out or ROOT / "build" / "gallery").resolve()
     candela = Candela(options.program, out / "renders")
     if options.gallery:
-        print(gallery.make(candela, out, ROOT, options, facts(candela)))
+        facts = facts_of(candela.version(), TOOL)
+        print(gallery.make(candela, out, ROOT, options, facts))
     if options.pbrt:
         picture = pbrt_differences.make(candela, out, ROOT, options)
         if options.docs:
@@ -114,6 +105,7 @@ def run_on_scenes(options):
 
 def run(options):
     from page import page
+    from page_parts import facts_of
     from renders import Candela
     from scale import FULL, QUICK, TINY
     from workshop import Workshop
@@ -123,7 +115,7 @@ def run(options):
     candela = Candela(options.program, out / "renders")
     scale = TINY if options.tiny else QUICK if options.quick else FULL
     workshop = Workshop(candela, scale, ROOT / "assets", out)
-    record = facts(candela) | {"figures": list(figures_of(workshop, options.only))}
+    record = facts_of(candela.version(), TOOL) | {"figures": list(figures_of(workshop, options.only))}
     record["seconds"] = round(time.monotonic() - start, 1)
     (out / "figures.json").write_text(json.dumps(record, indent=1, allow_nan=False) + "\n")
     (out / "index.html").write_text(page(out, record))

@@ -1,20 +1,23 @@
-"""One HTML page with everything in it: pictures, plots and numbers, nothing to fetch."""
+"""The report's figures as one HTML page: pictures, plots and numbers."""
 
 import html
 
-from page_parts import STYLE, picture, shown
+from page_parts import page_of, picture, shown, table_of
+
+ABOUT = """<p>candela grew from a student's report on path tracing; docs/report.md goes through it section by
+section. These are its figures, rendered in one run of this program. Every number below was measured
+in this run, but where a sentence says that it is the report's. Seconds are of rendering on a
+machine that may have had other work; relMSE is what <code>candela compare</code> prints.</p>"""
 
 
-def table(name, columns, rows):
-    """Each number's cell says which one of figures.json it is."""
-    head = "".join(f"<th>{html.escape(title)}</th>" for _, title in columns)
-    lines = [f'<div class="table"><table><thead><tr><th></th>{head}</tr></thead><tbody>']
-    for index, row in enumerate(rows):
-        cells = "".join(f'<td data-of="{name}/rows/{index}/{key}">{shown(row[key])}</td>'
-                        for key, _ in columns)
-        lines.append(f"<tr><td>{html.escape(row['caption'])}</td>{cells}</tr>")
-    lines.append("</tbody></table></div>")
-    return "\n".join(lines)
+def numbers(place, columns, rows):
+    """A table. Each number's cell says which one below `place` of the page's JSON file it is."""
+    def cells(index, row):
+        return f"<td>{html.escape(row['caption'])}</td>" + "".join(
+            f'<td data-of="{place}/{index}/{key}">{shown(row[key])}</td>' for key, _ in columns)
+
+    return table_of(["", *(title for _, title in columns)],
+                    [cells(index, row) for index, row in enumerate(rows)])
 
 
 def section(out, figure):
@@ -27,7 +30,7 @@ def section(out, figure):
         parts.append("</div>")
     parts.append('<div class="numbers">')
     if figure["rows"]:
-        parts.append(table(figure["name"], figure["columns"], figure["rows"]))
+        parts.append(numbers(f"{figure['name']}/rows", figure["columns"], figure["rows"]))
     if figure["plots"]:
         parts.append('<div class="plots">')
         parts += [picture(out, file, caption) for file, caption in figure["plots"]]
@@ -35,22 +38,8 @@ def section(out, figure):
     return "\n".join(parts + ["</div></section>"])
 
 
-def page(out, run):
-    """`run`: what figures.json holds."""
-    facts = "".join(f"<dt>{html.escape(key)}</dt><dd><code>{html.escape(str(run[key]))}</code></dd>"
-                    for key in ("version", "command", "date", "processor", "seconds"))
-    sections = "\n".join(section(out, figure) for figure in run["figures"])
-    return f"""<!DOCTYPE html>
-<html lang="en">
-<head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
-<title>candela: the report's figures</title><style>{STYLE}</style></head>
-<body>
-<h1>The report's figures, and those that it could not make</h1>
-<p>candela grew from a student's report on path tracing; docs/report.md goes through it section by
-section. These are its figures, rendered in one run of this program. Every number below was measured
-in this run, but where a sentence says that it is the report's. Seconds are of rendering on a
-machine that may have had other work; relMSE is what <code>candela compare</code> prints.</p>
-<dl>{facts}</dl>
-{sections}
-</body></html>
-"""
+def page(out, record):
+    """`record`: what figures.json holds."""
+    facts = {key: value for key, value in record.items() if key != "figures"}
+    return page_of("the report's figures", "The report's figures, and those that it could not make",
+                   facts, [section(out, figure) for figure in record["figures"]], [ABOUT])

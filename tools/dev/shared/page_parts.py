@@ -1,9 +1,13 @@
-"""What pages of results are made of: everything within the file, nothing to fetch."""
+"""Pages of results and what they are made of: everything within the file, nothing to fetch."""
 
 import base64
+import datetime
 import html
+import math
 import os
 import pathlib
+import shlex
+import sys
 
 STYLE = """
 :root { color-scheme: light dark; --ink: #1b1b1f; --paper: #fbfbf8; --soft: #6a6a70; --line: #d9d9d4; }
@@ -29,9 +33,41 @@ th:first-child, td:first-child { text-align: left; }
 """
 
 
+def page_of(title, heading, facts, parts, about=(), style=""):
+    """A whole page: what is said `about` it, the facts, and its parts, all as HTML."""
+    terms = "".join(f"<dt>{html.escape(key)}</dt><dd><code>{html.escape(str(value))}</code></dd>"
+                    for key, value in facts.items())
+    body = "\n".join([f"<h1>{html.escape(heading)}</h1>", *about, f"<dl>{terms}</dl>", *parts])
+    return f"""<!DOCTYPE html>
+<html lang="en">
+<head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
+<title>candela: {html.escape(title)}</title><style>{STYLE}{style}</style></head>
+<body>
+{body}
+</body></html>
+"""
+
+
+def facts_of(version, tool):
+    """Of this run, as a page tells them. `version`: candela's."""
+    now = datetime.datetime.now(datetime.timezone.utc)
+    return {"version": version, "command": shlex.join([tool, *sys.argv[1:]]),
+            "date": now.strftime("%Y-%m-%d %H:%M UTC"), "processor": processor()}
+
+
+def table_of(titles, rows):
+    """`rows`: the HTML of each one's cells."""
+    head = "".join(f"<th>{html.escape(title)}</th>" for title in titles)
+    body = "\n".join(f"<tr>{cells}</tr>" for cells in rows)
+    return (f'<div class="table"><table><thead><tr>{head}</tr></thead><tbody>\n{body}\n'
+            "</tbody></table></div>")
+
+
 def shown(value):
-    """Four significant digits; whole numbers whole."""
-    return f"{value:d}" if isinstance(value, int) else f"{value:.4g}"
+    """Four significant digits; whole numbers and words whole; nothing where there is no value."""
+    if isinstance(value, float):
+        return "" if math.isnan(value) else f"{value:.4g}"
+    return "" if value is None else str(value)
 
 
 def picture(out, file, caption):
