@@ -20,8 +20,7 @@ from arguments import at_least
 from fits import (at_level, geometric_mean, mean_with_factor, ratio_of_errors, spread,
                   with_factor)
 from processes import ProgramFailed, first_line
-from references import square
-from renders import CandelaFailed
+from renders import CandelaFailed, square
 
 ABOUT = "each technique off in turn: time to the same error"
 

@@ -14,7 +14,7 @@ import chosen_scenes
 import truth
 from arguments import at_least, numbers
 from fits import geometric_mean, ratio_of_errors, with_factor
-from references import square
+from renders import square
 from turns import in_turn
 
 ABOUT = "what adaptive sampling gains: error and CPU time with it and without"
@@ -91,7 +91,7 @@ def run(options):
                     rows.append(row_of(name, spp, found, right))
                     print(f"{name}, {spp} spp: {rows[-1]['efficiency']:.2f}", flush=True)
             results.keep("adaptive", rows)
-    results.table("adaptive", f"{options.size}x{options.size}, {options.seeds} seeds", rows)
+    results.table("adaptive", f"{square(options.size)}, {options.seeds} seeds", rows)
     found = truth.counted(rows, ("efficiency",), results.note)
     if found:
         results.note(f"geometric mean of the efficiency of {len(found)} rows: "

@@ -20,7 +20,7 @@ import truth
 from arguments import at_least
 from fits import geometric_mean, ratio_columns, ratio_of_errors, spread, times_to_same_error
 from processes import cpu_seconds_of
-from renders import rendering_cpu_seconds
+from renders import rendering_cpu_seconds, square
 
 ABOUT = "against another build of candela: time to the same error"
 SAME_MEANS = .03  # by how much the two pictures' means may differ before the mean is without them
@@ -51,7 +51,7 @@ def run(options):
     rows = []
     for name, scene in chosen_scenes.chosen(candela, out, options.scenes, default,
                                             results.note).items():
-        words = [scene, "--size", f"{size}x{size}", "--threads", options.threads]
+        words = [scene, "--size", square(size), "--threads", options.threads]
         with results.attempt(name):
             programs = [Program(path.resolve(), out / "renders", words)
                         for path in (options.before, options.program)]
@@ -60,7 +60,7 @@ def run(options):
             rows.append({"scene": name} | row(programs, right, spp, range(1, pairs + 1)))
             print(f"{name}: {shown(rows[-1]['cpu_ratio'])}", flush=True)
             results.keep("before", rows)
-    results.table("before", f"Before over now, {size}x{size}, {spp} spp, {pairs} pairs", rows)
+    results.table("before", f"Before over now, {square(size)}, {spp} spp, {pairs} pairs", rows)
     tell_all(results, rows)
     results.finish()
 

@@ -14,9 +14,9 @@ import calibration_goals as goals
 from arguments import at_least, numbers
 from chosen_scenes import present, safe, tell_absent
 from fits import spread
-from references import (SEEDS, layers, long_enough, reference, rendered_once, side_by_side, square,
+from references import (SEEDS, layers, long_enough, reference, rendered_once, side_by_side,
                         with_weight)
-from renders import Candela, CandelaFailed
+from renders import Candela, CandelaFailed, square
 from results import FAILED, Results
 from scenes import shipped_pbrt_scenes
 from student import student_t

@@ -12,7 +12,7 @@ from ablation import PLAIN_PATHS
 from arguments import at_least
 from fits import fit_power, x_where
 from processes import first_line
-from renders import CandelaFailed
+from renders import CandelaFailed, square
 from turns import in_turn
 
 ABOUT = "relMSE against seconds and samples, by sampling and option"
@@ -77,7 +77,7 @@ def run(options):
             right = truth.reference_for(candela, name, scene, size, 16 * most, spp=most,
                                         threads=options.threads)
             allowed = [c for c in curves if is_allowed(results, candela, name, scene, c)]
-            common = {"size": f"{size}x{size}", "threads": options.threads}
+            common = {"size": square(size), "threads": options.threads}
             own = points(candela, name, scene, right, allowed, counts, seeds, common)
             rows += own
             results.keep("convergence", rows)
@@ -86,7 +86,7 @@ def run(options):
             for file, caption in plotted(out, name, allowed, own):
                 results.plot(file, caption)
             print(f"{name}: {len(own)} points", flush=True)
-    results.table("convergence", f"All points, {size}x{size}, {len(seeds)} seeds", rows)
+    results.table("convergence", f"All points, {square(size)}, {len(seeds)} seeds", rows)
     results.table("goals", "CPU seconds to a relMSE, where the curve gets there; exponent of "
                   "relMSE over samples, with its standard error", ends,
                   "-1 for independent samples. beside: the curve to compare with.")

@@ -17,6 +17,7 @@ import chosen_scenes
 from arguments import at_least
 from fits import geometric_mean, spread
 from processes import run_checked
+from renders import square
 from results import Results, status
 
 ABOUT = "CPU time over that of the rays alone, and where the rest of it goes"
@@ -146,7 +147,7 @@ def short(symbol):
 def instruction_rows(candela, file, scene):
     side, spp = 24, 16
     words = [candela.program, "render", scene, "-o", file.with_suffix(".exr"), "--size",
-             f"{side}x{side}", "--spp", spp, *budget.OPTIONS]
+             square(side), "--spp", spp, *budget.OPTIONS]
     counted = callgrind.count(file, words)
     samples = side * side * spp
     embree, _ = callgrind.embree_of(counted)

@@ -34,6 +34,7 @@ import chosen_scenes
 import truth
 from arguments import at_least
 from fits import geometric_mean, ratio_columns, ratio_of_errors, x_where
+from renders import square
 
 ABOUT = "the same scenes by Blender's Cycles: time to the same error; Embree's path tracer's speed"
 # Blender's unit is the metre, the Cornell box's the millimetre.
@@ -109,7 +110,7 @@ def run(options):
             seen.append((name, *references))
             print(f"{name}: time to Cycles' last error, Cycles / candela: "
                   f"{shown(own_ratios[-1]['cpu_ratio'])}", flush=True)
-    results.table("points", f"All points, {bench.size}x{bench.size}, {bench.pairs} pairs", points)
+    results.table("points", f"All points, {square(bench.size)}, {bench.pairs} pairs", points)
     results.table("ratios", "Cycles over candela: times as slow to the same error", ratios,
                   "To the relMSE that Cycles has at so many samples, and to a relMSE where both "
                   "get there; ranges over the pairs; plus_minus is half of the 95 % interval of "
@@ -221,7 +222,7 @@ class Bench:
 
     def our_run(self, file, right, seed, spp, own):
         adapts = self.with_all and spp >= PILOTS
-        return truth.measured(self.candela, file, right, size=f"{self.size}x{self.size}", spp=spp,
+        return truth.measured(self.candela, file, right, size=square(self.size), spp=spp,
                               seed=seed, threads=self.threads, max_depth="none",
                               adaptive="on" if adapts else "off", **own)
 

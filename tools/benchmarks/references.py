@@ -25,10 +25,6 @@ def long_enough(made, lengths, is_good):
     return found
 
 
-def square(size):
-    return f"{size}x{size}"
-
-
 def layers(render, spread="variance"):
     """The picture, its variance (or interval), and the mask of heavy tails."""
     from exr import read_channels, stacked

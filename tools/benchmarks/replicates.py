@@ -8,7 +8,8 @@ import pathlib
 
 import truth
 from arguments import at_least
-from references import layers, reference, side_by_side, square
+from references import layers, reference, side_by_side
+from renders import square
 from student import student_t
 
 ABOUT = "what stating an error costs: noise with more replicates over that with one"

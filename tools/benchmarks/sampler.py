@@ -14,6 +14,7 @@ import truth
 from ablation import PLAIN_PATHS
 from arguments import at_least
 from fits import ratio_columns, ratio_of_errors, spread
+from renders import square
 
 ABOUT = "scrambled Sobol points against plain random numbers: by how much relMSE is lower"
 # Squares far smaller than a pixel, so that every sample is a toss of a coin. Where a power of two
@@ -55,12 +56,12 @@ def run(options):
         right = truth.reference(candela, name.replace(" ", "_").replace(",", ""), scene, size,
                                 256 if options.quick else 4096, **extra)
         rows += [{"picture": name, "replicates": replicates, "spp": spp}
-                 | gain(candela, scene, right, seeds, size=f"{size}x{size}", spp=spp,
+                 | gain(candela, scene, right, seeds, size=square(size), spp=spp,
                         replicates=replicates, **extra)
                  for replicates in (1, 4) for spp in (16, 64)]
         print(f"{name}: done", flush=True)
     results.table("sampler", "relMSE of plain random numbers over Sobol points', "
-                  f"{size}x{size}, {len(seeds)} seeds", rows)
+                  f"{square(size)}, {len(seeds)} seeds", rows)
     nanoseconds = candela.bench(box)["number_nanoseconds"]
     results.table("nanoseconds", "Of CPU time a dimension of Sobol points", [nanoseconds],
                   "block: of sixteen samples side by side, as most are drawn; single: of one.")

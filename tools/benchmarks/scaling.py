@@ -14,6 +14,7 @@ import os
 from arguments import at_least
 from fits import fit_power, growth, spread
 from generated import generated
+from renders import square
 from turns import in_turn
 
 ABOUT = "threads, image size, triangles, lights: fitted exponents"
@@ -109,7 +110,7 @@ def pixels(candela, out, seeds, quick):
     scene = generated(out, "terrain", triangles=100_000)
     sides = (32, 64, 128) if quick else (32, 64, 128, 256, 512, 1024)
     found = in_turn([side ** 2 for side in sides], seeds, lambda n, seed: candela.render(
-        "pixels", scene, png=False, size=f"{round(n ** .5)}x{round(n ** .5)}", spp=16, seed=seed))
+        "pixels", scene, png=False, size=square(round(n ** .5)), spp=16, seed=seed))
     rows = [{"pixels": n, "ns_a_sample": median(seen, lambda x: 1e9 * x.cpu_seconds / (16 * n))}
             for n, seen in found.items()]
     return ("pixels", "Image size, 16 spp", rows,

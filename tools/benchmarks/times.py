@@ -13,7 +13,7 @@ import chosen_scenes
 from arguments import at_least
 from fits import geometric_mean, spread
 from processes import run_checked
-from renders import CandelaFailed, rendering_cpu_seconds
+from renders import CandelaFailed, rendering_cpu_seconds, square
 
 ABOUT = "against another build of candela: CPU time of the same samples"
 
@@ -40,7 +40,7 @@ def run(options):
     default = [*chosen_scenes.ANALYTIC, *chosen_scenes.names()]
     for name, scene in chosen_scenes.chosen(candela, out, options.scenes, default,
                                             results.note).items():
-        words = [scene, "--size", f"{size}x{size}", "--spp", spp]
+        words = [scene, "--size", square(size), "--spp", spp]
         with results.attempt(name):
             measured = [cpu_seconds(*(
                 rendered(path.resolve(), out / f"renders/{which}.exr", words, seed)
@@ -49,7 +49,7 @@ def run(options):
             rows.append({"scene": name} | compared(measured) | {"apart": apart(candela, out)})
             results.keep("times", rows)
             print(f"{name}: {rows[-1]['cpu_ratio']:.3f}", flush=True)
-    results.table("times", f"CPU time, now over before, {size}x{size}, {spp} spp, {pairs} pairs",
+    results.table("times", f"CPU time, now over before, {square(size)}, {spp} spp, {pairs} pairs",
                   rows, "apart: relMSE between the last pair of pictures.")
     if rows:
         results.note(f"geometric mean {geometric_mean(r['cpu_ratio'] for r in rows):.3f}")

@@ -12,6 +12,7 @@ import references
 from chosen_scenes import safe
 from fits import error_rate, jackknifed, ratio_of_errors, spread, times_to_same_error
 from processes import ProgramFailed
+from renders import square
 
 TRIMMED = 1e-3  # of the pixels, the worst
 NOISE_ALLOWED = 1 / 20
@@ -22,14 +23,14 @@ MARGIN = 1.5  # below a picture's error: another way's, or another seed's, may b
 
 def reference(candela, name, scene, size, spp, **options):
     return references.reference(candela, f"reference_{safe(name)}_{size}_{spp}", scene,
-                                size=references.square(size), spp=spp, replicates=16, filter="box",
+                                size=square(size), spp=spp, replicates=16, filter="box",
                                 **options)
 
 
 def reference_for(candela, name, scene, size, least, **options):
     """One of `least` samples, or of more, until it is good enough for pictures by these options."""
     def is_good(right):
-        run = measured(candela, scene, right, size=references.square(size), **options)
+        run = measured(candela, scene, right, size=square(size), **options)
         return judged(right, [run.relmse / MARGIN]) == "good"
 
     return references.long_enough(

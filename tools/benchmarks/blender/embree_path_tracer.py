@@ -12,6 +12,7 @@ import numpy
 
 from fits import spread
 from processes import cpu_seconds_of
+from renders import square
 
 from . import blender_scene
 
@@ -44,7 +45,7 @@ def compare(results, candela, folder, size, pairs, threads):
 
 
 def candela_seconds(candela, size, seed, threads):
-    few, many = (candela.render("point_lit", SCENE, png=False, size=f"{size}x{size}", spp=spp,
+    few, many = (candela.render("point_lit", SCENE, png=False, size=square(size), spp=spp,
                                 seed=seed, threads=threads, filter="box", **EQUAL).cpu_seconds
                  for spp in (FEW, MANY))
     return many - few

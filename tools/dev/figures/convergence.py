@@ -1,7 +1,8 @@
 """Figure 1: one scene with ever more samples a pixel."""
 
 import plots
-from workshop import SEED, figure, reference_note, row, square
+from renders import square
+from workshop import SEED, figure, reference_note, row
 
 SCENE = "cornell_box"
 

@@ -1,6 +1,7 @@
 """What the report could not make: the course's larger scenes, path traced."""
 
-from workshop import SEED, figure, row, square
+from renders import square
+from workshop import SEED, figure, row
 
 # The two that the report says can be rendered in reasonable time.
 SMALL = ("cornell_box", "floor")

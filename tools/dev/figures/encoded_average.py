@@ -7,7 +7,8 @@ import numpy
 
 import plots
 from exr import read_exr
-from workshop import figure, square
+from renders import square
+from workshop import figure
 
 SCENE = "cornell_box_diffuse"
 # Columns and rows of a picture of 512 x 512: the ceiling in front of the lamp, and the tall box's

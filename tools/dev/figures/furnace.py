@@ -2,7 +2,8 @@
 
 import plots
 from exr import read_exr
-from workshop import SEED, figure, square
+from renders import square
+from workshop import SEED, figure
 
 # From so far that all rays are nearly parallel: the ball's mean radiance is then the mean albedo
 # over the hemisphere, weighted by the cosine.

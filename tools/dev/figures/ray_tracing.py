@@ -4,7 +4,8 @@ import numpy
 
 import plots
 from exr import read_exr
-from workshop import SEED, figure, row, square
+from renders import square
+from workshop import SEED, figure, row
 
 SCENE = "cornell_box_diffuse"
 # Light from everywhere, as lab 3's shading needs it for sides that no lamp reaches: about the lab's

@@ -1,7 +1,8 @@
 """Figure 5: ways to choose directions, with equally many samples."""
 
 import plots
-from workshop import SEED, figure, reference_note, row, square
+from renders import square
+from workshop import SEED, figure, reference_note, row
 
 STRATEGIES = ("uniform", "cosine", "bsdf", "light", "mis")
 BOXES = {"cornell_box": "metal", "cornell_box_diffuse": "all diffuse"}

@@ -3,7 +3,7 @@
 import dataclasses
 import pathlib
 
-from renders import Candela
+from renders import Candela, square
 from scale import Scale
 
 SEED = 1
@@ -34,10 +34,6 @@ class Workshop:
 
     def relative(self, path):
         return str(path.relative_to(self.out))
-
-
-def square(size):
-    return f"{size}x{size}"
 
 
 def row(workshop, render, caption, **values):

@@ -48,6 +48,11 @@ class Render:
         return self.stats["spp"]
 
 
+def square(side):
+    """candela's --size of a square picture."""
+    return f"{side}x{side}"
+
+
 def _words_of(options):
     words = []
     for name, value in options.items():
