@@ -17,14 +17,8 @@ NAMES = ("figure_1", "figure_2", "figure_3", "figure_4", "figure_5", "encoded_av
 DOCS_PLOTS = {"encoded_average_ceiling": "encoded_average", "furnace": "brushed_metal_furnace"}
 
 
-def positive(text):
-    number = int(text)
-    if number < 1:
-        raise ValueError(text)
-    return number
-
-
-def arguments():
+def parsed():
+    from arguments import at_least
     parser = argparse.ArgumentParser(
         prog=TOOL,
         description="Renders the report's figures and writes them as one HTML page.")
@@ -41,9 +35,9 @@ def arguments():
                         help="in their place all scenes that are here, with references beside them")
     parser.add_argument("--pbrt", action="store_true",
                         help="in their place the difference to pbrt-v4's pictures, as one picture")
-    parser.add_argument("--spp", type=positive, default=64, metavar="N",
+    parser.add_argument("--spp", type=at_least(1), default=64, metavar="N",
                         help="of --gallery and --pbrt (64)")
-    parser.add_argument("--size", type=positive, metavar="N",
+    parser.add_argument("--size", type=at_least(1), metavar="N",
                         help="pixels of the longer side in --gallery (the reference's, else 192)")
     parser.add_argument("--scene", action="append", metavar="NAME",
                         help="of --gallery and --pbrt this one alone; may be given several times")
@@ -128,7 +122,7 @@ def run(options):
 
 
 def main():
-    options = arguments()
+    options = parsed()
     try:
         import matplotlib  # noqa: F401
         import numpy  # noqa: F401
