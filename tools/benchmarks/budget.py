@@ -15,9 +15,9 @@ import subprocess
 import sys
 
 import callgrind
+from scenes import asset
 
 ABOUT = "instructions per camera sample against those on record: may not grow by more than 3 %"
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 RECORD = pathlib.Path(__file__).with_name("budget.json")
 GROWTH = .03
 # --strict decodes the textures before the first tile; else the first that asks pays for it.
@@ -39,7 +39,7 @@ def add_arguments(parser):
 def fixed_scenes(out):
     """Small ones that stay as they are, each with something of its own."""
     from generated import generated
-    found = {name: ROOT / "assets" / name / f"{name}.yaml"
+    found = {name: asset(name)
              for name in ("cornell_box_diffuse", "cornell_box", "glass_and_metal", "cutouts")}
     return found | {"lamps": generated(out, "lamps", lamps=LAMPS)}
 

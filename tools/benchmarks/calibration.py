@@ -22,8 +22,6 @@ from scenes import shipped_pbrt_scenes
 from student import student_t
 
 ABOUT = "the stated error against the true one"
-
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Samples a pixel of each seed over those of the longest picture measured with it. Adaptive pictures
 # have up to ten times the mean where they are noisiest, and light rarer than the reference's
 # samples would count as an error of those that met it.
@@ -66,7 +64,7 @@ class Scene:
 
 
 def all_scenes(options):
-    found = present() | (shipped_pbrt_scenes(ROOT) if options.scenes else {})
+    found = present() | (shipped_pbrt_scenes() if options.scenes else {})
     scenes = [Scene(name, path) for name, path in found.items()]
     for name, path, radiance in analytic_scenes.write(options.out / "scenes"):
         scenes.append(Scene(name, path, radiance))

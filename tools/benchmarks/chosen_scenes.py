@@ -1,15 +1,12 @@
 """Which scenes to measure with: of the shipped ones, those from elsewhere that are present, and
 generated ones."""
 
-import pathlib
-
 from generated import generated
 from processes import first_line
 from renders import CandelaFailed
-from scenes import (absent_scenes, pbrt_scenes, scenes_by_name, shared_folder,
+from scenes import (ROOT, absent_scenes, pbrt_scenes, scenes_by_name, shared_folder,
                     shipped_pbrt_scenes)
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Of closed forms (cycles.py): measured where they are asked for. So are the shipped pbrt files.
 ANALYTIC = {name: ROOT / f"tools/benchmarks/blender/scenes/{name}.yaml"
             for name in ("point_lit", "sun_lit", "environment_lit")}
@@ -19,11 +16,11 @@ LARGELY_CONVERGED = "shed"  # measured where it is asked for, too
 
 
 def present():
-    return scenes_by_name(ROOT) | pbrt_scenes(ROOT)
+    return scenes_by_name() | pbrt_scenes()
 
 
 def all_names():
-    return [*names(), f"gen/{LARGELY_CONVERGED}", *ANALYTIC, *shipped_pbrt_scenes(ROOT)]
+    return [*names(), f"gen/{LARGELY_CONVERGED}", *ANALYTIC, *shipped_pbrt_scenes()]
 
 
 def names():
@@ -45,7 +42,7 @@ def add_argument(parser, default="all but " + ", ".join(
 def chosen(candela, out, wanted, default, tell=print):
     """Name -> file. What is absent of all scenes, and what candela cannot read, is left out with a
     word."""
-    found = present() | ANALYTIC | shipped_pbrt_scenes(ROOT)
+    found = present() | ANALYTIC | shipped_pbrt_scenes()
     files = {}
     if not wanted and set(names()) <= set(default):
         tell_absent(tell)
@@ -60,9 +57,9 @@ def chosen(candela, out, wanted, default, tell=print):
 
 
 def tell_absent(tell):
-    absent = absent_scenes(ROOT)
+    absent = absent_scenes()
     if absent:
-        tell(f"not in {shared_folder(ROOT)}, and left out: {', '.join(absent)}")
+        tell(f"not in {shared_folder()}, and left out: {', '.join(absent)}")
 
 
 def is_read(candela, name, file, tell):

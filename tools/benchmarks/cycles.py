@@ -9,7 +9,6 @@ candela states. docs/accuracy_cycles.md has the figures.
 import copy
 import dataclasses
 import os
-import pathlib
 import shutil
 import time
 
@@ -18,11 +17,10 @@ import numpy
 import chosen_scenes
 import truth
 from arguments import at_least
+from scenes import ROOT, asset
 
 ABOUT = "the same scenes by Blender's Cycles: equal pictures?"
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-SCENES = {"cornell_box_diffuse": ROOT / "assets/cornell_box_diffuse/cornell_box_diffuse.yaml"
-          } | chosen_scenes.ANALYTIC
+SCENES = {"cornell_box_diffuse": asset("cornell_box_diffuse")} | chosen_scenes.ANALYTIC
 SIZE = (128, 96)  # multiples of the blocks' side, and of 32
 # Blender's unit is the metre, the Cornell box's the millimetre. Where that is taken for metres,
 # Cycles is wrong by a percent on the back wall: see closed_forms().

@@ -4,8 +4,6 @@ and Embree together, held and at the peak, and what a forest of instances does.
 docs/performance.md, "Memory", has the figures. Fails where one is exceeded.
 """
 
-import pathlib
-
 import chosen_scenes
 import renders
 import scenes
@@ -13,7 +11,6 @@ from arguments import size
 from results import Results, status
 
 ABOUT = "peak memory of a render against the scene's meshes and textures; bytes a triangle"
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 GOAL = 3.0
 LEAST_MEGABYTES = 3.0  # of meshes and textures: below, the libraries' pages are all there is to see
 GOAL_BYTES = 150  # a triangle, geometry and Embree, without textures
@@ -56,7 +53,7 @@ def baseline(results, candela):
 def peaks(results, candela):
     """Verdicts, as of_a_triangle() and forest()."""
     plain = baseline(results, candela)
-    files = {path.stem: path for path in scenes.course_scenes(ROOT)} | scenes.pbrt_scenes(ROOT)
+    files = {path.stem: path for path in scenes.course_scenes()} | scenes.pbrt_scenes()
     chosen_scenes.tell_absent(results.note)
     rows = []
     for name, path in files.items():
@@ -113,7 +110,7 @@ def many_triangles(out, quick):
     count = 20_000 if quick else 1_000_000
     files = {f"{shape} of {count}": generated(out, shape, triangles=count)
              for shape in ("soup", "terrain")}
-    return files if quick else files | {p.stem: p for p in scenes.course_scenes(ROOT)}
+    return files if quick else files | {p.stem: p for p in scenes.course_scenes()}
 
 
 def forest(results, candela, size):

@@ -4,17 +4,16 @@ Without adaptive sampling, which one replicate does not have by default.
 """
 
 import math
-import pathlib
 
 import truth
 from arguments import at_least
 from references import layers, reference, side_by_side
 from renders import square
+from scenes import asset
 from student import student_t
 
 ABOUT = "what stating an error costs: noise with more replicates over that with one"
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 SIZE = 48
 COUNTS = (16, 64)
 REPLICATES = (1, 2, 4, 8)
@@ -46,7 +45,7 @@ def run(options):
     results = Results(out, "Replicates", __doc__, candela.version())
     rows = []
     for name in CASES:
-        path = ROOT / "assets" / name / f"{name}.yaml"
+        path = asset(name)
         right = reference(candela, f"reference_{path.stem}", path, size=square(SIZE),
                           spp=16 * max(COUNTS))
         for spp in COUNTS:

@@ -8,9 +8,9 @@ import pathlib
 import re
 import subprocess
 
-ABOUT = "what breaks at odd scales, places and numbers (tests/stress, in full)"
+from scenes import ROOT
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+ABOUT = "what breaks at odd scales, places and numbers (tests/stress, in full)"
 
 
 def add_arguments(parser):

@@ -2,6 +2,7 @@
 
 import plots
 from renders import square
+from scenes import asset
 from workshop import SEED, figure, reference_note, row
 
 SCENE = "cornell_box"
@@ -11,7 +12,7 @@ def make(workshop):
     reference = workshop.reference(SCENE)
     rows = []
     for spp in workshop.scale.spp:
-        render = workshop.candela.render(f"figure_1_{spp}", workshop.scene(SCENE), spp=spp,
+        render = workshop.candela.render(f"figure_1_{spp}", asset(SCENE), spp=spp,
                                          size=square(workshop.scale.size), seed=SEED,
                                          adaptive="off")
         rows.append(row(workshop, render, f"{spp} spp",

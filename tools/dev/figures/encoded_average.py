@@ -8,6 +8,7 @@ import numpy
 import plots
 from exr import read_exr
 from renders import square
+from scenes import asset
 from workshop import figure
 
 SCENE = "cornell_box_diffuse"
@@ -61,7 +62,7 @@ def one_sample_renders(workshop, sampling):
     linear, codes = [], []
     for seed in range(1, workshop.scale.encoded_seeds + 1):
         render = workshop.candela.render(
-            f"one_sample_{sampling}_{seed}", workshop.scene(SCENE), sampling=sampling, spp=1,
+            f"one_sample_{sampling}_{seed}", asset(SCENE), sampling=sampling, spp=1,
             seed=seed, size=square(workshop.scale.encoded_size), filter="box", tonemap="lab3")
         linear.append(read_exr(render.exr))
         codes.append(matplotlib.image.imread(render.png)[..., :3].astype(float))

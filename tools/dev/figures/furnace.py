@@ -3,6 +3,7 @@
 import plots
 from exr import read_exr
 from renders import square
+from scenes import ASSETS
 from workshop import SEED, figure
 
 # From so far that all rays are nearly parallel: the ball's mean radiance is then the mean albedo
@@ -35,7 +36,7 @@ METALS = (
 def make(workshop):
     folder = workshop.out / "furnace"
     folder.mkdir(parents=True, exist_ok=True)
-    mesh = workshop.assets / "glass_and_metal" / "sphere.obj"
+    mesh = ASSETS / "glass_and_metal" / "sphere.obj"
     (folder / "sphere.obj").write_bytes(mesh.read_bytes())
     white = total(render(workshop, folder, "white", "Type: diffuse\n    kd: 1"))
     rows = [{"caption": f"{roughness:g}",

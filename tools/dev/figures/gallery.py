@@ -5,6 +5,7 @@ import json
 import sys
 import time
 
+import scenes
 from page import numbers
 from page_parts import page_of, picture
 from reference_pictures import Reference, write_png
@@ -59,15 +60,14 @@ def row(candela, out, name, scene, reference, options):
     return line
 
 
-def scenes_here(root):
+def scenes_here():
     """name -> (file, reference or None): ours, then the course's and pbrt's where they are."""
-    import scenes
-    folder = scenes.shared_folder(root)
-    found = {path.stem: (path, None) for path in scenes.assets(root)}
-    found |= {path.stem: (path, None) for path in sorted(root.glob("assets/*/*.pbrt"))}
-    for path in scenes.course_scenes(root):
+    folder = scenes.shared_folder()
+    found = {path.stem: (path, None) for path in scenes.assets()}
+    found |= {name: (path, None) for name, path in scenes.shipped_pbrt_scenes().items()}
+    for path in scenes.course_scenes():
         found[f"lab3/{path.stem}"] = (path, Reference.of_course(folder, path.stem))
-    for name, path in scenes.pbrt_scenes(root).items():
+    for name, path in scenes.pbrt_scenes().items():
         found[name] = (path, Reference.of_pbrt(path.parent))
     return found
 
@@ -88,11 +88,11 @@ def page(out, record):
     return page_of("gallery", "All scenes that are here", facts, parts, [ABOUT], PAIRS)
 
 
-def make(candela, out, root, options, facts):
+def make(candela, out, options, facts):
     """Writes index.html and gallery.json into `out`; `facts` go into both."""
     start = time.monotonic()
     rows = []
-    for name, (scene, reference) in scenes_here(root).items():
+    for name, (scene, reference) in scenes_here().items():
         if options.scene and name not in options.scene:
             continue
         rows.append(row(candela, out, name, scene, reference, options))

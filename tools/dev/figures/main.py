@@ -65,7 +65,7 @@ def makers():
         "figure_5": strategies.make,
         "encoded_average": encoded_average.make,
         "furnace": furnace.make,
-        "course_scenes": lambda shop: course_scenes.make(shop, scenes.course_scenes(ROOT)),
+        "course_scenes": lambda shop: course_scenes.make(shop, scenes.course_scenes()),
     }
 
 
@@ -89,9 +89,9 @@ def run_on_scenes(options):
     candela = Candela(options.program, out / "renders")
     if options.gallery:
         facts = facts_of(candela.version(), TOOL)
-        print(gallery.make(candela, out, ROOT, options, facts))
+        print(gallery.make(candela, out, options, facts))
     if options.pbrt:
-        picture = pbrt_differences.make(candela, out, ROOT, options)
+        picture = pbrt_differences.make(candela, out, options)
         if options.docs:
             shutil.copyfile(picture, ROOT / "docs" / "images" / picture.name)
         print(picture)
@@ -108,7 +108,7 @@ def run(options):
     out = (options.out or pathlib.Path("figures")).resolve()
     candela = Candela(options.program, out / "renders")
     scale = TINY if options.tiny else QUICK if options.quick else FULL
-    workshop = Workshop(candela, scale, ROOT / "assets", out)
+    workshop = Workshop(candela, scale, out)
     record = facts_of(candela.version(), TOOL) | {"figures": list(figures_of(workshop, options.only))}
     record["seconds"] = round(time.monotonic() - start, 1)
     (out / "figures.json").write_text(json.dumps(record, indent=1, allow_nan=False) + "\n")

@@ -12,6 +12,7 @@ import numpy  # noqa: E402
 from PIL import Image  # noqa: E402
 
 import pbrt_means  # noqa: E402
+import scenes  # noqa: E402
 from exr import read_exr  # noqa: E402
 from pbrt_means import LUMINANCE, block_means  # noqa: E402
 from reference_pictures import Reference, encoded  # noqa: E402
@@ -81,12 +82,11 @@ def against_tungsten(candela, name, path):
     return {"against": "Tungsten", "ratios": [round(ratio, 4) for ratio in found]}
 
 
-def make(candela, out, root, options):
+def make(candela, out, options):
     """Renders the scenes at their references' sizes; pbrt_differences.png and .json in `out`."""
-    import scenes
     rows, numbers = [], {}
     print(pbrt_means.HEAD, flush=True)
-    for name, path in scenes.pbrt_scenes(root).items():
+    for name, path in scenes.pbrt_scenes().items():
         reference = Reference.of_pbrt(path.parent)
         if reference is None or options.scene and name not in options.scene:
             continue

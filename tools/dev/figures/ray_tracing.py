@@ -5,6 +5,7 @@ import numpy
 import plots
 from exr import read_exr
 from renders import square
+from scenes import asset
 from workshop import SEED, figure, row
 
 SCENE = "cornell_box_diffuse"
@@ -31,7 +32,7 @@ def overview(workshop):
             ("raster", "raster: no shadows, no further rays", local),
             ("whitted", "whitted: the lab's ray tracing", local),
             ("path", "path", {**options, "spp": scale.overview_spp})):
-        render = workshop.candela.render(f"figure_2_{integrator}", workshop.scene(SCENE),
+        render = workshop.candela.render(f"figure_2_{integrator}", asset(SCENE),
                                          integrator=integrator, **settings)
         rows.append(row(workshop, render, caption))
     return figure(
@@ -51,7 +52,7 @@ def crop_pair(workshop, name, crop):
     rows, pixels = [], {}
     for integrator, settings in (("whitted", {"spp": 16, "ambient": AMBIENT}),
                                  ("path", {"spp": scale.detail_spp})):
-        render = workshop.candela.render(f"{name}_{integrator}", workshop.scene(SCENE),
+        render = workshop.candela.render(f"{name}_{integrator}", asset(SCENE),
                                          integrator=integrator, size=square(scale.detail_size),
                                          crop=enlarged, seed=SEED, **settings)
         rows.append(row(workshop, render, integrator))

@@ -2,6 +2,7 @@
 
 import plots
 from renders import square
+from scenes import asset
 from workshop import SEED, figure, reference_note, row
 
 STRATEGIES = ("uniform", "cosine", "bsdf", "light", "mis")
@@ -14,7 +15,7 @@ def make(workshop):
         errors[kind] = {}
         for sampling in STRATEGIES:
             render = workshop.candela.render(
-                f"figure_5_{scene}_{sampling}", workshop.scene(scene), sampling=sampling,
+                f"figure_5_{scene}_{sampling}", asset(scene), sampling=sampling,
                 spp=workshop.scale.strategy_spp, size=square(workshop.scale.size), seed=SEED,
                 adaptive="off")
             comparison = workshop.candela.compare(render, workshop.reference(scene))

@@ -5,6 +5,7 @@ import pathlib
 
 from renders import Candela, square
 from scale import Scale
+from scenes import asset
 
 SEED = 1
 REFERENCE_SEED = 2  # another one: else a picture would be compared with a part of itself
@@ -14,18 +15,14 @@ REFERENCE_SEED = 2  # another one: else a picture would be compared with a part 
 class Workshop:
     candela: Candela
     scale: Scale
-    assets: pathlib.Path
     out: pathlib.Path
     references: dict = dataclasses.field(default_factory=dict)
-
-    def scene(self, name):
-        return self.assets / name / f"{name}.yaml"
 
     def reference(self, name):
         """Of an asset, by `path`; rendered once a run."""
         if name not in self.references:
             self.references[name] = self.candela.render(
-                f"reference_{name}", self.scene(name), spp=self.scale.reference_spp[name],
+                f"reference_{name}", asset(name), spp=self.scale.reference_spp[name],
                 size=square(self.scale.size), seed=REFERENCE_SEED, adaptive="off")
         return self.references[name]
 
