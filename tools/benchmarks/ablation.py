@@ -21,6 +21,7 @@ from fits import (at_level, geometric_mean, mean_with_factor, ratio_of_errors, s
                   with_factor)
 from processes import ProgramFailed, first_line
 from renders import CandelaFailed, square
+from results import begin
 
 ABOUT = "each technique off in turn: time to the same error"
 
@@ -151,11 +152,7 @@ def wanted(options):
 
 
 def run(options):
-    from renders import Candela
-    from results import Results
-    out = options.out.resolve()
-    candela = Candela(options.program, out / "renders")
-    results = Results(out, "Ablation", __doc__, candela.version())
+    out, candela, results = begin(options, "Ablation", __doc__)
     plan = Plan(options.size or (48 if options.quick else 96),
                 options.spp or (16 if options.quick else 128),
                 options.pairs or (3 if options.quick else 8), options.threads)

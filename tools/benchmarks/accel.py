@@ -14,6 +14,7 @@ import chosen_scenes
 from arguments import above_zero, at_least
 from fits import geometric_mean, growth
 from generated import generated
+from results import FAILED, begin
 
 ABOUT = "Embree against the reference BVH: build, memory, rays a second, growth"
 CLASSES = ("camera", "bounce", "shadow")
@@ -31,11 +32,7 @@ def add_arguments(parser):
 
 
 def run(options):
-    from renders import Candela
-    from results import FAILED, Results
-    out = options.out.resolve()
-    candela = Candela(options.program, out / "renders")
-    results = Results(out, "Embree and the reference BVH", __doc__, candela.version())
+    out, candela, results = begin(options, "Embree and the reference BVH", __doc__)
     seconds = options.seconds or (.05 if options.quick else .5)
     most = options.most or (4 if options.quick else 7)
     scenes = chosen_scenes.chosen(candela, out, options.scenes, chosen_scenes.names(),

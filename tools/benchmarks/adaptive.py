@@ -15,6 +15,7 @@ import truth
 from arguments import at_least, numbers
 from fits import geometric_mean, ratio_of_errors, with_factor
 from renders import square
+from results import begin
 from turns import in_turn
 
 ABOUT = "what adaptive sampling gains: error and CPU time with it and without"
@@ -72,11 +73,7 @@ def row_of(name, spp, found, right):
 
 
 def run(options):
-    from renders import Candela
-    from results import Results
-    out = options.out.resolve()
-    candela = Candela(options.program, out / "renders")
-    results = Results(out, "Adaptive sampling", __doc__, candela.version())
+    out, candela, results = begin(options, "Adaptive sampling", __doc__)
     rows = []
     scenes = chosen_scenes.chosen(candela, out, options.scenes, chosen_scenes.names(), results.note)
     for name, path in scenes.items():

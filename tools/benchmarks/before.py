@@ -19,8 +19,10 @@ import chosen_scenes
 import truth
 from arguments import at_least
 from fits import geometric_mean, ratio_columns, ratio_of_errors, spread, times_to_same_error
+from page_parts import shown
 from processes import cpu_seconds_of
 from renders import rendering_cpu_seconds, square
+from results import begin
 
 ABOUT = "against another build of candela: time to the same error"
 SAME_MEANS = .03  # by how much the two pictures' means may differ before the mean is without them
@@ -38,15 +40,10 @@ def add_arguments(parser):
 
 
 def run(options):
-    from page_parts import shown
-    from renders import Candela
-    from results import Results
-    out = options.out.resolve()
-    candela = Candela(options.program, out / "renders")
     size = options.size or (64 if options.quick else 128)
     spp = options.spp or (64 if options.quick else 128)
     pairs = options.pairs or (2 if options.quick else 5)
-    results = Results(out, "Before and now", __doc__, candela.version())
+    out, candela, results = begin(options, "Before and now", __doc__)
     default = [*chosen_scenes.names(), *chosen_scenes.ANALYTIC]
     rows = []
     for name, scene in chosen_scenes.chosen(candela, out, options.scenes, default,

@@ -15,6 +15,8 @@ import subprocess
 import sys
 
 import callgrind
+from renders import Candela
+from results import FAILED, Results
 from scenes import asset
 
 ABOUT = "instructions per camera sample against those on record: may not grow by more than 3 %"
@@ -117,8 +119,6 @@ def read_record(path):
 
 
 def run(options):
-    from renders import Candela
-    from results import FAILED, Results
     options.out = options.out.resolve()
     if options.record and options.quick:
         sys.exit("tools/bench: --record needs all scenes; expected no --quick beside it")

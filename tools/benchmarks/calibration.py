@@ -16,8 +16,8 @@ from chosen_scenes import present, safe, tell_absent
 from fits import spread
 from references import (SEEDS, layers, long_enough, reference, rendered_once, side_by_side,
                         with_weight)
-from renders import Candela, CandelaFailed, square
-from results import FAILED, Results
+from renders import CandelaFailed, square
+from results import FAILED, begin
 from scenes import shipped_pbrt_scenes
 from student import student_t
 
@@ -331,9 +331,7 @@ def plot(out, rows):
 
 
 def run(options):
-    options.out = options.out.resolve()
-    candela = Candela(options.program, options.out / "renders")
-    results = Results(options.out, "Calibration", __doc__, candela.version())
+    options.out, candela, results = begin(options, "Calibration", __doc__)
     counts = options.spp or ((4, 16, 64) if options.quick else (4, 16, 64, 256, 1024))
     if not options.scenes:
         tell_absent(results.note)

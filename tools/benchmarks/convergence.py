@@ -13,6 +13,7 @@ from arguments import at_least
 from fits import fit_power, x_where
 from processes import first_line
 from renders import CandelaFailed, square
+from results import begin
 from turns import in_turn
 
 ABOUT = "relMSE against seconds and samples, by sampling and option"
@@ -59,11 +60,7 @@ def add_arguments(parser):
 
 
 def run(options):
-    from renders import Candela
-    from results import Results
-    out = options.out.resolve()
-    candela = Candela(options.program, out / "renders")
-    results = Results(out, "Convergence", __doc__, candela.version())
+    out, candela, results = begin(options, "Convergence", __doc__)
     size = options.size or (48 if options.quick else 96)
     most = options.most or (16 if options.quick else 256)
     seeds = range(1, 1 + (options.seeds or (2 if options.quick else 5)))

@@ -17,6 +17,8 @@ import numpy
 import chosen_scenes
 import truth
 from arguments import at_least
+from renders import Candela
+from results import FAILED, Results
 from scenes import ROOT, asset
 
 ABOUT = "the same scenes by Blender's Cycles: equal pictures?"
@@ -60,8 +62,6 @@ def add_arguments(parser):
 def run(options):
     from blender import blender_scene, pictures
     from blender.cycles_renders import Cycles
-    from renders import Candela
-    from results import FAILED, Results
 
     scale = scale_of(options)
     out = options.out.resolve()

@@ -18,7 +18,7 @@ from arguments import at_least
 from fits import geometric_mean, spread
 from processes import run_checked
 from renders import square
-from results import Results, status
+from results import begin, status
 
 ABOUT = "CPU time over that of the rays alone, and where the rest of it goes"
 SHOWN = 14  # lines of each profile
@@ -40,10 +40,7 @@ def goal_of(info):
 
 
 def run(options):
-    from renders import Candela
-    out = options.out.resolve()
-    candela = Candela(options.program, out / "renders")
-    results = Results(out, "Nearness to the rays alone", __doc__, candela.version())
+    out, candela, results = begin(options, "Nearness to the rays alone", __doc__)
     runs = options.runs or (2 if options.quick else 5)
     # Every 17th tile of 16 x 16 is measured: in small pictures too few to stand for the
     # whole. Samples are traced in blocks of 16.

@@ -5,10 +5,9 @@ docs/performance.md, "Memory", has the figures. Fails where one is exceeded.
 """
 
 import chosen_scenes
-import renders
 import scenes
 from arguments import size
-from results import Results, status
+from results import begin, status
 
 ABOUT = "peak memory of a render against the scene's meshes and textures; bytes a triangle"
 GOAL = 3.0
@@ -28,9 +27,7 @@ def add_arguments(parser):
 
 
 def run(options):
-    out = options.out.resolve()
-    candela = renders.Candela(options.program, out / "renders")
-    results = Results(out, "Memory", __doc__, candela.version())
+    out, candela, results = begin(options, "Memory", __doc__)
     (out / "one_triangle.obj").write_text(ONE_TRIANGLE)
     verdicts = [] if options.quick else peaks(results, candela)
     verdicts += of_a_triangle(results, candela, options.quick)

@@ -34,7 +34,9 @@ import chosen_scenes
 import truth
 from arguments import at_least
 from fits import geometric_mean, ratio_columns, ratio_of_errors, x_where
-from renders import square
+from page_parts import shown
+from renders import Candela, CandelaFailed, square
+from results import Results
 
 ABOUT = "the same scenes by Blender's Cycles: time to the same error; Embree's path tracer's speed"
 # Blender's unit is the metre, the Cornell box's the millimetre.
@@ -81,9 +83,6 @@ def add_arguments(parser):
 
 def run(options):
     from blender.cycles_renders import Cycles
-    from page_parts import shown
-    from renders import Candela
-    from results import Results
     out = options.out.resolve()
     candela = Candela(options.program, out / "candela")
     # What a later Blender has to offer beside the plain settings counts for it.
@@ -166,7 +165,6 @@ def ladder(most):
 def described(candela, out, files, nearest=False, tell=print):
     """Name -> what Blender is told. What cannot be compared is left out with a sentence."""
     from blender import blender_scene, pbrt_scene
-    from renders import CandelaFailed
     scenes = {}
     for name, file in files.items():
         try:

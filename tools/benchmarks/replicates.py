@@ -9,6 +9,7 @@ import truth
 from arguments import at_least
 from references import layers, reference, side_by_side
 from renders import square
+from results import begin
 from scenes import asset
 from student import student_t
 
@@ -38,11 +39,7 @@ def relmse(candela, path, right, spp, replicates, seeds):
 
 
 def run(options):
-    from renders import Candela
-    from results import Results
-    out = options.out.resolve()
-    candela = Candela(options.program, out / "renders")
-    results = Results(out, "Replicates", __doc__, candela.version())
+    _, candela, results = begin(options, "Replicates", __doc__)
     rows = []
     for name in CASES:
         path = asset(name)

@@ -7,9 +7,17 @@ import math
 
 from page_parts import facts_of, page_of, picture, shown, table_of
 from processes import ProgramFailed, first_line
+from renders import Candela
 
 FAILED = 6  # the exit status where a goal is missed
 MISSED = {"no", "exceeded", "missed"}  # the words of verdicts that say so
+
+
+def begin(options, title, about):
+    """What measurements of candela alone begin with: their folder, candela, and the results."""
+    out = options.out.resolve()
+    candela = Candela(options.program, out / "renders")
+    return out, candela, Results(out, title, about, candela.version())
 
 
 class Results:

@@ -15,6 +15,7 @@ from ablation import PLAIN_PATHS
 from arguments import at_least
 from fits import ratio_columns, ratio_of_errors, spread
 from renders import square
+from results import begin
 
 ABOUT = "scrambled Sobol points against plain random numbers: by how much relMSE is lower"
 # Squares far smaller than a pixel, so that every sample is a toss of a coin. Where a power of two
@@ -38,11 +39,7 @@ def add_arguments(parser):
 
 
 def run(options):
-    from renders import Candela
-    from results import Results
-    out = options.out.resolve()
-    candela = Candela(options.program, out / "renders")
-    results = Results(out, "Sobol points", __doc__, candela.version())
+    out, candela, results = begin(options, "Sobol points", __doc__)
     size = options.size or (48 if options.quick else 128)
     seeds = range(1, 1 + (options.seeds or (2 if options.quick else 8)))
     box = chosen_scenes.present()["cornell_box_diffuse"]

@@ -15,6 +15,7 @@ from arguments import at_least
 from fits import fit_power, growth, spread
 from generated import generated
 from renders import square
+from results import begin, status
 from turns import in_turn
 
 ABOUT = "threads, image size, triangles, lights: fitted exponents"
@@ -30,11 +31,7 @@ def add_arguments(parser):
 
 
 def run(options):
-    from renders import Candela
-    from results import Results, status
-    out = options.out.resolve()
-    candela = Candela(options.program, out / "renders")
-    results = Results(out, "Scaling", __doc__, candela.version())
+    out, candela, results = begin(options, "Scaling", __doc__)
     seeds = range(1, 1 + (options.runs or (2 if options.quick else 5)))
     series = []
     for measure in (threads, pixels, *(functools.partial(triangles, shape) for shape in SHAPES),

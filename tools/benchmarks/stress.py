@@ -8,6 +8,8 @@ import pathlib
 import re
 import subprocess
 
+from renders import Candela
+from results import FAILED, Results
 from scenes import ROOT
 
 ABOUT = "what breaks at odd scales, places and numbers (tests/stress, in full)"
@@ -103,8 +105,6 @@ def tell(results, rows, verdicts):
 
 
 def run(options):
-    from renders import Candela
-    from results import FAILED, Results
     options.out.mkdir(parents=True, exist_ok=True)
     rows_file, report = options.out / "rows.jsonl", options.out / "tests.json"
     report.unlink(missing_ok=True)

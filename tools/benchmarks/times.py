@@ -14,6 +14,7 @@ from arguments import at_least
 from fits import geometric_mean, spread
 from processes import run_checked
 from renders import CandelaFailed, rendering_cpu_seconds, square
+from results import begin
 
 ABOUT = "against another build of candela: CPU time of the same samples"
 
@@ -28,14 +29,10 @@ def add_arguments(parser):
 
 
 def run(options):
-    from renders import Candela
-    from results import Results
-    out = options.out.resolve()
-    candela = Candela(options.program, out / "renders")
     size = options.size or (64 if options.quick else 160)
     spp = options.spp or (16 if options.quick else 32)
     pairs = options.pairs or (2 if options.quick else 5)
-    results = Results(out, "CPU time before and now", __doc__, candela.version())
+    out, candela, results = begin(options, "CPU time before and now", __doc__)
     rows = []
     default = [*chosen_scenes.ANALYTIC, *chosen_scenes.names()]
     for name, scene in chosen_scenes.chosen(candela, out, options.scenes, default,
