@@ -64,7 +64,7 @@ def run(options):
     size = options.size or (48 if options.quick else 96)
     most = options.most or (16 if options.quick else 256)
     seeds = range(1, 1 + (options.seeds or (2 if options.quick else 5)))
-    counts = [4 ** power for power in range(1, 10) if 4 ** power <= most]
+    counts = counts_to(most)
     curves = {name: CURVES[name] for name in options.curve or CURVES}
     scenes = chosen_scenes.chosen(candela, out, options.scenes, chosen_scenes.own_names(),
                                   results.note)
@@ -88,6 +88,11 @@ def run(options):
                   "relMSE over samples, with its standard error", ends,
                   "-1 for independent samples. beside: the curve to compare with.")
     results.finish()
+
+
+def counts_to(most):
+    """Of samples a pixel, each four times the one before."""
+    return [4 ** power for power in range(1, 10) if 4 ** power <= most]
 
 
 def is_allowed(results, candela, name, scene, curve):

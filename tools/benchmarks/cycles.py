@@ -99,24 +99,34 @@ def scale_of(options):
 def agreement(candela, cycles, scenes, scale):
     """(scene, ours, theirs, Agreement) of each; the pictures are means over the seeds."""
     from blender import agreement as statistics
-    from blender.cycles_renders import Job
-    from exr import read_exr
 
     seeds = range(1, scale.seeds + 1)
     compared = []
     for name, scene in scenes.items():
         start = time.monotonic()
-        ours = numpy.array([read_exr(candela.render(
-            f"{name}_{seed}", SCENES[name], size="{}x{}".format(*SIZE), spp=scale.spp, seed=seed,
-            filter="box", adaptive="off").exr) for seed in seeds])
+        ours = our_pictures(candela, name, name, seeds, scale.spp)
         between = time.monotonic()
-        jobs = [Job(name, *SIZE, scale.spp, seed, first_sample=scale.spp) for seed in seeds]
-        theirs = numpy.array([p.colour for p in cycles.render({name: scene}, jobs).values()])
+        theirs = their_pictures(cycles, name, scene, seeds, scale.spp, first_sample=scale.spp)
         compared.append((name, ours.mean(axis=0), theirs.mean(axis=0),
                          statistics.compare(ours, theirs)))
         print(f"{name}: rendered by candela in {between - start:.0f} s, "
               f"by Cycles in {time.monotonic() - between:.0f} s", flush=True)
     return compared
+
+
+def our_pictures(candela, label, name, seeds, spp, **options):
+    """[seed, row, column, channel]; `label` begins the files' names."""
+    from exr import read_exr
+    return numpy.array([read_exr(candela.render(
+        f"{label}_{seed}", SCENES[name], size="{}x{}".format(*SIZE), spp=spp, seed=seed,
+        filter="box", adaptive="off", **options).exr) for seed in seeds])
+
+
+def their_pictures(cycles, name, scene, seeds, spp, **options):
+    """The same; `options`: those of a job."""
+    from blender.cycles_renders import Job
+    jobs = [Job(name, *SIZE, spp, seed, **options) for seed in seeds]
+    return numpy.array([p.colour for p in cycles.render({name: scene}, jobs).values()])
 
 
 def agreement_rows(compared):
@@ -148,8 +158,6 @@ def closed_forms(candela, cycles, scale):
     """Rows of what the two make of integrals that are known, each with its standard error. Two
     differences that are Cycles' own stand beside what should agree."""
     from blender import blender_scene, closed_form
-    from blender.cycles_renders import Job
-    from exr import read_exr
 
     name, seeds = "cornell_box_diffuse", range(1, scale.seeds + 1)
     box, large = (blender_scene.read(SCENES[name], by) for by in (SCALES[name], 1))
@@ -168,13 +176,10 @@ def closed_forms(candela, cycles, scale):
                 "should_agree": should_agree}
 
     def ours(depth, spp):
-        return numpy.array([read_exr(candela.render(
-            f"depth_{depth}_{seed}", SCENES[name], size="{}x{}".format(*SIZE), spp=spp, seed=seed,
-            filter="box", max_depth=depth, adaptive="off").exr) for seed in seeds])
+        return our_pictures(candela, f"depth_{depth}", name, seeds, spp, max_depth=depth)
 
     def theirs(scene, spp, **options):
-        jobs = [Job(name, *SIZE, spp, seed, bounces=0, **options) for seed in seeds]
-        return numpy.array([p.colour for p in cycles.render({name: scene}, jobs).values()])
+        return their_pictures(cycles, name, scene, seeds, spp, bounces=0, **options)
 
     return [
         row("lamp", "candela", ours(0, 64), whole, lamps),

@@ -33,14 +33,14 @@ import zipfile
 import chosen_scenes
 import truth
 from arguments import at_least
+from convergence import counts_to
+from cycles import SCALES
 from fits import geometric_mean, ratio_columns, ratio_of_errors, x_where
 from page_parts import shown
 from renders import Candela, CandelaFailed, square
 from results import Results
 
 ABOUT = "the same scenes by Blender's Cycles: time to the same error; Embree's path tracer's speed"
-# Blender's unit is the metre, the Cornell box's the millimetre.
-SCALES = {"cornell_box_diffuse": .001}
 GOALS = (1e-2, 1e-3)
 RENDERERS = ("candela", "Cycles")
 MEASURES = (("cpu", "relmse", "cpu_seconds"), ("wall", "relmse", "seconds"),
@@ -90,7 +90,7 @@ def run(options):
     results = Results(out, "candela and its peers", __doc__, f"{candela.version()}; "
                       f"{cycles.version()}; {options.threads} threads")
     bench = Bench(candela, cycles, options.size or (48 if options.quick else 128),
-                  ladder(options.most or (16 if options.quick else 256)),
+                  counts_to(options.most or (16 if options.quick else 256)),
                   options.pairs or (2 if options.quick else 5), options.threads, options.all)
     points, ratios, means, seen = [], [], [], []
     files = chosen_scenes.chosen(candela, out, options.scenes or default_scenes(), (),
@@ -156,10 +156,6 @@ def tell_approximated(results, scenes):
 def means_of(ours, theirs):
     by_channel = ours.mean(axis=(0, 1)) / theirs.mean(axis=(0, 1))
     return {"all": float(ours.mean() / theirs.mean())} | dict(zip("RGB", map(float, by_channel)))
-
-
-def ladder(most):
-    return [4 ** power for power in range(1, 10) if 4 ** power <= most]
 
 
 def described(candela, out, files, nearest=False, tell=print):
