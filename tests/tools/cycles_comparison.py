@@ -11,6 +11,7 @@ import numpy
 from blender import (agreement, blender_scene, closed_form, cycles_renders, equal_area,
                      pbrt_nearest, pbrt_scene)
 from exr import read_channels, read_exr, stacked
+from pixels import block_means
 
 
 def scene(path, scale="1"):
@@ -140,7 +141,7 @@ def cycles_beside(path, exr, folder, spp):
     job = cycles_renders.Job("near", *ours.shape[1::-1], int(spp), 1, first_sample=4)
     cycles = cycles_renders.Cycles(pathlib.Path(folder), 1)
     theirs = cycles.render({"near": nearest(path)}, [job])[job].colour
-    a, b = (agreement.block_means(picture[None])[0].mean(axis=2) for picture in (ours, theirs))
+    a, b = (block_means(picture, agreement.BLOCK).mean(axis=2) for picture in (ours, theirs))
     return {"means": (ours.mean(axis=(0, 1)) / theirs.mean(axis=(0, 1))).tolist(),
             "blocks": sorted(numpy.abs(a / b - 1).ravel().tolist())}
 

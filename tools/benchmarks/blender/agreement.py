@@ -5,6 +5,7 @@ import math
 
 import numpy
 
+from pixels import block_means
 from student import student_tail
 
 BLOCK = 8  # pixels
@@ -52,19 +53,14 @@ class Agreement:
 
 def compare(ours, theirs):
     """Pictures as [seed, row, column, channel] each; sides are multiples of BLOCK."""
-    a, b = block_means(ours), block_means(theirs)
+    a, b = (numpy.array([block_means(picture, BLOCK) for picture in of])
+            for of in (ours, theirs))
     t, freedom, is_noisy, error = welch(a, b)
     p = student_tail(numpy.abs(t), freedom)
     spread, spread_p = spread_of(t, freedom, is_noisy)
     ratio, ratio_error = ratio_of_means(ours.mean(axis=(1, 2)), theirs.mean(axis=(1, 2)))
     block_noise = float(numpy.median(error[is_noisy] / b.mean(axis=0)[is_noisy]))
     return Agreement(ratio, ratio_error, t, p, spread, spread_p, block_noise)
-
-
-def block_means(pictures):
-    seeds, rows, columns, channels = pictures.shape
-    blocks = pictures.reshape(seeds, rows // BLOCK, BLOCK, columns // BLOCK, BLOCK, channels)
-    return blocks.mean(axis=(2, 4))
 
 
 def ratio_of_means(a, b):

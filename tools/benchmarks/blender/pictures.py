@@ -3,14 +3,10 @@
 import matplotlib
 import numpy
 import plots  # chooses the backend
+from pixels import block_means, encoded
 
 WIDTH, HEIGHT = 8.4, 1.6  # inches; height of each scene
 BLOCK = 4  # pixels
-
-
-def encoded(linear):
-    x = numpy.clip(linear, 0, 1)
-    return numpy.where(x <= .0031308, 12.92 * x, 1.055 * x ** (1 / 2.4) - .055)
 
 
 def agreement(path, rows):
@@ -44,7 +40,7 @@ def references(path, rows):
         exposure = .9 / max(numpy.quantile(ours, .9), 1e-30)
         line[0].imshow(encoded(exposure * ours))
         line[1].imshow(encoded(exposure * theirs))
-        a, b = blocks(ours), blocks(theirs)
+        a, b = (block_means(image, BLOCK).mean(axis=2) for image in (ours, theirs))
         difference = line[2].imshow(100 * (a - b) / (b + .01 * b.mean()), cmap="RdBu_r", vmin=-20,
                                     vmax=20)
         figure.colorbar(difference, ax=line[2], shrink=.8)
@@ -54,12 +50,6 @@ def references(path, rows):
     for panel, title in zip(axes[0], ("candela", "Cycles", "difference, %")):
         panel.set_title(title, fontsize=9)
     plots.save(figure, path)
-
-
-def blocks(picture):
-    rows, columns = (side // BLOCK * BLOCK for side in picture.shape[:2])
-    parts = picture[:rows, :columns].reshape(rows // BLOCK, BLOCK, columns // BLOCK, BLOCK, 3)
-    return parts.mean(axis=(1, 3, 4))
 
 
 def threshold(path, rows):

@@ -14,8 +14,9 @@ from PIL import Image  # noqa: E402
 import pbrt_means  # noqa: E402
 import scenes  # noqa: E402
 from exr import read_exr  # noqa: E402
-from pbrt_means import LUMINANCE, block_means  # noqa: E402
-from reference_pictures import Reference, encoded  # noqa: E402
+from pbrt_means import BLOCK, LUMINANCE  # noqa: E402
+from pixels import block_means, encoded  # noqa: E402
+from reference_pictures import Reference  # noqa: E402
 from renders import Render  # noqa: E402
 
 SEEDS = (1, 2)  # two halves tell the noise
@@ -26,7 +27,7 @@ COLOURED = .7  # of the largest channel
 
 def difference(ours, theirs):
     """(ours - theirs) / mean of both, of luminance in blocks; black blocks are equal."""
-    a, b = (block_means(image @ LUMINANCE) for image in (ours, theirs))
+    a, b = (block_means(image @ LUMINANCE, BLOCK) for image in (ours, theirs))
     half = (a + b) / 2
     return numpy.divide(a - b, half, out=numpy.zeros_like(half), where=half > 0)
 
@@ -35,8 +36,8 @@ def statistics(ours, theirs):
     """The median block's difference, and that of blocks with little and with much colour (by their
     largest and smallest channel), where light may have met coloured walls more than once."""
     blocks = difference(ours, theirs)
-    channels = numpy.stack([block_means(theirs[..., c]) for c in range(3)])
-    largest, smallest = channels.max(0), channels.min(0)
+    channels = block_means(theirs, BLOCK)
+    largest, smallest = channels.max(axis=2), channels.min(axis=2)
     coloured = largest - smallest >= COLOURED * largest
     median = lambda values: round(float(numpy.median(values)), 4) if values.size else None
     return {"size": median(abs(blocks)), "little_colour": median(blocks[~coloured]),

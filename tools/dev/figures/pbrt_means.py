@@ -3,19 +3,15 @@ and of luminance, and the share of blocks that are off by more than noise and a 
 
 import numpy
 
-BLOCK = 8  # as in tests/integrators/pbrt_pictures_test, whose tolerances these are
+from pixels import block_means
+
+BLOCK = 8  # pixels a side, as in tests/integrators/pbrt_pictures_test, whose tolerances these are
 BLOCKS_TOLERANCE = .03  # on top of the whole's
 LUMINANCE = numpy.array([.2126, .7152, .0722])
 NOISES = 3.5
 # Of the whole's luminance against pbrt-v4's: with coats or textured metal, and without.
 COATED, PLAIN = .03, .015
 UNCOATED = {"cornell-box", "veach-mis"}
-
-
-def block_means(image):
-    """Of BLOCK x BLOCK pixels, whose noise is smaller; what is left over at the ends is left out."""
-    height, width = (side - side % BLOCK for side in image.shape[:2])
-    return image[:height, :width].reshape(height // BLOCK, BLOCK, width // BLOCK, BLOCK).mean((1, 3))
 
 
 def ratios(ours, theirs):
@@ -38,7 +34,7 @@ def noise_of(first, second):
 def odd_blocks(our_halves, their_halves, tolerance):
     """The share of blocks whose luminance is off by more than `tolerance`, BLOCKS_TOLERANCE and
     NOISES times the noise of both, which two independent halves of each tell."""
-    ours, theirs = ([block_means(half @ LUMINANCE) for half in halves]
+    ours, theirs = ([block_means(half @ LUMINANCE, BLOCK) for half in halves]
                     for halves in (our_halves, their_halves))
     mean = [(first + second) / 2 for first, second in (ours, theirs)]
     noise = numpy.hypot(noise_of(*ours), noise_of(*theirs))

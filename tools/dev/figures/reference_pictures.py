@@ -8,14 +8,9 @@ import numpy
 from PIL import Image
 
 from exr import read_exr
+from pixels import encoded
 
 LONGEST = 384  # pixels of a picture on a page
-
-
-def encoded(linear):
-    """Linear Rec.709 as sRGB in [0, 1] [IEC 61966-2-1]."""
-    x = numpy.clip(linear, 0, 1)
-    return numpy.where(x <= .0031308, 12.92 * x, 1.055 * x ** (1 / 2.4) - .055)
 
 
 def write_png(path, values):
