@@ -13,7 +13,7 @@ def agreement(path, rows):
     """`rows`: (scene, ours, theirs, Agreement), pictures being means over the seeds."""
     figure, axes = matplotlib.pyplot.subplots(
         len(rows), 4, figsize=(WIDTH, HEIGHT * len(rows)), layout="constrained", squeeze=False)
-    for (scene, ours, theirs, result), line in zip(rows, axes):
+    for (_, ours, theirs, result), line in zip(rows, axes):
         line[0].imshow(encoded(ours))
         line[1].imshow(encoded(theirs))
         # A hundredth of the mean keeps black pixels from dividing by nothing.
@@ -24,19 +24,14 @@ def agreement(path, rows):
         t = line[3].imshow(worst, cmap="RdBu", vmin=-6, vmax=6)
         for image, panel in ((difference, line[2]), (t, line[3])):
             figure.colorbar(image, ax=panel, shrink=.8)
-        line[0].set_ylabel(scene, fontsize=8)
-        for panel in line:
-            panel.set(xticks=[], yticks=[])
-    for panel, title in zip(axes[0], ("candela", "Cycles", "difference, %", "t by block")):
-        panel.set_title(title, fontsize=9)
-    plots.save(figure, path)
+    save(figure, axes, path, rows, ("candela", "Cycles", "difference, %", "t by block"))
 
 
 def references(path, rows):
     """`rows`: (scene, ours, theirs). As bright as ours shows nine tenths of its pixels."""
     figure, axes = matplotlib.pyplot.subplots(
         len(rows), 3, figsize=(WIDTH * 3 / 4, 2 * len(rows)), layout="constrained", squeeze=False)
-    for (scene, ours, theirs), line in zip(rows, axes):
+    for (_, ours, theirs), line in zip(rows, axes):
         exposure = .9 / max(numpy.quantile(ours, .9), 1e-30)
         line[0].imshow(encoded(exposure * ours))
         line[1].imshow(encoded(exposure * theirs))
@@ -44,10 +39,16 @@ def references(path, rows):
         difference = line[2].imshow(100 * (a - b) / (b + .01 * b.mean()), cmap="RdBu_r", vmin=-20,
                                     vmax=20)
         figure.colorbar(difference, ax=line[2], shrink=.8)
-        line[0].set_ylabel(scene, fontsize=8)
-        for panel in line:
-            panel.set(xticks=[], yticks=[])
-    for panel, title in zip(axes[0], ("candela", "Cycles", "difference, %")):
+    save(figure, axes, path, rows, ("candela", "Cycles", "difference, %"))
+
+
+def save(figure, axes, path, rows, titles):
+    """Pictures by scene, under titles."""
+    for panel in axes.flat:
+        panel.set(xticks=[], yticks=[])
+    for panel, (scene, *_) in zip(axes[:, 0], rows):
+        panel.set_ylabel(scene, fontsize=8)
+    for panel, title in zip(axes[0], titles):
         panel.set_title(title, fontsize=9)
     plots.save(figure, path)
 

@@ -5,19 +5,17 @@ import json
 import math
 
 import matplotlib
+import numpy
+from PIL import Image
 
-matplotlib.use("Agg")
-import matplotlib.pyplot  # noqa: E402  (the backend comes first: there is no display)
-import numpy  # noqa: E402
-from PIL import Image  # noqa: E402
-
-import pbrt_means  # noqa: E402
-import scenes  # noqa: E402
-from exr import read_exr  # noqa: E402
-from pbrt_means import BLOCK, LUMINANCE  # noqa: E402
-from pixels import block_means, encoded  # noqa: E402
-from reference_pictures import Reference  # noqa: E402
-from renders import Render  # noqa: E402
+import pbrt_means
+import plots  # noqa: F401  (chooses the backend)
+import scenes
+from exr import read_exr
+from pbrt_means import BLOCK, LUMINANCE
+from pixels import block_means, encoded
+from reference_pictures import Reference
+from renders import Render
 
 SEEDS = (1, 2)  # two halves tell the noise
 TUNGSTEN_SPP = 16
