@@ -192,8 +192,8 @@ def approximated(folder, scenes):
 
 
 def errors(shape, reference_noise, picture_noise):
-    """relMSE and its trimmed version of a noisy picture against a noisy reference of grey 2, and what
-    they are to be: the picture's variance over its denominator; one pixel is off by 100."""
+    """relMSE and its trimmed version of a noisy picture against a noisy reference of grey 2, and
+    what they are to be: the picture's variance over its denominator; one pixel is off by 100."""
     random = numpy.random.RandomState(1)
     shape = (*json.loads(shape), 3)
     noise, own = float(reference_noise), float(picture_noise)

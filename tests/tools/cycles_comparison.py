@@ -89,7 +89,8 @@ def positions(path, exr):
 
 
 def checks(path, exr):
-    """Where the textures of Blender's meshes, by its own formula, are the albedos that candela saw."""
+    """Where the textures of Blender's meshes, by its own formula, are the albedos that candela
+    saw."""
     channels = read_channels(pathlib.Path(exr))
     seen = channels["depth.Z"] > 0
     points = blender_scene.axes(
@@ -112,8 +113,8 @@ def checks(path, exr):
 
 
 def sky(path, exr):
-    """Mean and largest difference of what candela's camera sees of a sky from what the map that Cycles
-    looks up has there, over the mean."""
+    """Mean and largest difference of what candela's camera sees of a sky from what the map that
+    Cycles looks up has there, over the mean."""
     picture, described = read_exr(pathlib.Path(exr)), nearest(path)
     image = read_exr(pathlib.Path(described["environment"]["map"]))
     found = equal_area.lat_long(image, described["environment"]["map_from_world"])

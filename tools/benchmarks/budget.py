@@ -75,7 +75,8 @@ def grown(record, counts):
     sentences = []
     for name, count in counts.items():
         if name not in record:
-            sentences.append(f"{name}: no figure on record; `tools/bench budget --record` makes one")
+            sentences.append(f"{name}: no figure on record; `tools/bench budget --record` makes "
+                             "one")
         elif count.all > record[name]["all"] * (1 + GROWTH):
             sentences.append(f"{name}: {count.all:.1f} instructions a sample, "
                              f"{count.all / record[name]['all'] - 1:+.1%} of the "

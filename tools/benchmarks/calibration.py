@@ -29,8 +29,8 @@ REFERENCE_LENGTH = 64
 # How many times as long it may become where pictures' error hangs on pixels that it is unsure of.
 LONGER = (1, 8, 64)
 LONGEST = 1 << 20
-# A pixel that holds so much of the pictures' error gets reference samples of its own: the level that
-# its error is held against decides then, and rare light can be half of it.
+# A pixel that holds so much of the pictures' error gets reference samples of its own: the level
+# that its error is held against decides then, and rare light can be half of it.
 HEAVY_SHARE = .01
 HEAVY_PIXEL_SPP = 1 << 22
 
@@ -82,8 +82,8 @@ def size_of(spp):
 
 
 def unsure(renders, truth):
-    """How unsure the reference is of the pixels that these pictures' error hangs on: its variance over
-    the square of the level, on average by the error."""
+    """How unsure the reference is of the pixels that these pictures' error hangs on: its variance
+    over the square of the level, on average by the error."""
     import numpy
     errors = sum((r.image - truth.image) ** 2 * truth.weight for r in renders)
     doubt = numpy.minimum(truth.variance * truth.weight, 1)

@@ -10,8 +10,8 @@ from scenes import (ROOT, absent_scenes, pbrt_scenes, scenes_by_name, shared_fol
 # Of closed forms (cycles.py): measured where they are asked for. So are the shipped pbrt files.
 ANALYTIC = {name: ROOT / f"tools/benchmarks/blender/scenes/{name}.yaml"
             for name in ("point_lit", "sun_lit", "environment_lit")}
-GENERATED = ("attic", "door_ajar", "forest", "glass_and_mirrors", "lamps", "mis_plates", "white_room",
-             "window")
+GENERATED = ("attic", "door_ajar", "forest", "glass_and_mirrors", "lamps", "mis_plates",
+             "white_room", "window")
 LARGELY_CONVERGED = "shed"  # measured where it is asked for, too
 
 

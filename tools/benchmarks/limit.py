@@ -1,9 +1,10 @@
 """How near a render is to the cost of its rays alone, and where the rest of its time goes.
 
-The ratio is candela's own (`candela render --ray-limit`): CPU time of a share of the tiles over that
-of the same rays through bare calls of Embree, tile by tile in turn. Where the rest goes is told
-twice: by perf, which samples time, and by callgrind, which counts instructions and knows the source
-line of what was inlined, as `tools/bench budget` does. Fails where a ratio is above its goal.
+The ratio is candela's own (`candela render --ray-limit`): CPU time of a share of the tiles over
+that of the same rays through bare calls of Embree, tile by tile in turn. Where the rest goes is
+told twice: by perf, which samples time, and by callgrind, which counts instructions and knows the
+source line of what was inlined, as `tools/bench budget` does. Fails where a ratio is above its
+goal.
 """
 
 import collections

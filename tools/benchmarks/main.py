@@ -11,8 +11,9 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "tools" / "dev" / "shared"))  # what tools/figures uses too
 
-NAMES = ("ablation", "accel", "adaptive", "before", "budget", "calibration", "convergence", "cycles",
-         "limit", "memory", "peers", "replicates", "sampler", "scaling", "stress", "times")
+NAMES = ("ablation", "accel", "adaptive", "before", "budget", "calibration", "convergence",
+         "cycles", "limit", "memory", "peers", "replicates", "sampler", "scaling", "stress",
+         "times")
 
 
 def parser_and_commands():

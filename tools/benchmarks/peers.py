@@ -113,7 +113,8 @@ def run(options):
     results.table("ratios", "Cycles over candela: times as slow to the same error", ratios,
                   "To the relMSE that Cycles has at so many samples, and to a relMSE where both "
                   "get there; ranges over the pairs; plus_minus is half of the 95 % interval of "
-                  "the mean's logarithm. relmse_cpu_s: relMSE times CPU seconds at so many samples.")
+                  "the mean's logarithm. relmse_cpu_s: relMSE times CPU seconds at so many "
+                  "samples.")
     results.table("means", "The references' means, candela's over Cycles'", means)
     show_references(results, seen)
     tell_all(results, bench.counts[-1], ratios)

@@ -40,7 +40,7 @@ class Reference:
     weight: "numpy.ndarray"  # 1 / (r^2 + epsilon)
 
     def errors(self, image):
-        """What each value brings to relMSE times their number, without the reference's own noise."""
+        """What each value brings to relMSE times their number, without the reference's noise."""
         return ((image - self.image) ** 2 - self.variance) * self.weight
 
     def relmse(self, image):

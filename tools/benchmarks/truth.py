@@ -1,7 +1,8 @@
 """Long references, made once, and how far measured pictures are from them.
 
-relMSE = mean over pixels and channels of (x - r)^2 / (r^2 + 1e-2 mean(r)^2), without the reference's
-own noise, which its replicates tell; it should be below 1/20 of what is claimed with it.
+relMSE = mean over pixels and channels of (x - r)^2 / (r^2 + 1e-2 mean(r)^2), without the
+reference's own noise, which its replicates tell; it should be below 1/20 of what is claimed with
+it.
 """
 
 import dataclasses

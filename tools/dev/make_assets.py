@@ -12,8 +12,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "assets"))
 
 from image_files import write_hdr, write_png
 from meshes import box, icosphere, lathe, plant, rectangle
-from pictures import (brick_heights, bricks, ground_checks, leaf, stained_glass, street_lamp, studio,
-                      tiles, wire_fence)
+from pictures import (brick_heights, bricks, ground_checks, leaf, stained_glass, street_lamp,
+                      studio, tiles, wire_fence)
 
 
 def make_textured_lights(folder):

@@ -1,8 +1,8 @@
 """A candela scene file as Blender takes it: numbers in Blender's axes, in units of physics.
 
-Read is what the compared scenes use of docs/scene_format.md: diffuse surfaces, mirrors, clear glass,
-white rough metals, lamps, point and directional lights, one lat-long map or one radiance from
-everywhere, one camera, instances. Any other key is refused, so that nothing is left out of a
+Read is what the compared scenes use of docs/scene_format.md: diffuse surfaces, mirrors, clear
+glass, white rough metals, lamps, point and directional lights, one lat-long map or one radiance
+from everywhere, one camera, instances. Any other key is refused, so that nothing is left out of a
 comparison silently.
 
 Axes: candela's (x, y, z), y up, is Blender's (-z, -x, y), z up. It is a rotation, and the one that

@@ -73,6 +73,6 @@ def written(folder, scene):
     (folder / "scene.mtl").write_text("\n".join(materials))
     camera, (light,) = numpy.array(scene["camera"]["to_world"]), scene["lights"]
     eye, back, up = camera[:3, 3], camera[:3, 2], camera[:3, 1]
-    return ["-i", folder / "scene.obj", "--righthanded", "--vp", *eye, "--vi", *(eye - back), "--vu",
-            *up, "--fov", numpy.degrees(scene["camera"]["fovy"]), "--pointlight",
+    return ["-i", folder / "scene.obj", "--righthanded", "--vp", *eye, "--vi", *(eye - back),
+            "--vu", *up, "--fov", numpy.degrees(scene["camera"]["fovy"]), "--pointlight",
             *light["position"], *light["radiant_intensity"]]

@@ -1,5 +1,5 @@
-"""What Blender gets in place of what it has nothing exact for in a pbrt file, when that is asked for
-(pbrt_scene.py): the nearest, and a sentence that says so.
+"""What Blender gets in place of what it has nothing exact for in a pbrt file, when that is asked
+for (pbrt_scene.py): the nearest, and a sentence that says so.
 
 Every description of a surface has `nearest`, a list of (what the file has, what Blender is given).
 """
@@ -21,8 +21,8 @@ METAL = ("metal by eta and k",
          "without height-correlated masking")
 HEIGHTS = ("heights", "Cycles' bump node")
 COAT = ("coat over a diffuse surface",
-        "a dielectric's GGX reflection, and a Lambert surface of what the coat lets in on average, of "
-        "which Fresnel's term at the normal lets out a part")
+        "a dielectric's GGX reflection, and a Lambert surface of what the coat lets in on average, "
+        "of which Fresnel's term at the normal lets out a part")
 GLASS = ("rough glass", "GGX without height-correlated masking")
 IMAGES = ("images as textures", "what lies between 8-bit texels is taken before they are decoded")
 SPHERE = ("sphere", f"a mesh of {2 * AROUND * (ROWS - 1)} triangles with its area and normals")

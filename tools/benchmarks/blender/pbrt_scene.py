@@ -240,8 +240,8 @@ def triangles(words, material, assets):
 
 
 def apart(corners):
-    """Which triangles to keep so that none lies in another's place: what Cycles sends from one of two
-    would meet the other."""
+    """Which triangles to keep so that none lies in another's place: what Cycles sends from one of
+    two would meet the other."""
     points = numpy.unique(corners.reshape(-1, 3), axis=0, return_inverse=True)[1].reshape(-1, 3)
     turned = (points.argmin(axis=1)[:, None] + numpy.arange(3)) % 3
     same = numpy.take_along_axis(points, turned, axis=1)

@@ -89,8 +89,8 @@ def plain_settings(scene, threads, settings):
     scene.render.resolution_percentage = 100
     scene.render.film_transparent = False
     scene.render.use_compositing = scene.render.use_sequencer = False
-    # Meshes and skies stay as they are from picture to picture of a scene: what that takes is no noise
-    # of the CPU time.
+    # Meshes and skies stay as they are from picture to picture of a scene: what that takes is no
+    # noise of the CPU time.
     scene.render.use_persistent_data = True
     scene.render.dither_intensity = 0
     output = scene.render.image_settings
@@ -138,8 +138,8 @@ def add_mesh(name, description):
 
 
 def add_light(description):
-    """A point of P watts has the radiant intensity P / (4 pi); a sun's energy is its irradiance. With
-    a radius a point is a ball, until Blender 4.1 a disk that faces whoever looks."""
+    """A point of P watts has the radiant intensity P / (4 pi); a sun's energy is its irradiance.
+    With a radius a point is a ball, until Blender 4.1 a disk that faces whoever looks."""
     kind, radius = description["type"], description.get("radius", 0)
     data = bpy.data.lights.new("light", kind)
     if kind == "POINT":

@@ -76,7 +76,8 @@ def studio(x, y, width=256, height=128):
             0.0, min(1.0, (high - elevation) / 3))
         return edge_u * edge_v
 
-    warm, cool, strip = soft_box(60, 22, 15, 60), soft_box(285, 16, 10, 55), soft_box(170, 50, 5, 12)
+    warm, cool = soft_box(60, 22, 15, 60), soft_box(285, 16, 10, 55)
+    strip = soft_box(170, 50, 5, 12)
     base = (level * 0.85, level * 0.95, level * 1.15)
     quantised = [round(c * 64) / 64 for c in base]
     return (quantised[0] + 5 * warm + 2 * cool + 1.5 * strip,

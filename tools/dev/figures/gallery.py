@@ -15,7 +15,8 @@ COLUMNS = (("width", "width"), ("height", "height"), ("triangles", "triangles"),
            ("preparation", "seconds to read and build"), ("seconds", "seconds to render"),
            ("stated_rmse", "stated error (rMSE)"), ("heavy_tails", "share with heavy tails"),
            ("of_reference", "mean of the reference's"))
-ABOUT = """<p>Rendered by <code>path</code> in one run, with the reference beside it where there is one:
+ABOUT = """\
+<p>Rendered by <code>path</code> in one run, with the reference beside it where there is one:
 pbrt-v4's picture of the same file, or the picture that the course's own ray tracer made, which
 follows mirrors only. Seconds are of a machine that may have had other work; the error is the one
 that candela states from the picture alone, and not to be trusted in the share of pixels with heavy

@@ -109,7 +109,8 @@ def run(options):
     candela = Candela(options.program, out / "renders")
     scale = TINY if options.tiny else QUICK if options.quick else FULL
     workshop = Workshop(candela, scale, out)
-    record = facts_of(candela.version(), TOOL) | {"figures": list(figures_of(workshop, options.only))}
+    record = facts_of(candela.version(), TOOL)
+    record["figures"] = list(figures_of(workshop, options.only))
     record["seconds"] = round(time.monotonic() - start, 1)
     (out / "figures.json").write_text(json.dumps(record, indent=1, allow_nan=False) + "\n")
     (out / "index.html").write_text(page(out, record))

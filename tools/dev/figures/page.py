@@ -4,7 +4,8 @@ import html
 
 from page_parts import page_of, picture, shown, table_of
 
-ABOUT = """<p>candela grew from a student's report on path tracing; docs/report.md goes through it section by
+ABOUT = """\
+<p>candela grew from a student's report on path tracing; docs/report.md goes through it section by
 section. These are its figures, rendered in one run of this program. Every number below was measured
 in this run, but where a sentence says that it is the report's. Seconds are of rendering on a
 machine that may have had other work; relMSE is what <code>candela compare</code> prints.</p>"""

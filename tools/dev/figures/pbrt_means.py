@@ -16,7 +16,8 @@ UNCOATED = {"cornell-box", "veach-mis"}
 
 def ratios(ours, theirs):
     """Of the means: red, green, blue, luminance."""
-    a, b = (numpy.append(image.mean((0, 1)), (image @ LUMINANCE).mean()) for image in (ours, theirs))
+    a, b = (numpy.append(image.mean((0, 1)), (image @ LUMINANCE).mean())
+            for image in (ours, theirs))
     return [round(float(ratio), 4) for ratio in a / b]
 
 

@@ -40,8 +40,8 @@ def overview(workshop):
         ["The report: under 1 minute by the lab's ray tracer and 23 minutes by path tracing with "
          "64 samples a pixel, on a processor and at a size that it does not tell. Those are "
          "history; the times below are of this run.",
-         f"All boxes diffuse. raster and whitted take the lamp for a point and have ambient light of "
-         f"the lamp's colour (--ambient {AMBIENT}); path needs none."],
+         "All boxes diffuse. raster and whitted take the lamp for a point and have ambient light "
+         f"of the lamp's colour (--ambient {AMBIENT}); path needs none."],
         [("spp", "spp"), ("seconds", "seconds")], rows)
 
 
@@ -85,7 +85,8 @@ def colour_bleeding(workshop):
     for entry in rows:
         image = pixels[entry["caption"]]
         mean = image[across].mean(axis=0)
-        curves.append((entry["caption"], positions(340, len(mean), workshop.scale.detail_size / 512),
+        curves.append((entry["caption"],
+                       positions(340, len(mean), workshop.scale.detail_size / 512),
                        mean[:, 0] / mean[:, 1] / WHITE, {}))
         red, green, _ = image[side].mean(axis=(0, 1))
         entry["redness"] = float(red / green / WHITE)
@@ -115,7 +116,8 @@ def penumbra(workshop):
                        way_to_the_light(green), {}))
         entry["penumbra"] = penumbra_width(green) / factor
     path = workshop.plot("figure_4")
-    plots.line_plot(path, curves, "row of pixels (of 512)", "from shadow (0) to light (1)", marks="")
+    plots.line_plot(path, curves, "row of pixels (of 512)", "from shadow (0) to light (1)",
+                    marks="")
     return figure(
         "figure_4", "Figure 4: penumbrae",
         ["The report: shadows have soft edges by path tracing and hard ones by the lab's. That "

@@ -30,8 +30,8 @@ def references(metal, diffuse):
     return {"cornell_box": metal, "cornell_box_diffuse": diffuse}
 
 
-FULL = Scale("full", 400, SPP, references(4096, 1024), 64, 1024, 256, 16, 360, 16, 128, 128, 64, 256,
-             ROUGHNESS)
+FULL = Scale("full", 400, SPP, references(4096, 1024), 64, 1024, 256, 16, 360, 16, 128, 128, 64,
+             256, ROUGHNESS)
 QUICK = Scale("quick", 128, SPP, references(2048, 1024), 64, 512, 64, 16, 160, 8, 64, 32, 48, 64,
               ROUGHNESS)
 TINY = Scale("tiny", 32, (1, 4), references(64, 64), 4, 128, 4, 16, 32, 1, 16, 4, 16, 16, (.2, 1))

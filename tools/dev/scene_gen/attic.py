@@ -1,4 +1,5 @@
-"""An attic lit by a triangular window and a pyramid on its floor: triangles near what they light."""
+"""An attic lit by a triangular window and a pyramid on its floor: triangles near what they light.
+"""
 
 from scene_gen.parts import camera, diffuse, lamp, model, render
 from scene_gen.shapes import joined, quad, sphere, triangle

@@ -1,4 +1,5 @@
-"""A closed white room: paths are long, for nothing but its walls' last percents takes light away."""
+"""A closed white room: paths are long, for nothing but its walls' last percents takes light away.
+"""
 
 from scene_gen.parts import camera, diffuse, lamp, model, render
 from scene_gen.shapes import box, joined, lamp_below, sphere, turned_box

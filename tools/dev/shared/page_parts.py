@@ -10,17 +10,20 @@ import shlex
 import sys
 
 STYLE = """
-:root { color-scheme: light dark; --ink: #1b1b1f; --paper: #fbfbf8; --soft: #6a6a70; --line: #d9d9d4; }
+:root { color-scheme: light dark;
+        --ink: #1b1b1f; --paper: #fbfbf8; --soft: #6a6a70; --line: #d9d9d4; }
 @media (prefers-color-scheme: dark) {
   :root { --ink: #e6e6e3; --paper: #17181b; --soft: #9b9ba3; --line: #3a3b40; }
 }
-body { margin: 0 auto; max-width: 72rem; padding: 1.5rem; color: var(--ink); background: var(--paper);
+body { margin: 0 auto; max-width: 72rem; padding: 1.5rem;
+       color: var(--ink); background: var(--paper);
        font: 16px/1.5 system-ui, sans-serif; }
 h1 { font-size: 1.6rem; } h2 { font-size: 1.25rem; margin-top: 3rem; }
 p, dl { max-width: 46rem; } code { font-size: .9em; overflow-wrap: anywhere; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: .1rem 1rem; }
 dt { color: var(--soft); } dd { margin: 0; }
-.pictures { display: grid; gap: 1rem; grid-template-columns: repeat(auto-fill, minmax(12rem, 1fr)); }
+.pictures { display: grid; gap: 1rem;
+            grid-template-columns: repeat(auto-fill, minmax(12rem, 1fr)); }
 .numbers { display: flex; flex-wrap: wrap; gap: 1rem 3rem; align-items: flex-start; }
 .plots { flex: 1 1 24rem; max-width: 36rem; }
 figure { margin: 1rem 0 0; } figcaption { color: var(--soft); font-size: .85rem; }

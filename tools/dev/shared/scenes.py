@@ -9,7 +9,8 @@ ASSETS = ROOT / "assets"
 ELSEWHERE = (*(f"lab3/{name}" for name in (
     "breakfast_room", "bunny", "cornell_box", "floor", "sibenik", "sponza", "sports_car", "teapot",
     "white_oak")), *(f"pbrt/{name}" for name in (
-        "classroom", "cornell-box", "staircase", "staircase2", "teapot", "veach-ajar", "veach-mis")))
+        "classroom", "cornell-box", "staircase", "staircase2", "teapot", "veach-ajar",
+        "veach-mis")))
 
 
 def shared_folder():
