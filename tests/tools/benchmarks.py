@@ -284,6 +284,16 @@ def attempted(folder):
     return made.parts[-1]
 
 
+def told_of_script(folder, script, log=None):
+    """Of a shell's script that is to write a file `made`: what it prints, or how it failed."""
+    folder = pathlib.Path(folder)
+    try:
+        return processes.run_checked(["/bin/sh", "-c", script], "a script", cwd=folder,
+                                     writes=[folder / "made"], log=log and folder / log).stdout
+    except processes.ProgramFailed as reason:
+        return str(reason)
+
+
 def exit_status(words):
     return results.status(json.loads(words))
 

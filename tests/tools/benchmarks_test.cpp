@@ -111,6 +111,21 @@ TEST_F(Unit_Benchmarks, WhereAProgramFailsTheRestGoesOn) {
   EXPECT_EQ(ask({"attempted", fresh_folder("attempted")}), "<p>box is left out: out of memory</p>");
 }
 
+// Else how they ended is; where they write a log, where that is.
+TEST_F(Unit_Benchmarks, ProgramsThatFailAreToldInTheirOwnWords) {
+  const std::string folder = fresh_folder("script");
+  const auto told = [&](const std::string& script) {
+    return ask({"told_of_script", folder, script});
+  };
+  EXPECT_EQ(told("echo in vain >&2; exit 3"), "in vain");
+  EXPECT_EQ(told("exit 3"), "a script ended with 3");
+  EXPECT_EQ(told("exit 0"), "a script ended with 0") << "without the file that it is to write";
+  EXPECT_EQ(ask({"told_of_script", folder, "echo in vain; exit 3", "log"}),
+            "a script ended with 3; see " + folder + "/log");
+  EXPECT_EQ(file_text(folder + "/log"), "in vain\n");
+  EXPECT_EQ(told("touch made; echo done"), "done\n");
+}
+
 TEST_F(Unit_Benchmarks, CountsHaveLowerBounds) {
   EXPECT_EQ(ask({"is_allowed", "2", "2"}), 2);
   EXPECT_EQ(ask({"is_allowed", "2", "1"}), "1 is no number of at least 2");
