@@ -1,6 +1,7 @@
 #include "renderer/film/pair_errors.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "renderer/base/floating_point_traps.h"
 #include "renderer/base/vector_widths.h"
@@ -31,6 +32,15 @@ inline double trust_in(double structure, double own_noise) {
   return structure > 0 ? structure / (structure + own_noise) : 0.0;
 }
 
+// Not nearer to black than `floor`, which lies on the other side where a white balance or a filter
+// makes a channel negative.
+inline double beyond(double value, double floor) {
+  return floor < 0 ? std::min(value, floor) : std::max(value, floor);
+}
+inline Vec3d beyond(const Vec3d& value, const Vec3d& floor) {
+  return {beyond(value.x, floor.x), beyond(value.y, floor.y), beyond(value.z, floor.z)};
+}
+
 // Between the neighbours that look alike and `own`, the pixel's mean over a share of its samples;
 // never far below them, since a pixel whose light comes in rare samples is black without those.
 // Where too much noise is left, all that is near by. Rare light comes on top: the pixel's own says
@@ -42,12 +52,12 @@ inline PixelLevel level_of(const NeighbourLevel& near, const Vec3d& own, double 
                     trust_in(near.structure.y, own_noise.y),
                     trust_in(near.structure.z, own_noise.z));
   constexpr double lowest = 1.0 / 3;
-  const Vec3d mean = max(near.mean + trust * (own - near.mean), lowest * near.mean);
+  const Vec3d mean = beyond(near.mean + trust * (own - near.mean), lowest * near.mean);
   const Vec3d variance = (1.0 - trust) * (1.0 - trust) * near.noise;
   constexpr double much = 0.3;  // variance over level: at twice that nothing else counts
   const double noise = sum_of_components(variance / (mean * mean + epsilon)) / 3;
   const double blend = std::clamp(noise / much - 1, 0.0, 1.0);
-  return {max(mix(mean, near.wide_mean, blend) + near.rare, lowest * near.mean),
+  return {beyond(mix(mean, near.wide_mean, blend) + near.rare, lowest * near.mean),
           variance * (1 - blend) * (1 - blend) + near.rare_noise};
 }
 
@@ -57,13 +67,19 @@ struct OwnLevel {
   Vec3d mean;
   double share;  // of the pixel's samples
 };
+inline double signed_root(double square, double sign) {
+  const double root = std::sqrt(std::max(square, 0.0));
+  return sign < 0 ? -root : root;
+}
 inline OwnLevel level_beside_pair(const SampleSum& whole, const SampleSum& a, const SampleSum& b) {
   const double others = whole.samples - a.samples - b.samples;
   const double are_none = others > 0 ? 0.0 : 1.0;
   const double samples = others > 0 ? others : whole.samples;
   const Vec3d square = a.radiance * b.radiance * (1 / (a.samples * b.samples));
+  const Vec3d root(signed_root(square.x, whole.radiance.x), signed_root(square.y, whole.radiance.y),
+                   signed_root(square.z, whole.radiance.z));
   const Vec3d of_others = (whole.radiance - a.radiance - b.radiance) * (1 / samples);
-  return {of_others + are_none * glm::sqrt(max(square, 0.0)), samples / whole.samples};
+  return {of_others + are_none * root, samples / whole.samples};
 }
 
 // The level that the error is held against is made without the pair: were it of the same noise,

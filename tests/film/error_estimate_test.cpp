@@ -62,6 +62,34 @@ TEST(Statistical_ErrorEstimate, IsTheTrueErrorInTheMean) {
     }
 }
 
+// As a white balance makes them of saturated light: they are as bright as they are far from 0.
+TEST(Statistical_ErrorEstimate, ChannelsBelowZeroAreHeldAgainstTheirSize) {
+  const Vec3d shares(-0.4, 1, 0.2);
+  Mat3d balance(0.0);
+  for (int c = 0; c < 3; ++c) balance[c][c] = shares[c];
+  Image truth(size, size, {"R", "G", "B"});
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x)
+      for (int c = 0; c < 3; ++c)
+        truth.pixel(x, y)[c] = static_cast<float>(truth_at(x, y) * shares[c]);
+  for (const std::uint32_t replicates : {2u, 3u, 4u, 8u})
+    for (const Noise& noise : {noises[0], noises[1]}) {
+      double stated = 0;
+      double error = 0;
+      for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        const Film film = test::synthetic_film(
+            size, 48, replicates, seed,
+            [&](std::mt19937_64& random, int x, int y) {
+              return truth_at(x, y) * noise.draw(random);
+            },
+            balance);
+        stated += estimate_error(film)->relmse;
+        error += compare_images(film.to_image(false), truth)->rel_mse;
+      }
+      EXPECT_NEAR(stated / error, 1, 0.15) << noise.name << ", " << replicates << " replicates";
+    }
+}
+
 // Three dark columns beside five bright ones, and a flash in one of 1000 samples anywhere: a pixel
 // that has met one is no brighter for it than its dark neighbours.
 TEST(Statistical_ErrorEstimate, FlashesDoNotMakeDarkPixelsLookBright) {

@@ -1,17 +1,19 @@
 // Films filled with numbers of which mean and variance are known.
 #pragma once
 
+#include <optional>
 #include <random>
 
 #include "renderer/film/film.h"
 
 namespace candela::test {
 
-// `draw(random, x, y)`: the grey radiance of one sample of a pixel.
+// `draw(random, x, y)`: the grey radiance of one sample of a pixel. `balance`: the film's.
 template <class Draw>
 [[nodiscard]] Film synthetic_film(int size, int samples, std::uint32_t replicates,
-                                  std::uint64_t seed, Draw draw) {
-  Film film(size, size, {0, 0, size, size}, 0, replicates);
+                                  std::uint64_t seed, Draw draw,
+                                  const std::optional<Mat3d>& balance = {}) {
+  Film film(size, size, {0, 0, size, size}, 0, replicates, balance);
   std::mt19937_64 random(seed);
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x)
