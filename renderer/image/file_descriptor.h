@@ -1,6 +1,7 @@
 // An open file of the system that closes itself, and the system's words for its errors.
 #pragma once
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -36,6 +37,11 @@ class FileDescriptor {
   while (count < bytes.size()) {
     const ssize_t put = ::write(descriptor, bytes.data() + count, bytes.size() - count);
     if (put < 0 && errno == EINTR) continue;
+    if (put < 0 && errno == EAGAIN) {  // a pipe whose other owner does not want to wait
+      pollfd until{descriptor, POLLOUT, 0};
+      ::poll(&until, 1, -1);
+      continue;
+    }
     if (put < 0) return errno;
     if (put == 0) return EIO;
     count += static_cast<std::size_t>(put);

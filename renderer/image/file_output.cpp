@@ -26,14 +26,21 @@ void flush_folder(const std::string& folder) {
   if (opened.is_open()) ::fsync(opened.get());
 }
 
+// A descriptor is doubled and not opened anew: its place in a file, and whether it appends, hold.
+int open_stream(const OutputTarget& target) {
+  if (target.descriptor) return ::fcntl(*target.descriptor, F_DUPFD_CLOEXEC, 0);
+  const int opened = ::open(target.path.c_str(), O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (opened >= 0) ::fcntl(opened, F_SETFL, ::fcntl(opened, F_GETFL) & ~O_NONBLOCK);
+  return opened;
+}
+
 // Pipes and devices such as /dev/stdout have no partial state to hide.
-Diagnostics write_to_stream(const std::string& path, const std::string& bytes) {
-  FileDescriptor stream(::open(path.c_str(), O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
-  if (!stream.is_open()) return cannot_write(path, errno);
-  ::fcntl(stream.get(), F_SETFL, ::fcntl(stream.get(), F_GETFL) & ~O_NONBLOCK);
+Diagnostics write_to_stream(const OutputTarget& target, const std::string& bytes) {
+  FileDescriptor stream(open_stream(target));
+  if (!stream.is_open()) return cannot_write(target.path, errno);
   int error = write_all(stream.get(), bytes);
   if (!stream.close() && error == 0) error = errno;
-  return error == 0 ? Diagnostics{} : cannot_write(path, error);
+  return error == 0 ? Diagnostics{} : cannot_write(target.path, error);
 }
 
 }  // namespace
@@ -42,7 +49,7 @@ Diagnostics write_file_atomically(const std::string& path, const std::string& by
   const BlockedWriteSignals blocked;
   const OutputTarget target = find_output_target(path);
   if (target.diagnostics.has_errors()) return target.diagnostics;
-  if (target.is_stream) return write_to_stream(target.path, bytes);
+  if (target.is_stream) return write_to_stream(target, bytes);
   TemporaryFile temporary(target.folder);
   temporary.fill(bytes);
   temporary.rename_to(target.path);

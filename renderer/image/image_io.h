@@ -62,7 +62,7 @@ struct WriteOptions {
 [[nodiscard]] Diagnostics check_writable_file(const std::string& path);
 
 // Bytes to a file, all or nothing. For any output (stats, CSV, images). Symbolic links are
-// followed; a pipe or device (/dev/stdout) is written to as it stands.
+// followed; a pipe, a device and what /dev/stdout is open on are written to as they stand.
 [[nodiscard]] Diagnostics write_file_atomically(const std::string& path, const std::string& bytes);
 
 // Reads a whole image as linear floats: integers, of 8 bits and of 16, are decoded from sRGB (alpha

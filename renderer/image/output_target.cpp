@@ -1,9 +1,11 @@
 #include "renderer/image/output_target.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <filesystem>
 #include <system_error>
 
@@ -17,6 +19,35 @@ namespace {
 
 // As many as Linux follows.
 constexpr int max_links = 40;
+
+std::optional<int> whole_number(const std::string& text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || number < 0) return std::nullopt;
+  return number;
+}
+
+std::optional<int> descriptor_in(const std::filesystem::path& path) {
+  const std::filesystem::path folder = path.parent_path();
+  if (folder != "/dev/fd" && folder != "/proc/self/fd" &&
+      folder != fmt::format("/proc/{}/fd", ::getpid()))
+    return std::nullopt;
+  return whole_number(path.filename().string());
+}
+
+// What /dev/stdout is open on may be a file that others write to, or one without a name: it must
+// not be followed to it.
+std::optional<int> descriptor_behind(const std::string& path) {
+  std::filesystem::path current(path);
+  for (int i = 0; i < max_links; ++i) {
+    if (const auto descriptor = descriptor_in(current)) return descriptor;
+    std::error_code error;
+    const std::filesystem::path next = std::filesystem::read_symlink(current, error);
+    if (error) return std::nullopt;
+    current = next.is_absolute() ? next : current.parent_path() / next;
+  }
+  return std::nullopt;
+}
 
 // Replacing a link by a file would surprise: what it points to is written instead. A path whose end
 // does not exist yet comes back as it is.
@@ -46,7 +77,14 @@ Diagnostics check_folder(const std::string& path, const std::string& folder) {
   return failure(fmt::format("'{}' cannot be written: '{}' is not a folder", path, folder));
 }
 
-// A pipe or device. Its name is not followed: /dev/stdout leads to a pipe that has none.
+Diagnostics check_descriptor(const std::string& path, int descriptor) {
+  const int flags = ::fcntl(descriptor, F_GETFL);
+  if (flags >= 0 && (flags & O_ACCMODE) != O_RDONLY) return {};
+  return failure(fmt::format("'{}' cannot be written: {}", path,
+                             flags < 0 ? system_message(errno) : "it is open for reading alone"));
+}
+
+// A pipe or device.
 bool is_stream(const std::string& path) {
   struct stat status {};
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
@@ -58,6 +96,13 @@ OutputTarget find_output_target(const std::string& path) {
   OutputTarget target;
   if (path.empty() || path.back() == '/') {
     target.diagnostics = failure(fmt::format("'{}' cannot be written: it names no file", path));
+    return target;
+  }
+  target.descriptor = descriptor_behind(path);
+  if (target.descriptor) {
+    target.path = path;
+    target.is_stream = true;
+    target.diagnostics = check_descriptor(path, *target.descriptor);
     return target;
   }
   target.is_stream = is_stream(path);

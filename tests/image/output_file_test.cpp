@@ -1,4 +1,5 @@
 // Outputs are whole or not there, and what stands in their way is a sentence.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -96,6 +97,38 @@ TEST(Unit_OutputFile, WritesToPipesWithoutANameOfTheirOwn) {
   EXPECT_EQ(::read(ends[0], read.data(), read.size()), 5);
   EXPECT_EQ(std::string(read.data()), "light");
   for (const int end : ends) ::close(end);
+}
+
+// As /dev/stdout behind `>> log`: the file is someone else's, and has no name once it is unlinked.
+TEST(Unit_OutputFile, WritesBehindWhatDescriptorsOfFilesHoldAlready) {
+  const TemporaryFolder folder;
+  const std::string log = folder.put("log", std::string("before "));
+  const int descriptor = ::open(log.c_str(), O_RDWR | O_APPEND);
+  ASSERT_GE(descriptor, 0);
+  const std::string link = folder.file("link");
+  std::filesystem::create_symlink(fmt::format("/dev/fd/{}", descriptor), link);
+  for (const std::string& path : {fmt::format("/proc/self/fd/{}", descriptor), link}) {
+    EXPECT_EQ(first_message(check_writable_file(path)), "");
+    EXPECT_EQ(first_message(write_file_atomically(path, "light ")), "");
+  }
+  EXPECT_EQ(contents_of(log), "before light light ");
+  std::filesystem::remove(log);
+  EXPECT_EQ(first_message(write_file_atomically(link, "more")), "");
+  struct stat status {};
+  ASSERT_EQ(::fstat(descriptor, &status), 0);
+  EXPECT_EQ(status.st_size, 23);
+  EXPECT_EQ(folder.entries(), 1u);  // the link: nothing was written beside
+  ::close(descriptor);
+}
+
+TEST(Errors_OutputFile, DescriptorsThatTakeNoBytesAreToldBeforeAndAfter) {
+  const TemporaryFolder folder;
+  const int descriptor = ::open(folder.put("x", std::string("x")).c_str(), O_RDONLY);
+  const std::string path = fmt::format("/dev/fd/{}", descriptor);
+  EXPECT_NE(first_message(check_writable_file(path)).find("for reading alone"), std::string::npos);
+  EXPECT_TRUE(write_file_atomically(path, "x").has_errors());
+  ::close(descriptor);
+  EXPECT_NE(first_message(check_writable_file(path)).find("Bad file"), std::string::npos);
 }
 
 TEST(Errors_OutputFile, NamesMissingFoldersDirectoriesAndFullDevices) {

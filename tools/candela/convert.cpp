@@ -7,6 +7,7 @@
 
 #include "renderer/film/filter.h"
 #include "renderer/image/image_io.h"
+#include "renderer/image/output_target.h"
 #include "scene_io/pbrt/write/write_pbrt.h"
 #include "tools/candela/commands.h"
 #include "tools/candela/console.h"
@@ -41,16 +42,16 @@ struct Output {
 
 class Conversion {
  public:
-  explicit Conversion(const ConvertArguments& arguments)
-      : arguments_(arguments), target_(arguments.output) {}
+  explicit Conversion(const ConvertArguments& arguments) : arguments_(arguments) {}
 
   ExitCode run() {
-    if (target_.extension() != ".pbrt")
+    if (fs::path(arguments_.output).extension() != ".pbrt")
       return fail(ExitCode::Usage,
                   fmt::format("'{}': expected a name and .pbrt behind it", arguments_.output));
     const Diagnostics unwritable = check_writable_file(arguments_.output);
     console_.print(unwritable);
     if (unwritable.has_errors()) return ExitCode::Output;
+    target_ = find_output_target(arguments_.output).path;
     ReadScene read = read_scene(arguments_.scene, console_);
     if (!read.is_usable()) return ExitCode::Scene;
     RenderArguments wishes = as_the_scene_asks(arguments_.scene);
