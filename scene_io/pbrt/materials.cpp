@@ -131,7 +131,8 @@ std::array<Vec3d, 2> read_metal(MaterialReader& reader, std::string_view prefix)
   if (eta || k)
     reader.arguments.warning(*reader.arguments.find("reflectance"),
                              "says how the metal reflects: its eta and k are ignored");
-  const Vec3d r = glm::clamp(constant(reflectance, Vec3d(0.5)), Vec3d(0.0), Vec3d(0.9999));
+  const Vec3d r =
+      glm::clamp(constant(reflectance, Vec3d(0.5)), Vec3d(0.0), Vec3d(largest_metal_reflectance));
   return {Vec3d(1.0), extinction_of_reflectance(r)};
 }
 
@@ -143,9 +144,9 @@ std::size_t Materials::index_of(const MaterialUse& use) {
   std::vector<std::string_view> names;
   for (const auto& [name, index] : named) names.push_back(name);
   if (context_.warned.insert("material " + use.name).second)
-    context_.report.error(
-        use.place, fmt::format("there is no material {}{}", text::quoted(use.name),
-                               did_you_mean(std::string_view(use.name).substr(0, 100), names)));
+    context_.report.error(use.place,
+                          fmt::format("there is no material {}{}", text::quoted(use.name),
+                                      did_you_mean(use.name, names)));
   return grey;
 }
 
@@ -191,7 +192,9 @@ const Material& Materials::at(std::size_t index) {
     material.name = "grey";
     return material;
   }
+  in_progress_.insert(index);
   Made made = make(context_.program.materials[index]);
+  in_progress_.erase(index);
   Material& material = made_[index] = std::move(made.material);
   if (made.parts) parts_[&material] = *made.parts;
   return material;
@@ -278,24 +281,21 @@ std::optional<Materials::Made> Materials::mix(Arguments& arguments) {
     return std::nullopt;
   }
   const std::array<std::size_t, 2> parts{index_of(uses[0]), index_of(uses[1])};
-  const Material* made_parts[2];
-  for (std::size_t i = 0; i < 2; ++i) {
-    const auto [at_part, is_new] = in_progress_.insert(parts[i]);
-    if (!is_new || in_progress_.size() > deepest) {
-      if (is_new) in_progress_.erase(at_part);
-      context_.report.error(
-          statement.place,
-          fmt::format("mixtures of mixtures more than {} deep, or of themselves", deepest));
-      return std::nullopt;
-    }
-    made_parts[i] = &at(parts[i]);
-    in_progress_.erase(parts[i]);
-  }
-  return mixed(amount, *made_parts[0], *made_parts[1], statement.place);
+  for (const std::size_t part : parts)
+    if (in_progress_.contains(part) || in_progress_.size() > deepest)
+      return refuse_depth(statement.place);
+  const Material& first = at(parts[0]);
+  return mixed(amount, first, at(parts[1]), statement.place);
 }
 
-Materials::Made Materials::mixed(const ScalarInput& amount, const Material& first,
-                                 const Material& second, const Place& place) {
+std::nullopt_t Materials::refuse_depth(const Place& place) const {
+  context_.report.error(
+      place, fmt::format("mixtures of mixtures more than {} deep, or of themselves", deepest));
+  return std::nullopt;
+}
+
+std::optional<Materials::Made> Materials::mixed(const ScalarInput& amount, const Material& first,
+                                                const Material& second, const Place& place) {
   if (&first == &second || (amount.is_constant() && amount.factor <= 0)) return made(first);
   if (amount.is_constant() && amount.factor >= 1) return made(second);
   if (is_interface(first)) return with_hole(amount, second, place);
@@ -304,9 +304,15 @@ Materials::Made Materials::mixed(const ScalarInput& amount, const Material& firs
     context_.warn_once("hole", place,
                        "an interface in a mixture within a mixture is not supported: there it is "
                        "as if it were not mixed in");
+  const auto depth_of = [this](const Material& part) {
+    const MixParts* within = parts_of(part);
+    return within ? within->depth : 0;
+  };
+  const std::size_t depth = 1 + std::max(depth_of(first), depth_of(second));
+  if (depth > deepest) return refuse_depth(place);
   Material material;
   material.model = description::MixMaterial{{}, {}, amount};
-  return {material, MixParts{&first, &second}};
+  return Made{material, MixParts{&first, &second, depth}};
 }
 
 // A part that is not there is a hole.

@@ -15,6 +15,7 @@ namespace candela::pbrt {
 struct MixParts {
   const description::Material* first = nullptr;
   const description::Material* second = nullptr;
+  std::size_t depth = 1;  // of mixtures within mixtures
 };
 
 // What rays meet nothing at, and what some of them pass through.
@@ -47,9 +48,10 @@ class Materials {
   void set_surface(Arguments& arguments, description::Material& material);
   [[nodiscard]] Made made(const description::Material& material) const;
   [[nodiscard]] std::optional<Made> mix(Arguments& arguments);
-  [[nodiscard]] Made mixed(const description::ScalarInput& amount,
-                           const description::Material& first, const description::Material& second,
-                           const Place& place);
+  [[nodiscard]] std::optional<Made> mixed(const description::ScalarInput& amount,
+                                          const description::Material& first,
+                                          const description::Material& second, const Place& place);
+  [[nodiscard]] std::nullopt_t refuse_depth(const Place& place) const;
   [[nodiscard]] Made with_hole(const description::ScalarInput& opacity,
                                const description::Material& material, const Place& place);
 
@@ -61,7 +63,7 @@ class Materials {
   std::map<std::string, std::size_t> index_of_text_;
   std::map<std::size_t, std::size_t> first_equal_;
   std::map<const description::Material*, MixParts> parts_;
-  std::set<std::size_t> in_progress_;  // mixtures whose parts are being made
+  std::set<std::size_t> in_progress_;  // those whose parts are being made
 };
 
 // What a material function reads with.

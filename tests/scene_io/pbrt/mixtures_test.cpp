@@ -1,6 +1,8 @@
 // Mixtures of materials as the reader leaves them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "renderer/description/validate.h"
 #include "tests/scene_io/pbrt/pbrt_text.h"
 
@@ -133,7 +135,49 @@ TEST(Errors_PbrtMixtures, WhatIsWrongWithThem) {
       pbrt_world_error("MakeNamedMaterial \"m\" \"string type\" \"mix\" \"string materials\" [ "
                        "\"n\" \"n\" ] MakeNamedMaterial \"n\" \"string type\" \"mix\" \"string "
                        "materials\" [ \"m\" \"m\" ]"),
-      "2:19: mixtures of mixtures more than 16 deep, or of themselves");
+      "2:92: mixtures of mixtures more than 16 deep, or of themselves");
+}
+
+std::string named_mix(const std::string& name, const std::string& first,
+                      const std::string& second) {
+  return "MakeNamedMaterial \"" + name + "\" \"string type\" " + mix_of(first, second).substr(9) +
+         "\n";
+}
+
+// Worn by a shape or not.
+TEST(Errors_PbrtMixtures, OfThemselves) {
+  const std::string red = "MakeNamedMaterial \"red\" \"string type\" \"diffuse\"\n";
+  const std::string itself = red + named_mix("m", "red", "m");
+  const std::string each_other = red + named_mix("m", "red", "n") + named_mix("n", "red", "m");
+  const std::string old = red +
+                          "MakeNamedMaterial \"m\" \"string type\" \"mix\" \"string "
+                          "namedmaterial1\" \"red\" \"string namedmaterial2\" \"m\"\n";
+  for (const std::string& materials : {itself, each_other, old})
+    for (const char* shape :
+         {"", "NamedMaterial \"m\" Shape \"disk\"", "NamedMaterial \"red\" Shape \"disk\""})
+      EXPECT_NE(pbrt_world_error(materials + shape).find("deep, or of themselves"),
+                std::string::npos)
+          << materials << shape;
+}
+
+// In whatever order they are written.
+TEST(Errors_PbrtMixtures, OfTooManyMixtures) {
+  const auto chain = [](std::size_t length, bool parts_come_first) {
+    std::vector<std::string> mixtures;
+    for (std::size_t i = 1; i <= length; ++i)
+      mixtures.push_back(named_mix("m" + std::to_string(i), "m" + std::to_string(i - 1), "red"));
+    if (!parts_come_first) std::reverse(mixtures.begin(), mixtures.end());
+    std::string text =
+        "MakeNamedMaterial \"m0\" \"string type\" \"diffuse\" "
+        "MakeNamedMaterial \"red\" \"string type\" \"diffuse\"\n";
+    for (const std::string& mixture : mixtures) text += mixture;
+    return text + "NamedMaterial \"m" + std::to_string(length) + "\" Shape \"disk\"";
+  };
+  for (const bool parts_come_first : {true, false}) {
+    EXPECT_EQ(pbrt_world(chain(16, parts_come_first)).materials.size(), 18u);
+    EXPECT_NE(pbrt_world_error(chain(17, parts_come_first)).find("more than 16 deep"),
+              std::string::npos);
+  }
 }
 
 TEST(Errors_Validate, MixturesOfWhatIsNotThere) {
