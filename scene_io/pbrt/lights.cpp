@@ -71,9 +71,8 @@ class LightReader {
     const std::string& type = light_.statement.type;
     context_.report.error(light_.statement.place,
                           fmt::format("{} is no light{}", text::quoted(type),
-                                      did_you_mean(std::string_view(type).substr(0, 100),
-                                                   {"point", "spot", "distant", "infinite",
-                                                    "goniometric", "projection"})));
+                                      did_you_mean(type, {"point", "spot", "distant", "infinite",
+                                                          "goniometric", "projection"})));
   }
 
   // Factors of factors may overflow.
@@ -284,7 +283,8 @@ Emission read_emission(Context& context, Statement& statement) {
       emission.radiance = Vec3d(1.0);
     }
     const std::string name = file->strings.size() == 1 ? file->strings[0] : "";
-    emission.map = add_light_image(context, *file, encoding_of_file(name));
+    emission.map = add_light_image(context, *file, encoding_of_file(name),
+                                   wrap_of(arguments, description::Wrap::Clamp));  // candela's own
   }
   const double scale = scale_of(arguments);
   emission.radiance *= (has_own_radiance ? 1 : scale) * context.imaging_ratio;

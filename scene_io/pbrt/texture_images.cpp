@@ -21,18 +21,6 @@ bool has_extension(std::string_view name, std::string_view extension) {
          text::equal_ignoring_case(name.substr(name.size() - extension.size()), extension);
 }
 
-Wrap wrap_of(Arguments& arguments) {
-  const Parameter* parameter = arguments.find("wrap", {ParameterType::String});
-  if (!parameter || parameter->strings.size() != 1 || parameter->strings[0] == "repeat")
-    return Wrap::Repeat;
-  if (parameter->strings[0] == "black") return Wrap::Black;
-  if (parameter->strings[0] == "clamp") return Wrap::Clamp;
-  if (parameter->strings[0] == "mirror") return Wrap::Mirror;  // candela's own
-  arguments.warning(*parameter, fmt::format("{} is none of repeat, black and clamp: it is repeated",
-                                            text::quoted(parameter->strings[0])));
-  return Wrap::Repeat;
-}
-
 // Only PNG files are as "encoding" says; all are as candela's own "decode" does. pbrt-v3 decodes
 // sRGB unless "gamma" is false.
 Encoding encoding_of(Arguments& arguments, std::string_view file_name) {
@@ -106,12 +94,37 @@ ImageHandle add_image(Context& context, const Parameter& file, Encoding encoding
 
 }  // namespace
 
+Wrap wrap_of(Arguments& arguments, Wrap otherwise) {
+  const Parameter* parameter = arguments.find("wrap", {ParameterType::String});
+  if (!parameter || parameter->strings.size() != 1) return otherwise;
+  for (const Wrap wrap : {Wrap::Repeat, Wrap::Black, Wrap::Clamp, Wrap::Mirror})
+    if (parameter->strings[0] == name_of(wrap)) return wrap;
+  arguments.warning(*parameter, fmt::format("{} is none of repeat, black and clamp: it is {}",
+                                            text::quoted(parameter->strings[0]),
+                                            otherwise == Wrap::Repeat ? "repeated" : "clamped"));
+  return otherwise;
+}
+
+std::string_view name_of(Wrap wrap) {
+  switch (wrap) {
+    case Wrap::Repeat:
+      return "repeat";
+    case Wrap::Clamp:
+      return "clamp";
+    case Wrap::Black:
+      return "black";
+    case Wrap::Mirror:
+      return "mirror";
+  }
+  return "";
+}
+
 ImageHandle add_image(Context& context, const Parameter& file, Encoding encoding, Wrap wrap) {
   return add_image(context, file, encoding, wrap, Need::MayBeMissing);
 }
 
-ImageHandle add_light_image(Context& context, const Parameter& file, Encoding encoding) {
-  return add_image(context, file, encoding, Wrap::Clamp, Need::MustExist);
+ImageHandle add_light_image(Context& context, const Parameter& file, Encoding encoding, Wrap wrap) {
+  return add_image(context, file, encoding, wrap, Need::MustExist);
 }
 
 void Textures::set_heights(Arguments& arguments, description::Material& material) {
@@ -172,7 +185,7 @@ Textures::Value Textures::image(Kind kind, const TextureStatement& statement, Ar
   const Parameter* file = arguments.file("filename", "an imagemap");
   note_filter(arguments);
   arguments.accept({"maxanisotropy"});
-  const Wrap wrap = wrap_of(arguments);
+  const Wrap wrap = wrap_of(arguments, Wrap::Repeat);
   const Encoding encoding = encoding_of(arguments, file ? file->strings[0] : "");
   description::ImageTexture texture;
   texture.mapping = mapping(statement, arguments);

@@ -87,6 +87,10 @@ description::ColourInput Textures::add(Texture kind, const std::string& name, co
 [[nodiscard]] std::string_view name_of(description::Encoding encoding);
 [[nodiscard]] std::optional<description::Encoding> encoding_named(std::string_view name);
 
+// What "wrap" says; mirror is candela's own.
+[[nodiscard]] std::string_view name_of(description::Wrap wrap);
+[[nodiscard]] description::Wrap wrap_of(Arguments& arguments, description::Wrap otherwise);
+
 // As pbrt reads image files: EXR, HDR and PFM are linear, all others sRGB.
 [[nodiscard]] description::Encoding encoding_of_file(std::string_view name);
 
@@ -95,7 +99,8 @@ description::ColourInput Textures::add(Texture kind, const std::string& name, co
                                                  description::Encoding encoding,
                                                  description::Wrap wrap);
 // The same of what shines: a file that is not there is an error, where textures are magenta.
-[[nodiscard]] description::ImageHandle add_light_image(Context& context, const Parameter& file,
-                                                       description::Encoding encoding);
+[[nodiscard]] description::ImageHandle add_light_image(
+    Context& context, const Parameter& file, description::Encoding encoding,
+    description::Wrap wrap = description::Wrap::Clamp);
 
 }  // namespace candela::pbrt

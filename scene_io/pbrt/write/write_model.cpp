@@ -191,7 +191,7 @@ struct ModelWriter {
       metal.add("rgb eta", (*h.eta_k)[0]).add("rgb k", (*h.eta_k)[1]);
     else
       metal.add(textures.scaled_colour("reflectance", h.reflectance, h.reflectance_scale / share,
-                                       0.9999));
+                                       largest_metal_reflectance));
     add_widths("", h.width, std::nullopt, metal);
     if (is_metal) return metal;
     const std::string diffuse_name = part_name("diffuse");

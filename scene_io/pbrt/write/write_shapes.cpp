@@ -1,11 +1,13 @@
 #include "scene_io/pbrt/write/write_shapes.h"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "renderer/math/constants.h"
 #include "scene_io/pbrt/mesh_areas.h"
+#include "scene_io/pbrt/textures.h"
 #include "scene_io/pbrt/write/write_lights.h"
 #include "scene_io/ply/write_ply.h"
 
@@ -121,9 +123,31 @@ class ShapeWriter {
     const std::string media = media_.interface_of(material.media);
     if (!media.empty()) text += "  " + media;
     if (material.emission != Vec3d(0.0)) text += "  " + emission(part, object_to_world);
+    warn_of_turned_normals(part, object_to_world);
     Directive out = shape_of(part, text);
     materials_.add_alpha(material, out);
     return text + out.text("  ") + "AttributeEnd\n";
+  }
+
+  // pbrt's maps of normals run across dp/du, lab3's along dp/dv: not the same way where coordinates
+  // are mirrored.
+  void warn_of_turned_normals(const Part& part, const Transform& object_to_world) {
+    const Material& material = material_of(part);
+    const Mesh& mesh = mesh_of(part.mesh);
+    if (!material.normal_map || material.normal_map_is_right_handed || mesh.uvs.empty()) return;
+    const bool is_turned = object_to_world.determinant() < 0;
+    const auto is_mirrored = [&](std::uint32_t triangle) {
+      const auto& [a, b, c] = mesh.triangles[triangle];
+      const Vec2f along = mesh.uvs[b] - mesh.uvs[a], across = mesh.uvs[c] - mesh.uvs[a];
+      return (along.x * across.y - along.y * across.x < 0) != is_turned;
+    };
+    if (std::ranges::none_of(part.triangles, is_mirrored)) return;
+    if (!turned_.insert(part.material.index).second) return;
+    context_.warn(
+        material.span,
+        fmt::format("material '{}': lost for pbrt: which way its map of normals runs where "
+                    "texture coordinates are mirrored",
+                    material.name));
   }
 
   // `text`: what stands before it.
@@ -163,7 +187,33 @@ class ShapeWriter {
     }
     if (material.emits_both_sides) out.add("bool twosided", true);
     if (is_coloured) out.add_own("rgb L", material.emission);
+    add_wrap(part, out);
     return out.text();
+  }
+
+  // pbrt's images of lamps end at their edges.
+  void add_wrap(const Part& part, Directive& out) {
+    const Material& material = material_of(part);
+    const description::Wrap wrap = context_.scene.images[material.emission_map.index].wrap;
+    if (wrap == description::Wrap::Clamp) return;
+    out.add_own("string wrap", std::string(name_of(wrap)));
+    if (looks_beyond_image(part))
+      context_.warn(material.span,
+                    fmt::format("material '{}': lost for pbrt: how the image of what "
+                                "it emits goes on beyond its edges",
+                                material.name));
+  }
+
+  [[nodiscard]] bool looks_beyond_image(const Part& part) const {
+    const Mesh& mesh = mesh_of(part.mesh);
+    if (mesh.uvs.empty()) return false;
+    const auto is_beyond = [](const Vec2f& uv) {
+      return std::min(uv.x, uv.y) < 0 || std::max(uv.x, uv.y) > 1;
+    };
+    return std::ranges::any_of(part.triangles, [&](std::uint32_t triangle) {
+      return std::ranges::any_of(mesh.triangles[triangle],
+                                 [&](std::uint32_t vertex) { return is_beyond(mesh.uvs[vertex]); });
+    });
   }
 
   [[nodiscard]] double height_scale_of(const Part& part, const Transform& object_to_world) const {
@@ -198,6 +248,7 @@ class ShapeWriter {
   std::map<Use, std::size_t> uses_;
   std::map<Use, std::string> objects_;
   std::map<FileKey, std::string> files_;
+  std::set<std::uint32_t> turned_;  // materials that it was said of
 };
 
 }  // namespace

@@ -26,22 +26,13 @@ WrittenParameter named(std::string_view name, const std::string& texture) {
 }
 
 void add_wrap(Wrap wrap, Directive& directive) {
-  switch (wrap) {
-    case Wrap::Repeat:
-      return;
-    case Wrap::Clamp:
-      directive.add("string wrap", "clamp");
-      return;
-    case Wrap::Black:
-      directive.add("string wrap", "black");
-      return;
-    case Wrap::Mirror:
-      directive.add_own("string wrap", "mirror");
-      return;
-  }
+  if (wrap == Wrap::Mirror)
+    directive.add_own("string wrap", std::string(name_of(wrap)));
+  else if (wrap != Wrap::Repeat)
+    directive.add("string wrap", std::string(name_of(wrap)));
 }
 
-// Planes are written by their axes in the world; of other mappings by place see space_of().
+// Planes are written by their axes in the world; other mappings by place go by SpaceOf.
 void add_place_mapping(const UvMapping& mapping, Directive& directive) {
   const Transform& place = mapping.place_from_world;
   const Mat3d rows = glm::transpose(place.linear);

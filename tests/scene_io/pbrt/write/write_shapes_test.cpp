@@ -213,6 +213,28 @@ TEST(Unit_WriteShapes, NormalMapsKeepTheirHandedness) {
   }
 }
 
+// pbrt's run the other way there.
+TEST(Unit_WriteShapes, MapsOfNormalsOnMirroredCoordinatesAreSaid) {
+  for (const bool is_mirrored : {false, true})
+    for (const bool is_turned : {false, true})
+      for (const bool is_right_handed : {false, true}) {
+        SceneDescription scene = scene_with_camera();
+        scene.images = {{"bumps.png", Encoding::Linear, Wrap::Repeat, {}}};
+        const auto rough = test::add_material(scene, test::diffuse(Vec3d(0.5)));
+        scene.materials[0].normal_map = ImageHandle(0);
+        scene.materials[0].normal_map_is_right_handed = is_right_handed;
+        Mesh mesh = square();
+        if (is_mirrored)
+          for (Vec2f& uv : mesh.uvs) uv.x = -uv.x;
+        Mat3d place(1.0);
+        if (is_turned) place[0][0] = -1;
+        test::add_mesh(scene, mesh, rough, {place, Vec3d(0.0)});
+        const bool is_lost = !is_right_handed && is_mirrored != is_turned;
+        EXPECT_EQ(test::round_trip(scene).diagnostics.warning_count(), is_lost ? 1u : 0u)
+            << is_mirrored << is_turned << is_right_handed;
+      }
+}
+
 // By power it is the image's mean that counts.
 TEST(Unit_WriteShapes, LampsWithAnImage) {
   SceneDescription scene = scene_with_camera();
@@ -228,6 +250,23 @@ TEST(Unit_WriteShapes, LampsWithAnImage) {
     EXPECT_EQ(back.materials[0].emission_is_maps_mean, is_mean);
     EXPECT_TRUE(back.materials[0].emission_map);
   }
+}
+
+// pbrt's end at their edges, which is said where a lamp looks beyond them.
+TEST(Unit_WriteShapes, LampsWithAnImageKeepHowItGoesOn) {
+  for (const Wrap wrap : {Wrap::Clamp, Wrap::Repeat, Wrap::Mirror, Wrap::Black})
+    for (const float reach : {1.0f, 2.0f}) {
+      SceneDescription scene = scene_with_camera();
+      scene.images = {{"glow.exr", Encoding::Linear, wrap, {}}};
+      const auto lamp = test::add_material(scene, test::diffuse(Vec3d(0.5)), Vec3d(2.5));
+      scene.materials[0].emission_map = ImageHandle(0);
+      Mesh mesh = square();
+      mesh.uvs = {{0, 0}, {reach, 0}, {reach, 1}, {0, 1}};
+      test::add_mesh(scene, mesh, lamp, placed(1, 3));
+      const RoundTrip trip = test::round_trip(scene);
+      EXPECT_EQ(trip.scene.images.at(0).wrap, wrap);
+      EXPECT_EQ(trip.diagnostics.warning_count(), wrap != Wrap::Clamp && reach > 1 ? 1u : 0u);
+    }
 }
 
 // pbrt takes no colour beside an image.
