@@ -13,6 +13,11 @@ using Corners = std::array<Index, 3>;
 
 constexpr double shortest_cut = 4;
 
+// What would be cut into more pieces stays whole: slivers become ever thinner ones by it. Of a
+// triangle that is not one there are some twenty for each factor of ten.
+constexpr std::size_t most_pieces = 16384;
+constexpr std::size_t most_pieces_of_mesh = std::size_t{1} << 20;
+
 double distance_from_centre(const Vec3d& a, const Vec3d& b) {
   const Vec3d along = b - a;
   const double t = std::clamp(-dot(a, along) / dot(along, along), 0.0, 1.0);
@@ -31,6 +36,7 @@ class Splitter {
 
   description::Mesh run() {
     const auto triangles = std::move(mesh_.triangles);
+    whole_ = triangles.size();
     const auto materials = std::move(mesh_.materials);
     mesh_.triangles.clear();
     mesh_.materials.clear();
@@ -54,8 +60,15 @@ class Splitter {
   }
 
   void split(const Corners& first) {
+    const std::size_t before = mesh_.triangles.size();
     std::vector<Corners> waiting{first};
     while (!waiting.empty()) {
+      const std::size_t pieces = mesh_.triangles.size() - before + waiting.size();
+      if (pieces > most_pieces || before + pieces > most_pieces_of_mesh + whole_) {
+        mesh_.triangles.resize(before);
+        mesh_.triangles.push_back(first);
+        return;
+      }
       const Corners t = waiting.back();
       waiting.pop_back();
       std::size_t longest = 0;
@@ -94,6 +107,7 @@ class Splitter {
   description::Mesh mesh_;
   std::vector<Vec3d> normalised_;
   std::map<std::pair<Index, Index>, Index> middles_;
+  std::size_t whole_ = 0;  // triangles, before any was cut
 };
 
 // Edges of what lies within this are no longer than shortest_cut.

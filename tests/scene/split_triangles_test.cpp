@@ -72,5 +72,22 @@ TEST(Unit_SplitTriangles, TrianglesStayJoined) {
   }
 }
 
+// A million millions long and as much longer than wide: by halves there would be millions.
+TEST(Unit_SplitTriangles, LeavesSliversWhole) {
+  description::Mesh mesh;
+  mesh.positions = {
+      {-0.5, -0.6e12, 0.6}, {-0.98, -.05e12, 1e24}, {0.02538, 0.83e12, 0}, {0, .5e12, -0.7629}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const auto split = split_large_triangles(mesh, {});
+  EXPECT_LT(split ? split->triangles.size() : 2, 40000u);
+  // Others of the same mesh are cut as ever.
+  description::Mesh both = merged(ground(1e6), mesh);
+  both.materials.clear();
+  const auto others = split_large_triangles(both, {});
+  ASSERT_TRUE(others);
+  EXPECT_GT(others->triangles.size(), 100u);
+  EXPECT_LT(others->triangles.size(), 40000u);
+}
+
 }  // namespace
 }  // namespace candela
