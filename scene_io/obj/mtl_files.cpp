@@ -69,18 +69,24 @@ void read_libraries(const std::string& path, const Source& source, const ObjData
   for (const Chunk& chunk : data.chunks) {
     for (const MtlReference& reference : chunk.libraries) {
       if (!seen.insert(reference.names).second) continue;
-      if (reference.names.empty()) {
+      std::string_view listed = reference.names;
+      ResolvedPath whole = text::resolve_path(path, listed);
+      if (!whole.is_found) {
+        listed = text::without_comment(listed);
+        whole = text::resolve_path(path, listed);
+      }
+      if (listed.empty()) {
         text::report(diagnostics, source, reference.offset, Severity::Warning,
                      "no file is named; expected the name of an MTL file");
         continue;
       }
-      const ResolvedPath whole = text::resolve_path(path, reference.names);
-      if (whole.is_found || reference.names.find_first_of(" \t") == std::string_view::npos) {
-        read_library(source, reference.names, whole, use, model, diagnostics);
+      if (whole.is_found || listed.find_first_of(" \t") == std::string_view::npos) {
+        read_library(source, listed, whole, use, model, diagnostics);
         continue;
       }
-      text::Cursor names(reference.names);
-      for (std::string_view name = names.next_word(); !name.empty(); name = names.next_word()) {
+      text::Cursor names(listed);
+      for (std::string_view name = names.next_word(); !name.empty() && name[0] != '#';
+           name = names.next_word()) {
         read_library(source, name, text::resolve_path(path, name), use, model, diagnostics);
       }
     }

@@ -194,7 +194,7 @@ class StatementParser {
     const bool is_kept = text::is_kept(diagnostics_, Severity::Warning);
     say(Severity::Warning, word.data(),
         fmt::format("unknown statement {} is left out{}", text::quoted(word),
-                    is_kept ? did_you_mean(word.substr(0, 200), known_words()) : ""));
+                    is_kept ? did_you_mean(word, known_words()) : ""));
   }
 
   static std::vector<std::string_view> known_words() {

@@ -106,11 +106,16 @@ class TextureParser {
 
   void resolve(std::string_view name) {
     bool is_new = false;
-    const text::ResolvedPath& resolved = context_.names.find(name, is_new);
-    texture_.path = resolved.path;
+    const text::ResolvedPath* resolved = &context_.names.find(name, is_new);
+    const std::string_view bare = text::without_comment(name);
+    if (!resolved->is_found && !bare.empty() && bare != name) {
+      name = bare;
+      resolved = &context_.names.find(name, is_new);
+    }
+    texture_.path = resolved->path;
     texture_.span = context_.span_at(static_cast<std::size_t>(name.data() - source_.text.data()));
-    if (is_new && resolved.is_substitute())
-      say(Severity::Note, name.data(), text::describe_substitute(resolved, name));
+    if (is_new && resolved->is_substitute())
+      say(Severity::Note, name.data(), text::describe_substitute(*resolved, name));
   }
 
   const text::Source& source_;

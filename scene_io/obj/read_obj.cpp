@@ -11,6 +11,7 @@
 #include "scene_io/obj/build_meshes.h"
 #include "scene_io/obj/mtl_files.h"
 #include "scene_io/obj/obj_data.h"
+#include "scene_io/text/cursor.h"
 #include "scene_io/text/file.h"
 #include "scene_io/text/plain_text.h"
 #include "scene_io/text/source.h"
@@ -29,16 +30,21 @@ void warn(const Source& source, std::size_t offset, std::string message, Diagnos
   text::report(diagnostics, source, offset, Severity::Warning, std::move(message));
 }
 
-std::string left_out_message(std::string_view keyword) {
-  static const std::unordered_set<std::string_view> free_form{
+// Curves, surfaces and display settings.
+bool is_free_form(std::string_view keyword) {
+  static const std::unordered_set<std::string_view> keywords{
       "vp",        "deg",   "bmat",     "step",     "cstype", "curv",   "curv2",
       "surf",      "parm",  "trim",     "hole",     "scrv",   "sp",     "end",
       "con",       "mg",    "bzp",      "bsp",      "cdc",    "cdp",    "res",
       "bevel",     "lod",   "c_interp", "d_interp", "usemap", "maplib", "shadow_obj",
       "trace_obj", "ctech", "stech",    "call",     "csh"};
+  return keywords.contains(keyword);
+}
+
+std::string left_out_message(std::string_view keyword) {
   if (keyword == "l") return "lines ('l') are left out: only faces are rendered";
   if (keyword == "p") return "points ('p') are left out: only faces are rendered";
-  if (free_form.contains(keyword)) {
+  if (is_free_form(keyword)) {
     return fmt::format("{} is left out: curves, surfaces and display settings are not supported",
                        text::quoted(keyword));
   }
@@ -53,11 +59,11 @@ void warn_of_left_out(const Source& source, const ObjData& data, Diagnostics& di
   for (const Chunk& chunk : data.chunks) {
     for (const LeftOut& statement : chunk.left_out) {
       if (!said.insert(statement.keyword).second) continue;
-      const std::string message = left_out_message(statement.keyword);
-      const bool is_free_form = message.ends_with("not supported");
-      if (is_free_form && is_free_form_said) continue;
-      is_free_form_said = is_free_form_said || is_free_form;
-      warn(source, statement.offset, message, diagnostics);
+      if (is_free_form(statement.keyword)) {
+        if (is_free_form_said) continue;
+        is_free_form_said = true;
+      }
+      warn(source, statement.offset, left_out_message(statement.keyword), diagnostics);
     }
   }
 }
@@ -72,11 +78,13 @@ class MaterialNames {
       indices_.emplace(materials[i].name, i);  // the first of a name stays
       names_.emplace_back(materials[i].name);
     }
+    for (std::uint32_t i = 0; i < materials.size(); ++i)
+      indices_.emplace(text::without_comment(materials[i].name), i);
   }
 
   std::optional<std::uint32_t> operator()(std::string_view name) {
-    const auto found = indices_.find(name);
-    if (found != indices_.end()) return found->second;
+    for (const std::string_view word : {name, text::without_comment(name)})
+      if (const auto found = indices_.find(word); found != indices_.end()) return found->second;
     // Without any material the missing MTL has been said already.
     if (!names_.empty() && !name.empty() && unknown_.insert(name).second) {
       warn_of_unknown(name);
@@ -88,7 +96,7 @@ class MaterialNames {
   void warn_of_unknown(std::string_view name) {
     // Comparing with all names would take long for many names.
     const bool is_kept = text::is_kept(diagnostics_, Severity::Warning);
-    const std::string advice = is_kept ? did_you_mean(name.substr(0, 200), names_) : "";
+    const std::string advice = is_kept ? did_you_mean(name, names_) : "";
     warn(source_, static_cast<std::size_t>(name.data() - source_.text.data()),
          fmt::format("material {} is not in the MTL{}", text::quoted(name), advice), diagnostics_);
   }

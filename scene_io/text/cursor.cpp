@@ -32,6 +32,15 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+std::string_view without_comment(std::string_view name) {
+  const auto is_blank_at = [&](std::size_t i) {
+    return i >= name.size() || name[i] == ' ' || name[i] == '\t';  // or an end of the name
+  };
+  for (std::size_t i = name.find('#'); i != std::string_view::npos; i = name.find('#', i + 1))
+    if (is_blank_at(i - 1) && is_blank_at(i + 1)) return trimmed(name.substr(0, i));
+  return name;
+}
+
 std::string_view Cursor::next_logical_line() {
   const char* const begin = at_;
   const char* part = begin;

@@ -218,6 +218,28 @@ TEST(Unit_Obj, MakesAMeshForEachMaterialWithFacesInTheOrderOfTheMtl) {
   EXPECT_EQ(scene.files, (std::vector<std::string>{obj, folder.file("my materials.MTL")}));
 }
 
+// Names go on to the end of the line, blanks, '#' and all; comments behind them do not count.
+TEST(Unit_Obj, CommentsMayStandBehindNames) {
+  const TemporaryFolder folder;
+  folder.put("a.mtl", std::string("newmtl red # pure\nmap_Kd a.png # one\nnewmtl Material #25\n"
+                                  "map_Kd b # c.png\nnewmtl Wood # 2\nnewmtl Wood # 3\n"));
+  folder.put("b # c.png", std::string("x"));
+  const std::string obj =
+      folder.put("x.obj", "mtllib a.mtl # materials\nmtllib a.mtl #likewise\n" + square +
+                              "usemtl red # the red one\nf 1 2 3\nusemtl Material #25\nf 1 2 4\n"
+                              "usemtl Wood # 3\nf 1 3 4\n");
+  Diagnostics diagnostics;
+  const ObjModel model = read_obj(obj, {}, diagnostics);
+  EXPECT_TRUE(diagnostics.list().empty());
+  ASSERT_EQ(model.meshes.size(), 3u);
+  std::vector<std::string> worn;
+  for (const Mesh& mesh : model.meshes) worn.push_back(mesh.name);
+  EXPECT_EQ(worn, (std::vector<std::string>{"red # pure", "Material #25", "Wood # 3"}));
+  ASSERT_EQ(model.images.size(), 2u);
+  EXPECT_EQ(model.images[0].path, folder.file("a.png"));
+  EXPECT_EQ(model.images[1].path, folder.file("b # c.png"));
+}
+
 TEST(Unit_Obj, EqualImagesOfSeveralFilesAreOne) {
   const TemporaryFolder folder;
   folder.put("a.mtl", two_materials);
