@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/printable.h"
+
 namespace candela {
 namespace {
 
@@ -23,9 +25,10 @@ std::string_view word_of(Severity severity) {
 
 std::string place_of(const SourceSpan& span) {
   if (!span.file) return "";
-  if (span.line == 0) return fmt::format("{}: ", *span.file);
-  if (span.column == 0) return fmt::format("{}:{}: ", *span.file, span.line);
-  return fmt::format("{}:{}:{}: ", *span.file, span.line, span.column);
+  const std::string file = printable(*span.file);
+  if (span.line == 0) return fmt::format("{}: ", file);
+  if (span.column == 0) return fmt::format("{}:{}: ", file, span.line);
+  return fmt::format("{}:{}:{}: ", file, span.line, span.column);
 }
 
 char lower(char c) {
@@ -63,6 +66,7 @@ std::string to_string(const Diagnostic& diagnostic) {
 }
 
 void Diagnostics::add(Diagnostic diagnostic) {
+  diagnostic.message = printable(diagnostic.message);  // names in scenes may hold anything
   const bool is_error = diagnostic.severity == Severity::Error;
   const bool is_warning = diagnostic.severity == Severity::Warning;
   const std::size_t earlier = is_error ? error_count_ : is_warning ? warning_count_ : 0;
@@ -91,8 +95,12 @@ void Diagnostics::append(const Diagnostics& other) {
   warning_count_ = warnings;
 }
 
+// Of what may be meant by a word no more is looked at.
+constexpr std::size_t longest_name = 200;
+
 std::string_view nearest_name(std::string_view word,
                               const std::vector<std::string_view>& candidates) {
+  word = word.substr(0, longest_name);  // the distance's time goes with both lengths
   std::string_view best;
   std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (const std::string_view candidate : candidates) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "renderer/base/printable.h"
 #include "scene_io/text/cursor.h"
 
 namespace candela::text {
@@ -10,13 +11,6 @@ namespace {
 
 constexpr std::size_t excerpt_width = 100;
 constexpr std::size_t quote_width = 40;
-
-bool is_control(char c) {
-  return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-}
-bool is_utf8_continuation(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-}
 
 std::uint32_t count_characters(std::string_view text) {
   const auto continuations = std::count_if(text.begin(), text.end(), is_utf8_continuation);
@@ -35,32 +29,6 @@ std::size_t character_begin(std::string_view text, std::size_t offset) {
     --offset;
   }
   return offset;
-}
-
-// In bytes, of the character of UTF-8 that the text begins with; 0 where it begins with none.
-std::size_t character_length(std::string_view text) {
-  const auto lead = static_cast<unsigned char>(text[0]);
-  if (lead < 0x80) return 1;
-  if (lead < 0xC2 || lead > 0xF4) return 0;
-  const std::size_t length = lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-  const std::string_view others = text.substr(1, length - 1);
-  const bool is_whole = others.size() == length - 1 &&
-                        std::all_of(others.begin(), others.end(), is_utf8_continuation);
-  return is_whole ? length : 0;
-}
-
-// With `replacement` in place of control characters and of bytes that are no UTF-8.
-std::string printable(std::string_view text, char replacement) {
-  std::string clean;
-  while (!text.empty()) {
-    const std::size_t length = character_length(text);
-    if (length == 0 || is_control(text[0]))
-      clean += replacement;
-    else
-      clean += text.substr(0, length);
-    text.remove_prefix(std::max<std::size_t>(length, 1));
-  }
-  return clean;
 }
 
 }  // namespace

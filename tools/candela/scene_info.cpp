@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "renderer/base/printable.h"
+
 namespace candela::cli {
 namespace {
 
@@ -124,9 +126,10 @@ std::string lights_text(const SceneInfo& info) {
 }
 
 std::string texture_text(const TextureRow& row) {
-  if (!row.is_used) return fmt::format("    {}: named, never read\n", row.path);
-  return fmt::format("    {}: {}x{}, {} channels, {}{}\n", row.path, row.width, row.height,
-                     row.channels, bytes_text(row.bytes), row.is_decoded ? ", decoded" : "");
+  if (!row.is_used) return fmt::format("    {}: named, never read\n", printable(row.path));
+  return fmt::format("    {}: {}x{}, {} channels, {}{}\n", printable(row.path), row.width,
+                     row.height, row.channels, bytes_text(row.bytes),
+                     row.is_decoded ? ", decoded" : "");
 }
 
 std::string rays_text(const SceneInfo& info) {
@@ -167,7 +170,7 @@ SceneInfo describe_scene(const description::SceneDescription& description, const
 }
 
 std::string to_text(const SceneInfo& info) {
-  std::string text = fmt::format("{}\n", info.path);
+  std::string text = fmt::format("{}\n", printable(info.path));
   const auto line = [&text](std::string_view name, const std::string& value) {
     text += fmt::format("  {:<12}{}\n", name, value);
   };
@@ -186,11 +189,12 @@ std::string to_text(const SceneInfo& info) {
   line("kernel", info.kernel);
   if (info.faces > 0) line("rays", rays_text(info));
   line("materials", fmt::format("{}", info.materials.size()));
-  for (const std::string& name : info.materials) text += fmt::format("    {}\n", name);
+  for (const std::string& name : info.materials) text += fmt::format("    {}\n", printable(name));
   line("media", fmt::format("{}", info.media.size()));
   for (const MediumRow& row : info.media)
-    text += fmt::format("    {}: absorption {}, scattering {}, asymmetry {:g}\n", row.name,
-                        vec_text(row.absorption), vec_text(row.scattering), row.asymmetry);
+    text +=
+        fmt::format("    {}: absorption {}, scattering {}, asymmetry {:g}\n", printable(row.name),
+                    vec_text(row.absorption), vec_text(row.scattering), row.asymmetry);
   line("textures", fmt::format("{}", info.textures.size()));
   for (const TextureRow& row : info.textures) text += texture_text(row);
   line("dropped", info.dropped.empty() ? "nothing" : "");
