@@ -43,13 +43,6 @@ void check_images(const SceneDescription& scene, Diagnostics& diagnostics) {
     if (image.path.empty()) diagnostics.error(image.span, "an image without a file name");
 }
 
-bool has_light(const SceneDescription& scene) {
-  const auto shines = [](const Light& light) { return !is_black(light); };
-  const auto glows = [](const Material& material) { return material.emission != Vec3d(0.0); };
-  return std::any_of(scene.lights.begin(), scene.lights.end(), shines) ||
-         std::any_of(scene.materials.begin(), scene.materials.end(), glows);
-}
-
 void check_defaults(const SceneDescription& scene, Diagnostics& diagnostics) {
   const std::optional<double>& radius = scene.defaults.filter_radius;
   constexpr double widest = RenderDefaults::widest_filter;
@@ -82,14 +75,28 @@ SourceSpan whole_file(const SceneDescription& scene) {
   return {std::make_shared<const std::string>(scene.path), 0, 0};
 }
 
+// Skies and media around cameras are seen where no surface is.
+bool has_anything_to_see(const SceneDescription& scene) {
+  return has_surface(scene) || std::ranges::any_of(scene.lights, is_seen_sky) ||
+         std::ranges::any_of(scene.cameras,
+                             [](const Camera& camera) { return camera.medium.is_valid(); });
+}
+
 void warn_of_nothing_to_see(const SceneDescription& scene, Diagnostics& diagnostics) {
-  if (!has_surface(scene))
+  if (!has_anything_to_see(scene))
     diagnostics.warning(whole_file(scene), "the scene has no surface: there is nothing to see");
   if (!has_light(scene))
     diagnostics.warning(whole_file(scene), "the scene has no light: the picture will be black");
 }
 
 }  // namespace
+
+bool has_light(const SceneDescription& scene) {
+  const auto shines = [](const Light& light) { return !is_black(light); };
+  const auto glows = [](const Material& material) { return material.emission != Vec3d(0.0); };
+  return std::any_of(scene.lights.begin(), scene.lights.end(), shines) ||
+         std::any_of(scene.materials.begin(), scene.materials.end(), glows);
+}
 
 bool has_surface(const SceneDescription& scene) {
   return std::any_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {

@@ -20,6 +20,9 @@ inline constexpr double largest_radiance = 1e30;
 // texture store warns of them.
 [[nodiscard]] Diagnostics lint(const SceneDescription& scene);
 
+// Whether anything shines by its numbers, images aside.
+[[nodiscard]] bool has_light(const SceneDescription& scene);
+
 // Whether some instance has a triangle or a sphere.
 [[nodiscard]] bool has_surface(const SceneDescription& scene);
 

@@ -145,18 +145,21 @@ struct Visibility {
   }
 };
 
+bool is_seen(const Light& light) {
+  return std::visit(Visibility{}, light.kind);
+}
+
 // Several are added up to one, which cameras see or not.
 void check_environments(const SceneDescription& scene, Diagnostics& diagnostics) {
   const Light* first = nullptr;
   for (const Light& light : scene.lights) {
     if (!is_environment(light) || is_black(light)) continue;
     if (!first) first = &light;
-    const bool is_seen = std::visit(Visibility{}, light.kind);
-    if (is_seen != std::visit(Visibility{}, first->kind))
+    if (is_seen(light) != is_seen(*first))
       diagnostics.error(light.span,
                         fmt::format("this environment is {}seen by cameras, unlike the first: "
                                     "several are added up, expected all to be seen or none",
-                                    is_seen ? "" : "not "));
+                                    is_seen(light) ? "" : "not "));
   }
 }
 
@@ -167,6 +170,10 @@ bool is_environment(const Light& light) {
          std::holds_alternative<CubeEnvironment>(light.kind) ||
          std::holds_alternative<LatLongEnvironment>(light.kind) ||
          std::holds_alternative<EqualAreaEnvironment>(light.kind);
+}
+
+bool is_seen_sky(const Light& light) {
+  return is_environment(light) && is_seen(light) && !is_black(light);
 }
 
 bool is_black(const Light& light) {

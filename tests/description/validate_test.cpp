@@ -253,6 +253,19 @@ TEST(Unit_Validate, WarnsOfScenesWithNothingInThem) {
   EXPECT_EQ(warnings[1], "the scene has no light: the picture will be black");
 }
 
+// Skies and media are seen without any surface.
+TEST(Unit_Validate, SkiesAndFogAreThereToBeSeen) {
+  description::SceneDescription sky = test::empty_scene();
+  test::set_camera(sky, {0, 0, 5}, {0, 0, 0});
+  sky.lights.push_back({{}, description::ConstantEnvironment{Vec3d(1.0)}});
+  EXPECT_TRUE(messages(validate(sky), Severity::Warning).empty());
+  std::get<description::ConstantEnvironment>(sky.lights[0].kind).is_seen_by_camera = false;
+  EXPECT_EQ(messages(validate(sky), Severity::Warning).size(), 1u);
+  sky.media.emplace_back();
+  sky.cameras[0].medium = description::MediumHandle(std::size_t{0});
+  EXPECT_TRUE(messages(validate(sky), Severity::Warning).empty());
+}
+
 TEST(Unit_Validate, WarnsOfReflectancesThatAddUpToMoreThanOne) {
   description::SceneDescription scene = test::small_room();
   description::CookTorranceMaterial rough;
