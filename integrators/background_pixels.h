@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "integrators/pixel_cover.h"
-#include "integrators/render.h"
+#include "integrators/render_options.h"
 #include "renderer/film/filter.h"
 
 namespace candela {

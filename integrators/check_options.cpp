@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/math/white_balance.h"
+
 namespace candela {
 namespace {
 
@@ -57,13 +59,14 @@ void check_picture(const Scene& scene, const RenderOptions& options, const Check
   else if (options.filter_radius)
     check.above_zero("the filter's radius", static_cast<double>(*options.filter_radius), widest);
   if (options.white_balance_kelvins)
-    check.within("the white balance", *options.white_balance_kelvins, 100.0, 1e9);
+    check.within("the white balance", *options.white_balance_kelvins, coolest_kelvins,
+                 hottest_kelvins);
 }
 
 void check_sampling(const RenderOptions& options, const Check& check) {
   check.within("the number of samples a pixel", options.samples_per_pixel, 1,
                max_samples_per_pixel);
-  check.within("the number of replicates", options.replicates, 1, max_samples_per_pixel);
+  check.within("the number of replicates", options.replicates, 1, max_replicates);
   check.within("the number of rays for lamps", options.lamp_rays, 0, max_lamp_rays);
   if (options.target_relmse)
     check.above_zero("the relMSE to stop at", *options.target_relmse, INFINITY);

@@ -1,7 +1,7 @@
 // Whether options are what render.h says of them.
 #pragma once
 
-#include "integrators/render.h"
+#include "integrators/render_options.h"
 #include "renderer/base/diagnostic.h"
 
 namespace candela {

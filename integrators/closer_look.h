@@ -7,7 +7,7 @@
 #include <span>
 
 #include "integrators/kernel.h"
-#include "integrators/render.h"
+#include "integrators/render_options.h"
 #include "renderer/film/doubtful_pixels.h"
 
 namespace candela {

@@ -2,7 +2,7 @@
 // measured of it.
 #pragma once
 
-#include "integrators/render.h"
+#include "integrators/render_options.h"
 
 namespace candela {
 

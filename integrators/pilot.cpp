@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "integrators/path/context.h"
 #include "integrators/path/reuse_groups.h"
 #include "integrators/path/shared_block.h"
 #include "integrators/rounds.h"
+#include "renderer/film/tiles.h"
 
 namespace candela {
 namespace {
@@ -15,10 +15,12 @@ namespace {
 PixelRect with_whole_squares(const PixelRect& crop, const RenderOptions& options) {
   const bool may_reuse = options.plan.reuses_paths || options.chooses_reuse;
   const int side = may_reuse ? reuse_square : shared_side;
-  const auto before = [side](int i) { return i - i % side; };
-  const auto after = [&](int i) { return before(i + side - 1); };
-  return {before(crop.x0), before(crop.y0), std::min(after(crop.x1), options.width),
-          std::min(after(crop.y1), options.height)};
+  const auto square = [&](int x, int y) {
+    return square_around(x, y, side, options.width, options.height);
+  };
+  const PixelRect first = square(crop.x0, crop.y0);
+  const PixelRect last = square(crop.x1 - 1, crop.y1 - 1);
+  return {first.x0, first.y0, last.x1, last.y1};
 }
 
 // One replicate is told by as many pieces as there are replicates by default.

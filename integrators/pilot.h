@@ -2,7 +2,7 @@
 // (renderer/film/sample_density.h).
 #pragma once
 
-#include "integrators/render.h"
+#include "integrators/render_options.h"
 
 namespace candela {
 

@@ -1,6 +1,5 @@
 #include "integrators/render.h"
 
-#include <algorithm>
 #include <functional>
 #include <memory>
 #include <stdexcept>
@@ -13,12 +12,13 @@
 #include "integrators/path/check_sampling.h"
 #include "integrators/path/find_lamp_pixels.h"
 #include "integrators/path/kernels.h"
+#include "integrators/raster/raster_kernel.h"
 #include "integrators/render_rounds.h"
 #include "integrators/report/check_report.h"
 #include "integrators/report/report_context.h"
 #include "integrators/time_budget.h"
-#include "integrators/whitted/kernels.h"
-#include "renderer/math/white_balance.h"
+#include "integrators/whitted/lab_lights.h"
+#include "integrators/whitted/whitted_kernel.h"
 
 namespace candela {
 namespace {
@@ -92,11 +92,13 @@ Kernel select_kernel(const Scene& scene, const A& accelerator, const Filter& fil
   throw std::invalid_argument("no such integrator");
 }
 
-bool has_light(const Scene& scene) {
+}  // namespace
+
+bool has_light(const Scene& scene, const RenderOptions& options) {
+  if (is_lab_shading(options.integrator))
+    return !is_black(scene.ambient) || !lab_lights(scene).empty();
   return !scene.lights.empty() || (scene.environment && !scene.environment->is_black());
 }
-
-}  // namespace
 
 RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
                     const RenderOptions& options, ProgressSink* progress,
@@ -116,13 +118,18 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
         const Kernel kernel = select_kernel(scene, backend, filter, options, is_over);
         const RoundsDone done =
             render_rounds(rounds, kernel.render_tile, result.film, progress, cancel,
-                          has_light(scene) && !kernel.sees_nothing, start);
+                          has_light(scene, options) && !kernel.sees_nothing, start);
         const TileCounts& counts = done.counts;
-        result.statistics = {
-            counts.rays,  counts.skipped, counts.invalid_samples, counts.first_invalid,
-            kernel.name,  done.plan,      done.roulette_samples,  done.reuse_samples,
-            done.guiding, done.stop};
-        if (done.guiding.cells > 0) result.statistics.kernel = "path/guided";
+        result.statistics = {.rays = counts.rays,
+                             .skipped = counts.skipped,
+                             .invalid_samples = counts.invalid_samples,
+                             .first_invalid = counts.first_invalid,
+                             .kernel = done.guiding.cells > 0 ? "path/guided" : kernel.name,
+                             .plan = done.plan,
+                             .roulette_samples = done.roulette_samples,
+                             .reuse_samples = done.reuse_samples,
+                             .guiding = done.guiding,
+                             .stop = done.stop};
         result.error = done.error;
       },
       accelerator);
@@ -159,35 +166,6 @@ std::string kernel_name(const Scene& scene, const RenderOptions& options) {
       return "report";
   }
   return "";
-}
-
-std::uint32_t film_replicates(const RenderOptions& options) {
-  if (is_lab_shading(options.integrator)) return 1;
-  return static_cast<std::uint32_t>(
-      std::clamp(options.replicates, 1, std::max(options.samples_per_pixel, 1)));
-}
-
-std::optional<Mat3d> film_balance(const RenderOptions& options) {
-  if (!options.white_balance_kelvins) return std::nullopt;
-  return white_balance(*options.white_balance_kelvins);
-}
-
-CompileOptions compile_options(const RenderOptions& options) {
-  const bool is_lab = is_lab_shading(options.integrator);
-  return {.width = options.width,
-          .height = options.height,
-          .lab_quantised = is_lab,
-          .decides_cutouts = !is_lab,
-          .light_sampling = options.integrator == IntegratorKind::Path ? options.light_sampling
-                                                                       : LightSampling::Triangles,
-          .keeps_media = options.integrator == IntegratorKind::Path,
-          .samples_constant_environment =
-              options.samples_constant_sky || !counts_met_light(options.sampling),
-          .compensates_sky = options.compensates_sky &&
-                             options.integrator == IntegratorKind::Path &&
-                             options.sampling == SamplingStrategy::Mis,
-          .light_cells = options.light_cells && options.integrator == IntegratorKind::Path,
-          .opacity_grids = options.savings.opacity_grids};
 }
 
 }  // namespace candela

@@ -4,8 +4,11 @@
 #include <optional>
 
 #include "integrators/kernel.h"
-#include "integrators/render.h"
+#include "integrators/render_options.h"
+#include "integrators/render_statistics.h"
 #include "integrators/time_budget.h"
+#include "renderer/base/progress.h"
+#include "renderer/film/error_estimate.h"
 
 namespace candela {
 

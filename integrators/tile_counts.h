@@ -6,7 +6,7 @@
 #include <optional>
 #include <tuple>
 
-#include "integrators/render.h"
+#include "integrators/ray_counts.h"
 #include "renderer/film/film.h"
 
 namespace candela {

@@ -73,8 +73,7 @@ double relative_noise(const Vec3d& variance, const Vec3d& mean, double picture_m
 }
 
 double trimmed_sum(std::vector<double> noise) {
-  constexpr std::ptrdiff_t noisy_share = 16;
-  const auto calm_end = noise.end() - std::ssize(noise) / noisy_share;
+  const auto calm_end = noise.end() - static_cast<std::ptrdiff_t>(noise.size() / noisy_tiles);
   std::nth_element(noise.begin(), calm_end, noise.end());
   return std::accumulate(noise.begin(), calm_end, 0.0);
 }

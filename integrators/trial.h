@@ -2,11 +2,13 @@
 // best way to render it. The same for any crop and threads.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "integrators/kernel.h"
-#include "integrators/render.h"
+#include "integrators/render_options.h"
+#include "renderer/math/vec.h"
 
 namespace candela {
 
@@ -48,7 +50,21 @@ Vec3d run_block(TilePass pass, const TrialBlock& place, const RenderOptions& opt
 [[nodiscard]] double relative_weight(double mean, double picture_mean);
 [[nodiscard]] double relative_noise(const Vec3d& variance, const Vec3d& mean, double picture_mean);
 
-// Of all but the noisiest tiles, where a rare bright sample would decide alone.
+// One tile or pixel in so many is left out of what is compared, the noisiest, where a rare bright
+// sample would decide alone.
+inline constexpr std::size_t noisy_tiles = 16;
+inline constexpr std::size_t noisy_pixels = 32;
+
+// Of all tiles but those.
 [[nodiscard]] double trimmed_sum(std::vector<double> noise);
+
+// `pixels`: each has a mean(). 0: there are none.
+template <class Pixels>
+[[nodiscard]] double mean_of_pixels(const Pixels& pixels) {
+  double mean = 0;
+  for (const auto& pixel : pixels)
+    mean += sum_of_components(pixel.mean()) / 3 / static_cast<double>(pixels.size());
+  return mean;
+}
 
 }  // namespace candela

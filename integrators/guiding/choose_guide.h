@@ -5,7 +5,7 @@
 
 #include "integrators/guiding/guiding_field.h"
 #include "integrators/kernel.h"
-#include "integrators/render.h"
+#include "integrators/render_options.h"
 
 namespace candela {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "integrators/guiding/guiding_field.h"
-#include "integrators/path/path_observer.h"
+#include "integrators/path_observer.h"
 #include "renderer/accel/ray_block.h"
 
 namespace candela {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "integrators/render.h"
+#include "integrators/render_options.h"
 #include "integrators/tile_counts.h"
 #include "renderer/camera/camera.h"
 #include "renderer/film/film.h"
@@ -44,14 +44,6 @@ template <class A>
   const std::uint32_t max_depth = options.max_depth ? static_cast<std::uint32_t>(*options.max_depth)
                                                     : std::numeric_limits<std::uint32_t>::max();
   return {scene, accelerator, scene.cameras[options.camera], filter, options, max_depth};
-}
-
-[[nodiscard]] inline Filter make_filter(const RenderOptions& options) {
-  return {options.filter, options.filter_radius.value_or(default_radius(options.filter))};
-}
-
-[[nodiscard]] inline PixelRect rendered_rect(const RenderOptions& options) {
-  return options.crop.value_or(PixelRect{0, 0, options.width, options.height});
 }
 
 }  // namespace candela

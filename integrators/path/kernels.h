@@ -4,8 +4,9 @@
 
 #include <string_view>
 
+#include "integrators/path/recording_accel.h"
 #include "integrators/path/render_tile.h"
-#include "integrators/ray_limit/recording_accel.h"
+#include "renderer/accel/any_accel.h"
 
 namespace candela {
 

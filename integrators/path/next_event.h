@@ -11,6 +11,7 @@
 #include "renderer/bsdf/dispatch.h"
 #include "renderer/geometry/surface_point.h"
 #include "renderer/light/sample_light.h"
+#include "renderer/scene/light_tables.h"
 
 namespace candela {
 
@@ -19,10 +20,6 @@ namespace candela {
 [[nodiscard]] inline bool is_consistent(const SurfacePoint& point, const Vec3f& wi_world,
                                         const Vec3f& wi_local) {
   return point.is_flat || (dot(wi_world, point.geometric_normal) > 0) == (wi_local.z > 0);
-}
-
-[[nodiscard]] inline LightTables light_tables(const Scene& scene) {
-  return {scene.environment ? &*scene.environment : nullptr, &scene.textures, &scene.geometries};
 }
 
 // What a light sample brings if nothing stands in its shadow ray's way. A sky's radiance is looked

@@ -179,7 +179,7 @@ template <FeatureSet F>
   return point;
 }
 
-// What the film's layers keep. Out of line: the loop below need not have all of it at hand.
+// What the film's layers keep. Out of line: the steps of a path need not have all of it at hand.
 template <FeatureSet F>
 [[gnu::noinline]] void record_camera_hit(const Scene& scene, const Camera& camera, const Ray& ray,
                                          const Hit& hit, const Material& material,

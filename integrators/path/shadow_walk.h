@@ -6,6 +6,7 @@
 #include "renderer/accel/accelerator.h"
 #include "renderer/geometry/surface_point.h"
 #include "renderer/light/shadow_segment.h"
+#include "renderer/scene/met_point.h"
 
 namespace candela {
 
@@ -17,11 +18,6 @@ inline constexpr int most_boundaries = 4096;
   if (!scene.features.clear_boundaries) return false;
   const MaterialHandle material = scene.geometries[hit.geometry].material;
   return scene.medium_boundaries[material.index].is_clear;
-}
-
-[[nodiscard]] inline SurfacePoint met_point(const Scene& scene, const Hit& hit, const Vec3f& wo) {
-  return make_surface_point(scene.geometries[hit.geometry], instance_of(scene, hit), hit, wo,
-                            false);
 }
 
 // The medium behind a surface that only bounds media.

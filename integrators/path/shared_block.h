@@ -7,6 +7,7 @@
 
 #include "integrators/path/block_trip.h"
 #include "integrators/tile_pass.h"
+#include "renderer/film/tiles.h"
 
 namespace candela {
 
@@ -30,10 +31,9 @@ inline constexpr int shared_side = 4;
 template <class Visit>
 inline void for_each_square(int side, const PixelRect& tile, int width, int height,
                             const Visit& visit) {
-  const auto aligned = [side](int i) { return i - i % side; };
-  for (int y = aligned(tile.y0); y < tile.y1; y += side)
-    for (int x = aligned(tile.x0); x < tile.x1; x += side)
-      visit(PixelRect{x, y, std::min(x + side, width), std::min(y + side, height)});
+  const PixelRect first = square_around(tile.x0, tile.y0, side, width, height);
+  for (int y = first.y0; y < tile.y1; y += side)
+    for (int x = first.x0; x < tile.x1; x += side) visit(square_around(x, y, side, width, height));
 }
 
 // Calls visit(x, y) for the pixels of a square, neighbours after each other: in Morton order.

@@ -2,6 +2,7 @@
 // camera rays' directions, and no ray.
 #pragma once
 
+#include "integrators/render_options.h"
 #include "integrators/rounds.h"
 #include "integrators/tile_counts.h"
 #include "renderer/film/filter.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "integrators/path/feature_set.h"
-#include "integrators/render.h"
+#include "integrators/render_options.h"
 #include "renderer/sampling/mis.h"
 
 namespace candela {

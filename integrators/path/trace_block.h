@@ -5,8 +5,8 @@
 #include "integrators/path/block_lanes.h"
 #include "integrators/path/block_trip.h"
 #include "integrators/path/media_step.h"
-#include "integrators/path/path_observer.h"
 #include "integrators/path/sky_lanes.h"
+#include "integrators/path_observer.h"
 
 namespace candela {
 

@@ -1,18 +1,14 @@
 #include "integrators/ray_bench/record_rays.h"
 
-#include "renderer/geometry/surface_point.h"
 #include "renderer/light/sample_light.h"
 #include "renderer/math/frame.h"
 #include "renderer/sampling/sampler.h"
 #include "renderer/sampling/warp.h"
+#include "renderer/scene/light_tables.h"
+#include "renderer/scene/met_point.h"
 
 namespace candela {
 namespace {
-
-SurfacePoint surface_point(const Scene& scene, const Ray& ray, const Hit& hit) {
-  const Instance* instance = instance_of(scene, hit);
-  return make_surface_point(scene.geometries[hit.geometry], instance, hit, -ray.direction, false);
-}
 
 const Light* pick_light(const Scene& scene, std::uint32_t bits) {
   const LightSampler& table = scene.light_sampler;
@@ -30,10 +26,8 @@ void record_shadow_ray(const Scene& scene, const Hit& hit, const SurfacePoint& f
                        const Sampler& sampler, std::uint32_t bounce, std::vector<Ray>& rays) {
   const Light* light = pick_light(scene, sampler.sample_1d_bits(bounce, Dimension::LightChoice));
   if (!light || light->geometry == hit.geometry) return;
-  const LightTables tables{scene.environment ? &*scene.environment : nullptr, &scene.textures,
-                           &scene.geometries};
   const LightSample sample =
-      sample_light(tables, *light, from, sampler.sample_2d(bounce, Dimension::LightPoint));
+      sample_light(light_tables(scene), *light, from, sampler.sample_2d(bounce, Dimension::LightPoint));
   if (!sample.is_valid() || !(dot(sample.wi, from.geometric_normal) > 0)) return;
   Ray ray = sample.shadow_ray;
   if (ray.t_max < infinity) {  // to a finite light: unit, and well short of its own surface
@@ -49,7 +43,7 @@ void record_path(const Scene& scene, const EmbreeAccel& accelerator, const Recor
   for (int bounce = 0; bounce <= options.bounces; ++bounce) {
     const Hit hit = accelerator.intersect(ray);
     if (!hit.is_hit()) return;
-    const SurfacePoint from = surface_point(scene, ray, hit);
+    const SurfacePoint from = met_point(scene, hit, -ray.direction);
     if (!is_finite(from.geometric_normal)) return;  // no area
     const auto dimension_bounce = static_cast<std::uint32_t>(bounce);
     record_shadow_ray(scene, hit, from, sampler, dimension_bounce,

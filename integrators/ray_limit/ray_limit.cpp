@@ -1,9 +1,8 @@
-// `--ray-limit`: how near a render is to the cost of its rays alone.
+#include "integrators/ray_limit/ray_limit.h"
 
 #include "integrators/check_options.h"
 #include "integrators/feasible_options.h"
 #include "integrators/path/kernels.h"
-#include "integrators/render.h"
 #include "renderer/base/thread_clock.h"
 #include "renderer/film/tiles.h"
 

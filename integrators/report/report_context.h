@@ -5,6 +5,7 @@
 #include "integrators/path/context.h"
 #include "integrators/report/emitter_table.h"
 #include "integrators/tile_pass.h"
+#include "renderer/accel/any_accel.h"
 
 namespace candela {
 

@@ -9,6 +9,7 @@
 #include "integrators/tile_counts.h"
 #include "integrators/trial.h"
 #include "renderer/base/parallel.h"
+#include "renderer/film/tiles.h"
 #include "renderer/sampling/hash.h"
 
 namespace candela {
@@ -53,12 +54,6 @@ std::size_t groups_to_ask(const RenderOptions& options) {
   return groups < fewest_groups ? 0 : groups;
 }
 
-PixelRect square_with(int x, int y, const RenderOptions& options) {
-  const int x0 = x - x % reuse_square, y0 = y - y % reuse_square;
-  return {x0, y0, std::min(x0 + reuse_square, options.width),
-          std::min(y0 + reuse_square, options.height)};
-}
-
 // One of the two blocks of each pixel of a group. `pass`: all but that.
 void run_group_block(TilePass pass, std::uint64_t group, std::size_t block,
                      const RenderOptions& options, const TileFunction& render_tile, Group& result) {
@@ -94,7 +89,7 @@ void run_groups(const RenderOptions& options, const PathPlan& plan, const TileFu
     const auto index = static_cast<std::uint32_t>(i);
     const PixelRect pixel = trial_tile(options, 1, seed, index);
     TilePass pass;
-    pass.tile = square_with(pixel.x0, pixel.y0, options);
+    pass.tile = square_around(pixel.x0, pixel.y0, reuse_square, options.width, options.height);
     pass.range = {0, whole_block};
     pass.plan = plan;
     for (std::uint32_t block = 0; block < 2; ++block) {
@@ -111,17 +106,14 @@ double noise_of_pixel(const BlockMeans& blocks, const Vec3d& mean, double pictur
 
 // Of all but the noisiest pixels.
 Pair noise_of(const std::vector<PixelTrial>& pixels) {
-  constexpr std::size_t noisy_share = 32;
-  double picture_mean = 0;
-  for (const PixelTrial& pixel : pixels)
-    picture_mean += sum_of_components(pixel.mean()) / 3 / static_cast<double>(pixels.size());
+  const double picture_mean = mean_of_pixels(pixels);
   if (!(picture_mean > 0)) return {};
   std::vector<Pair> noise;
   for (const PixelTrial& pixel : pixels)
     noise.push_back({noise_of_pixel(pixel.shared, pixel.mean(), picture_mean),
                      noise_of_pixel(pixel.alone, pixel.mean(), picture_mean)});
   std::ranges::sort(noise, {}, [](const Pair& of) { return of.shared + of.alone; });
-  noise.resize(noise.size() - noise.size() / noisy_share);
+  noise.resize(noise.size() - noise.size() / noisy_pixels);
   Pair sum;
   for (const Pair& of : noise) sum += of;
   return sum;

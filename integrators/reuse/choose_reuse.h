@@ -4,7 +4,7 @@
 #pragma once
 
 #include "integrators/kernel.h"
-#include "integrators/render.h"
+#include "integrators/render_options.h"
 
 namespace candela {
 

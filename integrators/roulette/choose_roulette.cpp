@@ -91,15 +91,14 @@ Effort effort_of(const PixelWalks& pixel, double picture_mean, Roulette roulette
 // Relative variance times cost of all but the noisiest pixels.
 class Efforts {
  public:
-  Efforts(std::vector<PixelWalks> pixels, Roulette usual) : pixels_(std::move(pixels)) {
-    for (const PixelWalks& pixel : pixels_)
-      picture_mean_ += sum_of_components(pixel.mean()) / 3 / static_cast<double>(pixels_.size());
+  Efforts(std::vector<PixelWalks> pixels, Roulette usual)
+      : pixels_(std::move(pixels)), picture_mean_(mean_of_pixels(pixels_)) {
     if (!has_light()) return;
     std::vector<std::pair<double, std::size_t>> noise;
     for (std::size_t i = 0; i < pixels_.size(); ++i)
       noise.emplace_back(effort_of(pixels_[i], picture_mean_, usual).variance, i);
     std::ranges::sort(noise);
-    noise.resize(noise.size() - noise.size() / noisy_share);
+    noise.resize(noise.size() - noise.size() / noisy_pixels);
     for (const auto& [variance, i] : noise) calm_.push_back(i);
   }
 
@@ -115,10 +114,9 @@ class Efforts {
   }
 
  private:
-  static constexpr std::size_t noisy_share = 32;
   std::vector<PixelWalks> pixels_;
+  double picture_mean_;
   std::vector<std::size_t> calm_;
-  double picture_mean_ = 0;
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "integrators/path/path_observer.h"
+#include "integrators/path_observer.h"
 #include "integrators/roulette/walk.h"
 #include "renderer/accel/ray_block.h"
 

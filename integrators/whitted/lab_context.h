@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "integrators/render.h"
+#include "integrators/render_options.h"
 #include "renderer/camera/camera.h"
 #include "renderer/light/light.h"
 #include "renderer/scene/scene.h"
@@ -12,7 +12,7 @@ namespace candela {
 
 // What tells whitted and raster apart beside their walks, and what the user may choose.
 struct LabRules {
-  int max_depth = 5;
+  int max_depth = default_whitted_depth;
   SpecularModel specular = SpecularModel::Blinn;
   bool shadows = true;
   bool bump = false;         // the lab's rasteriser reads height maps, its ray tracer does not

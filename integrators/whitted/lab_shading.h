@@ -6,6 +6,7 @@
 #include "integrators/whitted/lab_shadow.h"
 #include "renderer/light/sample_light.h"
 #include "renderer/math/transcendental.h"
+#include "renderer/scene/light_tables.h"
 
 namespace candela {
 
@@ -27,7 +28,7 @@ template <class A>
                                       const Hit& hit, const Vec3f& wo, TileCounts& counts) {
   const LabSurface& surface = point.surface;
   const Vec3f& n = point.normal;
-  const LightTables tables{nullptr, &context.scene.textures, &context.scene.geometries};
+  const LightTables tables = light_tables(context.scene);
   Rgb sum = context.scene.ambient * surface.kd;
   if (point.geometry.is_emissive())
     sum += emitted_radiance(tables, context.scene.lights[point.geometry.first_light + hit.triangle],

@@ -3,13 +3,9 @@
 #pragma once
 
 #include "renderer/material/bsdf_at.h"
+#include "renderer/material/coverage.h"
 
 namespace candela {
-
-// lab3's thresholds of alpha: below the one a surface is a hole for shadow rays and for the
-// rasteriser, below the other rays go on straight behind it.
-inline constexpr float lab_hole_below = 0.2f;
-inline constexpr float lab_solid_from = 0.9f;
 
 struct LabSurface {
   Rgb kd{0};

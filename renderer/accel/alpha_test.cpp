@@ -2,8 +2,8 @@
 
 #include <bit>
 
-#include "renderer/geometry/surface_point.h"
 #include "renderer/sampling/hash.h"
+#include "renderer/scene/met_point.h"
 
 namespace candela {
 namespace {
@@ -48,9 +48,7 @@ Coverage grid_coverage(const Scene& scene, const Material& material, Vec2f uv) {
 TexturePoint point_at(const Scene& scene, const Hit& hit, Vec2f uv,
                       const ScalarParameter& opacity) {
   if (!opacity.texture || !scene.textures.is_by_place(opacity.texture)) return {.uv = uv};
-  const Instance* instance = instance_of(scene, hit);
-  const SurfacePoint met =
-      make_surface_point(scene.geometries[hit.geometry], instance, hit, Vec3f(0, 0, 1), false);
+  const SurfacePoint met = met_point(scene, hit, Vec3f(0, 0, 1));
   return {uv, met.position, met.geometric_normal};
 }
 
@@ -61,19 +59,17 @@ bool leaves_sphere(const Scene& scene, const Hit& hit, const Vec3f& direction) {
              direction) > 0;
 }
 
-float mapped_opacity_at(const Scene& scene, const Material& material, const TexturePoint& at) {
-  const float alpha = value_at(scene.textures, material.opacity, at);
-  const Coverage coverage = coverage_of_range(alpha, alpha, material.lab_opacity);
-  if (coverage != Coverage::Partial) return coverage == Coverage::Opaque ? 1 : 0;
-  return alpha;
-}
-
 }  // namespace
 
-float opacity_at(const Scene& scene, const Material& material, const TexturePoint& at) {
-  const Coverage coverage = grid_coverage(scene, material, at.uv);
+float opacity_at(const Scene& scene, const Material& material, const Hit& hit, Vec2f uv) {
+  Coverage coverage = grid_coverage(scene, material, uv);
+  float alpha = 1;
+  if (coverage == Coverage::Partial) {
+    alpha = value_at(scene.textures, material.opacity, point_at(scene, hit, uv, material.opacity));
+    coverage = coverage_of_range(alpha, alpha, material.lab_opacity);
+  }
   if (coverage != Coverage::Partial) return coverage == Coverage::Opaque ? 1 : 0;
-  return mapped_opacity_at(scene, material, at);
+  return alpha;
 }
 
 bool is_transparent_at(const Scene& scene, std::uint32_t geometry, std::uint32_t triangle,
@@ -82,12 +78,8 @@ bool is_transparent_at(const Scene& scene, std::uint32_t geometry, std::uint32_t
   const Geometry& surface = scene.geometries[geometry];
   if (!surface.has_cutouts) return false;
   const Material& material = scene.materials[surface.material.index];
-  const Vec2f uv = uv_at(surface, triangle, u, v);
-  const Coverage coverage = grid_coverage(scene, material, uv);
-  if (coverage != Coverage::Partial) return coverage == Coverage::Clear;
   const Hit hit{.u = u, .v = v, .geometry = geometry, .triangle = triangle, .instance = instance};
-  const float opacity =
-      mapped_opacity_at(scene, material, point_at(scene, hit, uv, material.opacity));
+  const float opacity = opacity_at(scene, material, hit, uv_at(surface, triangle, u, v));
   if (opacity <= 0) return true;
   if (opacity >= 1) return false;
   // A ray meets a sphere twice, and each time something else is decided.

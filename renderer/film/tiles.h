@@ -8,6 +8,13 @@
 
 namespace candela {
 
+// Of the squares of `side` pixels that a picture is cut into the one with pixel x, y; smaller at
+// the edges.
+[[nodiscard]] inline PixelRect square_around(int x, int y, int side, int width, int height) {
+  const int x0 = x - x % side, y0 = y - y % side;
+  return {x0, y0, std::min(x0 + side, width), std::min(y0 + side, height)};
+}
+
 // Squares of `size` pixels (smaller at the edges) in rows from the top, cut at the multiples of
 // `size` whatever the rectangle: so that few cut what pixels share (path/shared_block.h).
 [[nodiscard]] inline std::vector<PixelRect> tiles_of(const PixelRect& rect, int size) {

@@ -27,11 +27,6 @@ namespace candela {
   return clamp_unit(textures.lookup_at(parameter.texture, at)[parameter.channel]);
 }
 
-// Lab surfaces without a highlight are Lambert's.
-[[nodiscard]] inline bool has_highlight(const Material& material) {
-  return material.specular.texture || !is_black(material.specular.constant);
-}
-
 // Which models bsdf_at() can make of a material.
 [[nodiscard]] inline ModelSet bsdf_models(const Material& material) {
   switch (material.model) {
@@ -41,7 +36,7 @@ namespace candela {
       return model_bit(material.energy_compensation ? BsdfModel::CompensatedCookTorrance
                                                     : BsdfModel::CookTorrance);
     case MaterialModel::Lab:
-      return model_bit(has_highlight(material) ? BsdfModel::Lab : BsdfModel::Diffuse);
+      return model_bit(BsdfModel::Lab);
     case MaterialModel::Mirror:
       return model_bit(BsdfModel::Mirror);
     case MaterialModel::Conductor: {
@@ -108,7 +103,7 @@ inline void limit_reflectance(Rgb& diffuse, Rgb& specular) {
 // With a given colour of the diffuse lobe.
 [[nodiscard]] inline Bsdf lab_at(const Material& material, const TextureStore& textures,
                                  const TexturePoint& at, const Rgb& diffuse) {
-  Bsdf bsdf{.model = has_highlight(material) ? BsdfModel::Lab : BsdfModel::Diffuse,
+  Bsdf bsdf{.model = BsdfModel::Lab,
             .alpha = material.roughness.constant,
             .diffuse = diffuse,
             .specular = material.specular.constant};
@@ -120,9 +115,6 @@ inline void limit_reflectance(Rgb& diffuse, Rgb& specular) {
   return bsdf;
 }
 
-// Above it k would be infinite.
-inline constexpr float largest_metal_reflectance = 0.9999f;
-
 struct MetalIndex {
   Rgb eta, k;
 };
@@ -132,7 +124,8 @@ struct MetalIndex {
                                                const TextureStore& textures,
                                                const TexturePoint& at) {
   if (!material.specular.texture) return {material.eta, material.k};
-  Rgb r = glm::min(colour_at(material.specular, textures, at), Rgb{largest_metal_reflectance});
+  constexpr auto largest = static_cast<float>(largest_metal_reflectance);
+  Rgb r = glm::min(colour_at(material.specular, textures, at), Rgb{largest});
   return {Rgb{1},
           {extinction_of_reflectance(r.x), extinction_of_reflectance(r.y),
            extinction_of_reflectance(r.z)}};

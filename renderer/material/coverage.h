@@ -7,13 +7,14 @@ namespace candela {
 
 enum class Coverage : std::uint8_t { Clear, Partial, Opaque };
 
-// Of opacities between `low` and `high`. `is_lab`: below 0.2 is a hole, from 0.9 on solid
-// (docs/scene_format.md).
+// lab3's: below the one a surface is a hole, from the other on solid (docs/scene_format.md).
+inline constexpr float lab_hole_below = 0.2f;
+inline constexpr float lab_solid_from = 0.9f;
+
+// Of opacities between `low` and `high`. `is_lab`: by lab3's thresholds.
 [[nodiscard]] constexpr Coverage coverage_of_range(float low, float high, bool is_lab) {
-  constexpr float lab_hole = 0.2f;
-  constexpr float lab_solid = 0.9f;
-  if (low >= (is_lab ? lab_solid : 1.0f)) return Coverage::Opaque;
-  if (is_lab ? high < lab_hole : high <= 0) return Coverage::Clear;
+  if (low >= (is_lab ? lab_solid_from : 1.0f)) return Coverage::Opaque;
+  if (is_lab ? high < lab_hole_below : high <= 0) return Coverage::Clear;
   return Coverage::Partial;
 }
 

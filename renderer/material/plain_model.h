@@ -30,7 +30,7 @@ namespace candela {
       return material.geometry == GeometryModel::Smith ? PlainModel::SmithCookTorrance
                                                        : PlainModel::CookTorrance;
     case MaterialModel::Lab:
-      return has_highlight(material) ? PlainModel::Lab : PlainModel::Diffuse;
+      return PlainModel::Lab;
     case MaterialModel::Conductor:
       return !material.energy_compensation && has_one_width(material) ? PlainModel::Conductor
                                                                       : PlainModel::None;

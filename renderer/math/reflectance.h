@@ -16,6 +16,9 @@ template <class Colour>
   return ((eta - one) * (eta - one) + k * k) / ((eta + one) * (eta + one) + k * k);
 }
 
+// Of metals given by their reflectance: above it k would be infinite.
+inline constexpr double largest_metal_reflectance = 0.9999;
+
 // k of a metal of eta = 1 by its reflectance at normal incidence, which is below 1.
 template <class Real>
 [[nodiscard]] Real extinction_of_reflectance(Real reflectance) {

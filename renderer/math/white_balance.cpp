@@ -21,7 +21,7 @@ Vec3d xyz_of(const Chromaticity& c) {
 
 Chromaticity daylight(double kelvins) {
   constexpr double constants_ratio = 1.4388 / 1.4380;
-  const double t = std::clamp(kelvins, 100.0, 1e9) * constants_ratio;
+  const double t = std::clamp(kelvins, coolest_kelvins, hottest_kelvins) * constants_ratio;
   if (t < 4000) {
     const Vec3d xyz = xyz_of_light([&](double nanometres) { return black_body(nanometres, t); });
     const double sum = sum_of_components(xyz);

@@ -13,10 +13,7 @@
 #include "renderer/scene/compile_lights.h"
 #include "renderer/scene/compile_materials.h"
 #include "renderer/scene/compile_media.h"
-#include "renderer/scene/compile_spheres.h"
-#include "renderer/scene/instance_range.h"
 #include "renderer/scene/normalise.h"
-#include "renderer/scene/triangle_sort.h"
 
 namespace candela {
 namespace {
@@ -43,7 +40,7 @@ void compile_materials(const SceneDescription& description, const CompileOptions
       }
     } else {
       scene.materials.emplace_back();
-      ++dropped["materials that nothing wears"];
+      ++dropped[DropReason::UnwornMaterials];
     }
   }
 }
@@ -97,35 +94,25 @@ void warn_of_lost_surfaces(const SceneDescription& description, const Scene& sce
   if (!scene.geometries.empty() || shows_more_than_surfaces(scene) || !has_surface(description))
     return;
   std::vector<std::string> reasons;
-  for (const auto& [what, count] : dropped)
-    if (what.starts_with("triangles ") || what.starts_with("spheres "))
-      reasons.push_back(fmt::format("{} {}", count, what));
+  for (const auto& [reason, count] : dropped)
+    if (is_of_surfaces(reason)) reasons.push_back(fmt::format("{} {}", count, name_of(reason)));
   diagnostics.warning({}, fmt::format("all surfaces are left out ({}): there is nothing to see",
                                       fmt::join(reasons, ", ")));
 }
 
-}  // namespace
+bool is_triangle_light(const description::Light& light) {
+  return std::holds_alternative<description::TriangleLight>(light.kind);
+}
 
-Result<Scene> compile(const SceneDescription& description, const CompileOptions& options) {
-  Diagnostics diagnostics = validate(description);
-  if (options.width < 1 || options.height < 1)
-    diagnostics.error({}, fmt::format("a picture of {} x {} pixels, expected at least 1 x 1",
-                                      options.width, options.height));
-  if (diagnostics.has_errors()) return diagnostics;
+SceneDescription with_lamp_surfaces(SceneDescription description) {
+  add_triangle_light_surfaces(description);
+  std::erase_if(description.lights, is_triangle_light);
+  return description;
+}
 
-  const bool has_triangle_lights =
-      std::any_of(description.lights.begin(), description.lights.end(), [](const auto& light) {
-        return std::holds_alternative<description::TriangleLight>(light.kind);
-      });
-  if (has_triangle_lights) {
-    SceneDescription with_surfaces = description;
-    add_triangle_light_surfaces(with_surfaces);
-    std::erase_if(with_surfaces.lights, [](const auto& light) {
-      return std::holds_alternative<description::TriangleLight>(light.kind);
-    });
-    return compile(with_surfaces, options);
-  }
-
+// Without triangle lights. `diagnostics`: what was said of the description.
+Result<Scene> compile_valid(const SceneDescription& description, const CompileOptions& options,
+                            Diagnostics diagnostics) {
   Scene scene;
   DropCounts dropped;
   scene.normalisation = normalisation_of(description);
@@ -145,13 +132,26 @@ Result<Scene> compile(const SceneDescription& description, const CompileOptions&
   if (diagnostics.has_errors()) return diagnostics;
   scene.features = features_of(scene);
   scene.plain_models = plain_models_of(scene);
-  for (const auto& [what, count] : dropped) scene.dropped.push_back({what, count});
-  for (const char* reason :
-       {out_of_reach, spheres_out_of_reach, instances_out_of_range, too_small, spheres_too_small})
-    if (const auto lost = dropped.find(reason); lost != dropped.end())
-      diagnostics.warning({}, fmt::format("{} {} are left out", lost->second, lost->first));
+  for (const auto& [reason, count] : dropped) {
+    scene.dropped.push_back({std::string(name_of(reason)), count});
+    if (may_be_missed(reason))
+      diagnostics.warning({}, fmt::format("{} {} are left out", count, name_of(reason)));
+  }
   warn_of_lost_surfaces(description, scene, dropped, diagnostics);
   return {std::move(scene), std::move(diagnostics)};
+}
+
+}  // namespace
+
+Result<Scene> compile(const SceneDescription& description, const CompileOptions& options) {
+  Diagnostics diagnostics = validate(description);
+  if (options.width < 1 || options.height < 1)
+    diagnostics.error({}, fmt::format("a picture of {} x {} pixels, expected at least 1 x 1",
+                                      options.width, options.height));
+  if (diagnostics.has_errors()) return diagnostics;
+  if (std::ranges::none_of(description.lights, is_triangle_light))
+    return compile_valid(description, options, std::move(diagnostics));
+  return compile_valid(with_lamp_surfaces(description), options, std::move(diagnostics));
 }
 
 }  // namespace candela

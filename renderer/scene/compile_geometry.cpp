@@ -50,9 +50,9 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> by_material(const descriptio
 void count_dropped_attributes(const description::Mesh& mesh, const Geometry& geometry,
                               DropCounts& dropped) {
   if (!mesh.normals.empty() && geometry.normals.empty())
-    dropped["normals that say what the winding says"] += geometry.positions.size();
+    dropped[DropReason::RedundantNormals] += geometry.positions.size();
   if (!mesh.uvs.empty() && geometry.uvs.empty())
-    dropped["texture coordinates that nothing reads"] += geometry.positions.size();
+    dropped[DropReason::UnreadTextureCoordinates] += geometry.positions.size();
 }
 
 void compile_mesh(const description::Mesh& mesh, const CompileOptions& options, const Scene& scene,
@@ -80,7 +80,7 @@ void compile_mesh(const description::Mesh& mesh, const CompileOptions& options, 
   }
   const auto unused = std::count(is_kept.begin(), is_kept.end(), false);
   if (unused > 0)
-    placement.dropped["vertices that no triangle needs"] += static_cast<std::uint64_t>(unused);
+    placement.dropped[DropReason::UnusedVertices] += static_cast<std::uint64_t>(unused);
 }
 
 // Each triangle of a lamp is a light, and two may be one (compile_quad_lights.h): no parts.
@@ -183,7 +183,7 @@ void count_meshes_without_place(const SceneDescription& description, DropCounts&
   for (const description::Instance& instance : description.instances)
     is_placed[instance.mesh.index] = true;
   const auto unplaced = std::count(is_placed.begin(), is_placed.end(), false);
-  if (unplaced > 0) dropped["meshes without a place"] += static_cast<std::uint64_t>(unplaced);
+  if (unplaced > 0) dropped[DropReason::UnplacedMeshes] += static_cast<std::uint64_t>(unplaced);
 }
 
 Plan plan_placements(const SceneDescription& description, Scene& scene, DropCounts& dropped) {
@@ -199,8 +199,7 @@ Plan plan_placements(const SceneDescription& description, Scene& scene, DropCoun
     const MeshUse use = use_of(instance);
     const bool is_single = uses[use] == 1;
     if (is_single || is_emissive(description, scene, instance)) {
-      ++dropped[is_single ? "instances that are the only one of their mesh"
-                          : "instances that are lamps"];
+      ++dropped[is_single ? DropReason::SingleInstances : DropReason::LampInstances];
       plan.place_in_world(instance, to_world);
       continue;
     }
@@ -273,11 +272,11 @@ void flatten_instances(const SceneDescription& description, const auto& fits, Sc
     const description::Instance& instance = description.instances[described];
     const std::size_t triangles = description.meshes[instance.mesh.index].triangles.size();
     if (!plan.has_room_for(triangles)) {
-      ++dropped[instances_out_of_range];
+      ++dropped[DropReason::InstancesOutOfRange];
       continue;
     }
     plan.flattened_triangles += triangles;
-    ++dropped["instances that only their triangles can be placed of"];
+    ++dropped[DropReason::InstancesOfTriangles];
     plan.place_in_world(instance, normalising(scene.normalisation));
   }
   scene.instances.resize(kept);
@@ -354,7 +353,7 @@ void compile_geometry(const SceneDescription& description, const CompileOptions&
   SpheresByKind worlds_spheres;
   for (std::size_t i = 0; i < plan.placements.size(); ++i) {
     Placement& placement = plan.placements[i];
-    for (const auto& [what, count] : placement.dropped) dropped[what] += count;
+    for (const auto& [reason, count] : placement.dropped) dropped[reason] += count;
     Object& target = plan.object_of[i] ? scene.objects[plan.object_of[i].index] : scene.world;
     for (Geometry& geometry : placement.geometries) {
       if (!plan.object_of[i] && worlds_spheres.joins(geometry, scene)) continue;

@@ -2,17 +2,12 @@
 // world; triangles are grouped by material and visibility; what no ray can meet is dropped.
 #pragma once
 
-#include <map>
-#include <string>
-
 #include "renderer/description/scene_description.h"
 #include "renderer/scene/compile.h"
+#include "renderer/scene/drop_reason.h"
 #include "renderer/scene/scene.h"
 
 namespace candela {
-
-// Counts by reason, for Scene::dropped.
-using DropCounts = std::map<std::string, std::uint64_t>;
 
 // Fills geometries, objects, world, instances. Materials are indexed as in the description, and the
 // scene's material table and textures must be complete. Emissive geometries are flattened, so that

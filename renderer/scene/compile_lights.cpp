@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "renderer/description/validate.h"
 #include "renderer/description/validate_light.h"
 #include "renderer/light/build_environment.h"
 #include "renderer/light/light_power.h"
@@ -137,7 +138,7 @@ void add_delta_lights(const SceneDescription& description, Scene& scene, DropCou
                         "the intensity of a light is more than numbers hold in the unit "
                         "of the scene");
     if (description::is_black(light) || is_black(compiled->emission))  // in single precision
-      ++dropped["black lights"];
+      ++dropped[DropReason::BlackLights];
     else
       scene.lights.push_back(*compiled);
   }
@@ -238,6 +239,14 @@ LightSampler build_light_sampler(const Scene& scene) {
   return {scene.lights, powers};
 }
 
+bool is_dark(const Scene& scene) {
+  if (!is_black(scene.ambient) || (scene.environment && !scene.environment->is_black()))
+    return false;
+  return std::ranges::all_of(scene.lights, [](const Light& light) {
+    return light.kind == LightKind::Environment || light_power(light, nullptr, 1) <= 0;
+  });
+}
+
 }  // namespace
 
 void add_triangle_light_surfaces(SceneDescription& description) {
@@ -272,6 +281,8 @@ void compile_lights(const SceneDescription& description, const CompileOptions& o
   if (by_solid_angle) sample_triangles_by_solid_angle(scene);
   add_environment(description, options, scene, diagnostics);
   scene.ambient = ambient_of(description);
+  if (has_light(description) && is_dark(scene))
+    diagnostics.warning({}, "all lights are black or left out: the picture will be black");
   scene.light_sampler = build_light_sampler(scene);
   if (options.light_cells) scene.light_sampler.make_cells(scene.lights, scene.bounds);
 }

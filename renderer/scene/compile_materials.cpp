@@ -63,7 +63,7 @@ void set_lab_opacity(const description::LabMaterial& lab, const TextureStore& te
 
 // k of a metal with n = 1 by its reflectance at normal incidence.
 Vec3d extinction_of(const Vec3d& reflectance) {
-  const Vec3d largest(static_cast<double>(largest_metal_reflectance));
+  const Vec3d largest(largest_metal_reflectance);
   return extinction_of_reflectance(glm::min(reflectance, largest));
 }
 

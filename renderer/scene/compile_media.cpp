@@ -73,7 +73,7 @@ void compile_media(const SceneDescription& description, const std::vector<bool>&
   for (std::size_t i = 0; i < boundaries.size(); ++i)
     if (used[i]) boundaries[i] = compile_boundary(description.materials[i], media);
   const std::size_t unused = description.media.size() - scene.media.size();
-  if (unused > 0) dropped["media that are clear or nowhere"] += unused;
+  if (unused > 0) dropped[DropReason::ClearMedia] += unused;
   if (scene.media.empty()) return;
   for (std::size_t i = 0; i < boundaries.size(); ++i)
     if (boundaries[i].is_clear && boundaries[i].is_transition())

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "renderer/description/scene_description.h"
-#include "renderer/scene/compile_geometry.h"
+#include "renderer/scene/drop_reason.h"
 #include "renderer/scene/scene.h"
 
 namespace candela {

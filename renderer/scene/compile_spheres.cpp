@@ -52,11 +52,11 @@ std::optional<Geometry> compile_sphere(const Scene& scene, const description::Sp
   const Coverage coverage =
       decides_cutouts ? coverage_of(scene, scene.materials[material]) : Coverage::Opaque;
   if (!is_in_reach(compiled)) {
-    ++dropped[spheres_out_of_reach];
+    ++dropped[DropReason::SpheresOutOfReach];
   } else if (!is_large_enough(compiled)) {
-    ++dropped[spheres_too_small];
+    ++dropped[DropReason::SpheresTooSmall];
   } else if (coverage == Coverage::Clear) {
-    ++dropped["spheres that are wholly clear"];
+    ++dropped[DropReason::ClearSpheres];
   } else {
     Geometry geometry;
     geometry.spheres = {compiled};

@@ -8,9 +8,6 @@
 
 namespace candela {
 
-// The reason under which instances are counted that are meant to be seen and can not be.
-inline constexpr char instances_out_of_range[] = "instances that are too small or too large";
-
 // Whether both accelerators take the instance in. `object`: the bounds of what is placed.
 [[nodiscard]] bool is_placeable(const Instance& instance, const Bounds3f& object);
 

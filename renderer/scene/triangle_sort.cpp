@@ -56,11 +56,12 @@ SortedTriangles sort_triangles(const Scene& scene, const Material& material,
     const Vec3f& p1 = positions[index[1]];
     const Vec3f& p2 = positions[index[2]];
     if (!is_in_reach(p0) || !is_in_reach(p1) || !is_in_reach(p2)) {
-      ++dropped[out_of_reach];
+      ++dropped[DropReason::TrianglesOutOfReach];
       continue;
     }
     if (!has_area(p0, p1, p2)) {
-      ++dropped[is_meant_to_be_seen(mesh, index) ? too_small : "triangles without area"];
+      ++dropped[is_meant_to_be_seen(mesh, index) ? DropReason::TrianglesTooSmall
+                                                 : DropReason::FlatTriangles];
       continue;
     }
     const Coverage coverage =
@@ -73,7 +74,7 @@ SortedTriangles sort_triangles(const Scene& scene, const Material& material,
         sorted.partial.push_back(triangle);
         break;
       case Coverage::Clear:
-        ++dropped["triangles that are wholly clear"];
+        ++dropped[DropReason::ClearTriangles];
         break;
     }
   }

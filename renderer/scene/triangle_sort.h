@@ -6,21 +6,14 @@
 #include <vector>
 
 #include "renderer/description/scene_description.h"
-#include "renderer/scene/compile_geometry.h"
+#include "renderer/scene/drop_reason.h"
+#include "renderer/scene/scene.h"
 
 namespace candela {
 
 // Coordinates of normalised space from here on are out of reach: near what Embree leaves out
 // without a word.
 inline constexpr double out_of_reach_at = 1e18;
-
-// The reason under which triangles are counted that no ray can reach, though they may be meant to
-// be seen.
-inline constexpr char out_of_reach[] =
-    "triangles with vertices that are not finite or too far away";
-
-// The same of triangles whose area floats cannot tell from none.
-inline constexpr char too_small[] = "triangles that are too small beside the scene";
 
 // How much of a triangle its material's opacity covers; looks at the texels within.
 [[nodiscard]] Coverage coverage_of(const Scene& scene, const Material& material,

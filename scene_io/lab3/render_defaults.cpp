@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/math/white_balance.h"
 #include "scene_io/text/number.h"
 
 namespace candela::lab3 {
@@ -17,7 +18,8 @@ constexpr std::string_view keys[] = {"Width",    "Height",      "SamplesPerPixel
 constexpr std::string_view integrators[] = {"path", "report", "whitted", "raster"};
 constexpr std::string_view filters[] = {"box",      "gaussian", "blackman_harris",
                                         "triangle", "mitchell", "sinc"};
-constexpr Range kelvins{100, 1e9, false, false, "a white balance in kelvins from 100 to 1e9"};
+constexpr Range kelvins{coolest_kelvins, hottest_kelvins, false, false,
+                        "a white balance in kelvins from 100 to 1e9"};
 constexpr Range stops{-100, 100, false, false, "an exposure in stops from -100 to 100"};
 
 std::optional<int> to_int(const std::optional<std::int64_t>& number) {

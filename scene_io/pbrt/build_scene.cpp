@@ -199,9 +199,9 @@ class SceneBuilder {
     if (!context_.program.objects.contains(use.name)) {
       std::vector<std::string_view> names;
       for (const auto& [name, shapes] : context_.program.objects) names.push_back(name);
-      return context_.report.error(
-          use.place, fmt::format("there is no object {}{}", text::quoted(use.name),
-                                 did_you_mean(std::string_view(use.name).substr(0, 100), names)));
+      return context_.report.error(use.place,
+                                   fmt::format("there is no object {}{}", text::quoted(use.name),
+                                               did_you_mean(use.name, names)));
     }
     const auto found = objects.find(use.name);
     if (found == objects.end()) return;  // without shapes

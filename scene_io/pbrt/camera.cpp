@@ -80,8 +80,8 @@ void read_orthographic(Arguments& arguments, double scale, const Context& contex
   const std::optional<ScreenWindow> given = screen_window(arguments);
   constexpr double rounding = 1e-5;  // of matrices with six digits
   if (!given && std::abs(scale - 1) < rounding) return;
-  const double width = context.scene.defaults.width.value_or(1280);
-  const double height = context.scene.defaults.height.value_or(720);
+  const double width = *context.scene.defaults.width;  // read_film() sets both
+  const double height = *context.scene.defaults.height;
   const double x = std::max(width / height, 1.0);
   const double y = std::max(height / width, 1.0);
   const ScreenWindow window = given.value_or(ScreenWindow{-x, x, -y, y});
@@ -128,11 +128,10 @@ void read_camera(Context& context) {
       context.warn_once("realistic", statement.place,
                         "cameras of type 'realistic' are not supported: 'perspective' is used");
     else if (statement.type != "perspective")
-      context.report.error(
-          statement.place,
-          fmt::format("{} is no camera{}", text::quoted(statement.type),
-                      did_you_mean(std::string_view(statement.type).substr(0, 100),
-                                   {"perspective", "orthographic", "spherical", "realistic"})));
+      context.report.error(statement.place,
+                           fmt::format("{} is no camera{}", text::quoted(statement.type),
+                                       did_you_mean(statement.type, {"perspective", "orthographic",
+                                                                     "spherical", "realistic"})));
     set_lens(arguments, scale, camera);
     read_perspective(arguments, camera);
     if (statement.type == "realistic")

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/math/white_balance.h"
 #include "scene_io/pbrt/camera.h"
 #include "scene_io/pbrt/spectrum.h"
 
@@ -53,7 +54,8 @@ void read_white_balance(Context& context, Arguments& film) {
   if (kelvins == 0 && !is_plain) kelvins = 6500;
   if (kelvins == 0) return;
   if (kelvins > 0 && std::isfinite(kelvins))
-    context.scene.defaults.white_balance_kelvins = film.clamped("whitebalance", kelvins, 100, 1e9);
+    context.scene.defaults.white_balance_kelvins =
+        film.clamped("whitebalance", kelvins, coolest_kelvins, hottest_kelvins);
   else
     film.error(*film.find("whitebalance"),
                fmt::format("is {}, expected kelvins, or 0 for no balance", kelvins));

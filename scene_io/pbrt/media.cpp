@@ -36,10 +36,9 @@ void set_coefficients(Arguments& arguments, description::SceneDescription& scene
     medium.scattering = preset->scattering;
     return;
   }
-  arguments.warning(
-      *arguments.find("preset"),
-      fmt::format("names no medium that candela knows{}",
-                  did_you_mean(std::string_view(*name).substr(0, 100), medium_preset_names())));
+  arguments.warning(*arguments.find("preset"),
+                    fmt::format("names no medium that candela knows{}",
+                                did_you_mean(*name, medium_preset_names())));
 }
 
 }  // namespace
@@ -65,9 +64,8 @@ MediumHandle Media::find(const MediumUse& use) {
   if (found != context_.program.media.end()) return read(found->second, use.name);
   std::vector<std::string_view> names;
   for (const auto& [name, statement] : context_.program.media) names.push_back(name);
-  context_.report.error(
-      use.place, fmt::format("there is no medium {}{}", text::quoted(use.name),
-                             did_you_mean(std::string_view(use.name).substr(0, 100), names)));
+  context_.report.error(use.place, fmt::format("there is no medium {}{}", text::quoted(use.name),
+                                               did_you_mean(use.name, names)));
   return {};
 }
 
@@ -82,8 +80,7 @@ void Media::warn_of_type(const Statement& statement, const std::string& type,
                                      text::quoted(type), text::quoted(name)));
   context_.report.error(statement.place,
                         fmt::format("{} is no type of media{}", text::quoted(type),
-                                    did_you_mean(std::string_view(type).substr(0, 100),
-                                                 {std::begin(types), std::end(types)})));
+                                    did_you_mean(type, {std::begin(types), std::end(types)})));
 }
 
 MediumHandle Media::read(Statement& statement, const std::string& name) {

@@ -127,7 +127,7 @@ class ListReader {
     if (!type)
       return fail(declaration.offset,
                   fmt::format("{} is not a type of parameters{}", text::quoted(type_name),
-                              did_you_mean(type_name.substr(0, 100), type_names())));
+                              did_you_mean(type_name, type_names())));
     parameter.type = *type;
     parameter.name = unescaped(name);
     return true;

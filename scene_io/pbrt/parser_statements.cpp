@@ -89,8 +89,7 @@ void Parser::option() {
   warn_once("Option " + name, place,
             is_known ? fmt::format("the option {} is ignored", text::quoted(name))
                      : fmt::format("{} is no option of pbrt and is ignored{}", text::quoted(name),
-                                   did_you_mean(std::string_view(name).substr(0, 100),
-                                                {options.begin(), options.end()})));
+                                   did_you_mean(name, {options.begin(), options.end()})));
 }
 
 // A number or a string; in brackets, too.
@@ -132,8 +131,8 @@ void Parser::color_space() {
   if (!name || *name == "srgb") return;
   const std::vector<std::string_view> others = {"srgb", "rec2020", "aces2065-1", "dci-p3"};
   if (std::find(others.begin(), others.end(), *name) == others.end())
-    error(place.offset, fmt::format("{} is no colour space{}", text::quoted(*name),
-                                    did_you_mean(std::string_view(*name).substr(0, 100), others)));
+    error(place.offset,
+          fmt::format("{} is no colour space{}", text::quoted(*name), did_you_mean(*name, others)));
   else
     warn_once("ColorSpace", place,
               fmt::format("the colour space {} is not supported: colours count as srgb",

@@ -107,7 +107,7 @@ void Parser::coord_sys_transform() {
   std::vector<std::string_view> names;
   for (const auto& [known, transform] : systems_) names.push_back(known);
   report_.error(place, fmt::format("there is no coordinate system {}{}", text::quoted(*name),
-                                   did_you_mean(std::string_view(*name).substr(0, 100), names)));
+                                   did_you_mean(*name, names)));
 }
 
 void Parser::active_transform() {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "renderer/math/cie.h"
+#include "renderer/math/white_balance.h"
 #include "scene_io/pbrt/named_spectra.h"
 #include "scene_io/pbrt/source_files.h"
 #include "scene_io/text/cursor.h"
@@ -56,8 +57,7 @@ std::optional<SampledSpectrum> spectrum_of_file(const Parameter& parameter,
     error(parameter, report,
           fmt::format("{} is no named spectrum, and as a file it {}{}", text::quoted(path),
                       bytes.diagnostics.list()[0].message,
-                      did_you_mean(std::string_view(parameter.strings[0]).substr(0, 100),
-                                   spectrum_names())));
+                      did_you_mean(parameter.strings[0], spectrum_names())));
     return std::nullopt;
   }
   scene.files.push_back(path);
@@ -107,7 +107,7 @@ std::optional<Vec3d> black_body_colour(const Parameter& parameter, const Report&
     error(parameter, report, "expected a temperature in kelvins, above 0");
     return std::nullopt;
   }
-  const double kelvin = std::clamp(parameter.numbers[0], 100.0, 1e9);
+  const double kelvin = std::clamp(parameter.numbers[0], coolest_kelvins, hottest_kelvins);
   const double scale = parameter.numbers.size() == 2 ? std::max(parameter.numbers[1], 0.0) : 1.0;
   return scale * colour_of_light([&](double nm) { return black_body(nm, kelvin); });
 }

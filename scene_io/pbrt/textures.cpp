@@ -121,7 +121,7 @@ void Textures::report_unknown(Kind kind, const Place& place, const std::string& 
   const std::string hint =
       others.contains(name)
           ? fmt::format("; the texture of this name is a {} one", words(!is_float))
-          : did_you_mean(std::string_view(name).substr(0, 100), names_of(wanted));
+          : did_you_mean(name, names_of(wanted));
   context_.report.error(
       place, fmt::format("there is no {} texture {}{}", words(is_float), text::quoted(name), hint));
 }

@@ -73,11 +73,11 @@ class HeaderParser {
     if (keyword == "element") return parse_element(keyword, line);
     if (keyword == "property") return parse_property(keyword, line);
     if (keyword == "comment" || keyword == "obj_info" || keyword.empty()) return true;
-    return refuse(keyword,
-                  fmt::format("{} in the header; expected 'element', 'property' or 'end_header'{}",
-                              text::quoted(keyword),
-                              did_you_mean(keyword.substr(0, 100),
-                                           {"element", "property", "end_header", "comment"})));
+    return refuse(
+        keyword,
+        fmt::format("{} in the header; expected 'element', 'property' or 'end_header'{}",
+                    text::quoted(keyword),
+                    did_you_mean(keyword, {"element", "property", "end_header", "comment"})));
   }
 
   bool parse_format(Cursor& line) {

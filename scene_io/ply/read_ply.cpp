@@ -378,16 +378,4 @@ std::optional<Mesh> read_ply(const std::string& path, const PlyOptions& options,
   return mesh_of(std::move(polygons), options);
 }
 
-description::MeshHandle append_ply(const std::string& path, description::MaterialHandle material,
-                                   const PlyOptions& options, description::SceneDescription& scene,
-                                   Diagnostics& diagnostics) {
-  std::optional<Mesh> mesh = read_ply(path, options, diagnostics);
-  if (!mesh) return {};
-  mesh->materials = {material};
-  const description::MeshHandle handle(scene.meshes.size());
-  scene.meshes.push_back(std::move(*mesh));
-  scene.files.push_back(path);
-  return handle;
-}
-
 }  // namespace candela::ply

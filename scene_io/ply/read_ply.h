@@ -48,9 +48,4 @@ struct PolygonMesh {
                                                          const PlyOptions& options,
                                                          Diagnostics& diagnostics);
 
-// Reads `path` and appends it with one material for all faces. Invalid handle: it was in error.
-description::MeshHandle append_ply(const std::string& path, description::MaterialHandle material,
-                                   const PlyOptions& options, description::SceneDescription& scene,
-                                   Diagnostics& diagnostics);
-
 }  // namespace candela::ply

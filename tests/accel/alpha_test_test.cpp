@@ -169,7 +169,7 @@ TEST(Unit_AlphaTest, ThresholdsOfLabMaterials) {
   const auto opacity = [&](float constant, bool is_lab) {
     material.opacity.constant = constant;
     material.lab_opacity = is_lab;
-    return opacity_at(scene, material, {Vec2f(0)});
+    return opacity_at(scene, material, {}, Vec2f(0));
   };
   EXPECT_EQ(opacity(0.19f, true), 0);
   EXPECT_EQ(opacity(0.2f, true), 0.2f);

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "integrators/path/context.h"
 #include "integrators/projected_bounds.h"
+#include "integrators/render_options.h"
 #include "renderer/accel/any_accel.h"
 #include "renderer/accel/bvh_accel.h"
 #include "renderer/math/constants.h"

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <random>
 
-#include "integrators/path/context.h"
 #include "integrators/path/find_lamp_pixels.h"
+#include "integrators/render_options.h"
 #include "renderer/accel/bvh_accel.h"
 #include "renderer/math/constants.h"
 #include "tests/scenes/description.h"

@@ -3,6 +3,7 @@
 
 #include "renderer/math/constants.h"
 #include "tests/scenes/description.h"
+#include "tests/scenes/form_factor.h"
 #include "tests/scenes/render_scene.h"
 
 namespace candela {
@@ -110,14 +111,6 @@ TEST(Statistical_PathAnalytic, SunOverAPlane) {
   set_camera(scene, {0, 6, 0}, {0, 0, 0}, 30, {0, 0, 1});
   const Image image = rendered(scene, settings_of(8, 4)).film.to_image(false);
   EXPECT_NEAR(image.pixel(4, 4)[1], 0.5 / pi_double * 3 * std::sqrt(0.5), 1e-5);
-}
-
-// The irradiance of a rectangle from below its corner: the closed form of the form factor from a
-// differential element to a parallel rectangle with a corner above it [Howell, B-3].
-double corner_form_factor(double a, double b, double c) {
-  const double x = a / c, y = b / c;
-  const double sx = std::sqrt(1 + x * x), sy = std::sqrt(1 + y * y);
-  return (x / sx * std::atan(y / sx) + y / sy * std::atan(x / sy)) / (2 * pi_double);
 }
 
 TEST(Statistical_PathAnalytic, RectangleLightOverAPlane) {

@@ -1,5 +1,5 @@
-// What observers are told of paths (integrators/path/path_observer.h).
-#include "integrators/path/path_observer.h"
+// What observers are told of paths (integrators/path_observer.h).
+#include "integrators/path_observer.h"
 
 #include <gtest/gtest.h>
 

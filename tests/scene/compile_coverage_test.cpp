@@ -57,8 +57,8 @@ TEST(Unit_CompileCoverage, OpacityIsTheSameWithAndWithoutTheGrid) {
   std::array<int, 3> seen{};  // clear, between, opaque
   for (int i = 0; i < 20000; ++i) {
     const Vec2f uv{uniform(random), uniform(random)};
-    const float opacity = opacity_at(scene, scene.materials[0], {uv});
-    ASSERT_EQ(opacity, opacity_at(scene, bare, {uv})) << uv.x << ' ' << uv.y;
+    const float opacity = opacity_at(scene, scene.materials[0], {}, uv);
+    ASSERT_EQ(opacity, opacity_at(scene, bare, {}, uv)) << uv.x << ' ' << uv.y;
     ++seen[opacity <= 0 ? 0 : opacity < 1 ? 1 : 2];
   }
   for (const int count : seen) EXPECT_GT(count, 100);

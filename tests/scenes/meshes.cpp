@@ -105,12 +105,6 @@ description::Mesh merged(description::Mesh a, const description::Mesh& b) {
   return a;
 }
 
-description::Mesh flipped(description::Mesh mesh) {
-  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
-  for (Vec3f& n : mesh.normals) n = -n;
-  return mesh;
-}
-
 description::Mesh inside_out(description::Mesh mesh) {
   for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
   for (Vec3f& n : mesh.normals) n = -n;

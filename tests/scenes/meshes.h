@@ -27,7 +27,4 @@ namespace candela::test {
 // Appends b's triangles to a. Both have normals (uvs), or the result has none.
 [[nodiscard]] description::Mesh merged(description::Mesh a, const description::Mesh& b);
 
-// The same surface seen from the other side: winding and normals reversed.
-[[nodiscard]] description::Mesh flipped(description::Mesh mesh);
-
 }  // namespace candela::test

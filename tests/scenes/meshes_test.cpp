@@ -27,7 +27,7 @@ TEST(Unit_TestMeshes, BoxFacesOutward) {
   const Measures m = measures(box({-1, -2, -3}, {1, 2, 3}));
   EXPECT_DOUBLE_EQ(m.area, 2 * (8 + 24 + 12));
   EXPECT_DOUBLE_EQ(m.volume, 48);
-  EXPECT_DOUBLE_EQ(measures(flipped(box({-1, -2, -3}, {1, 2, 3}))).volume, -48);
+  EXPECT_DOUBLE_EQ(measures(inside_out(box({-1, -2, -3}, {1, 2, 3}))).volume, -48);
 }
 
 TEST(Unit_TestMeshes, SphereFacesOutwardAndConverges) {

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "integrators/render.h"
+#include "integrators/render_options.h"
 #include "renderer/accel/any_accel.h"
 #include "renderer/image/image_io.h"
 #include "scene_io/load.h"

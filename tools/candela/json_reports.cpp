@@ -106,6 +106,8 @@ void add_options(Json& json, const RenderReport& report) {
   }
   if (options.integrator == IntegratorKind::Report) json["rr"] = options.report_p_rr;
   json["filter"] = name_of(options.filter, filter_choices());
+  json["filter_radius"] = make_filter(options).radius();
+  json["white_balance"] = or_null(options.white_balance_kelvins);
   json["transparent"] = options.transparent;
   json["seed"] = options.seed;
   json["threads"] = report.threads;

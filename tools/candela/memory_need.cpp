@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "integrators/path/context.h"
 #include "integrators/pilot.h"
 #include "renderer/film/sample_density.h"
 
@@ -26,8 +25,7 @@ struct Need {
 };
 
 Need need_of(const RenderOptions& options) {
-  const PixelRect whole{0, 0, options.width, options.height};
-  const PixelRect crop = options.crop.value_or(whole);
+  const PixelRect crop = rendered_rect(options);
   const double film_bytes =
       static_cast<double>(Film::bytes_a_pixel(options.aovs, film_replicates(options)));
   const double channel_bytes = 4.0 * (4 + 3 * std::popcount(options.aovs));

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "integrators/render.h"
+#include "integrators/render_options.h"
 
 namespace candela::cli {
 

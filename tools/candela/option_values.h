@@ -103,7 +103,6 @@ template <class T>
 // "on" or "off".
 [[nodiscard]] Result<bool> parse_switch(std::string_view text);
 
-inline constexpr int max_replicates = 1024;
 inline constexpr double min_roulette_threshold = 1e-6;
 
 }  // namespace candela::cli

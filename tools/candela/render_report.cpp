@@ -61,15 +61,15 @@ std::string options_text(const RenderReport& report) {
   const RenderOptions& options = report.options;
   const PixelRect crop = report.rect();
   return fmt::format(
-      "size={}x{} crop={},{},{},{} camera={} max_depth={} filter={} transparent={} accel={} "
-      "robust={}{} replicates={} adaptive={} splitting={} reuse={}{}{}{}{}",
+      "size={}x{} crop={},{},{},{} camera={} max_depth={} filter={} filter_radius={} "
+      "transparent={} accel={} robust={}{} replicates={} adaptive={} splitting={} reuse={}{}{}{}{}",
       options.width, options.height, crop.x0, crop.y0, crop.x1, crop.y1, options.camera,
       depth_text(options.max_depth), name_of(options.filter, filter_choices()),
-      options.transparent ? "yes" : "no", name_of(report.accelerator, accelerator_choices()),
-      report.is_robust ? "on" : "off", without_text(report), report.replicates,
-      options.adaptive ? "on" : "off", report.statistics.plan.splitting,
-      report.statistics.plan.reuses_paths ? "on" : "off", guiding_text(options), lab_text(options),
-      strategy_text(report), balance_text(options));
+      make_filter(options).radius(), options.transparent ? "yes" : "no",
+      name_of(report.accelerator, accelerator_choices()), report.is_robust ? "on" : "off",
+      without_text(report), report.replicates, options.adaptive ? "on" : "off",
+      report.statistics.plan.splitting, report.statistics.plan.reuses_paths ? "on" : "off",
+      guiding_text(options), lab_text(options), strategy_text(report), balance_text(options));
 }
 
 }  // namespace

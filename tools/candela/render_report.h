@@ -7,7 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "integrators/render.h"
+#include "integrators/ray_limit/ray_limit.h"
+#include "integrators/render_options.h"
+#include "integrators/render_statistics.h"
+#include "renderer/accel/any_accel.h"
+#include "renderer/film/error_estimate.h"
 #include "renderer/image/image_io.h"
 #include "tools/candela/arguments.h"
 #include "tools/candela/option_values.h"
@@ -48,10 +52,7 @@ struct RenderReport {
   std::vector<std::string> outputs;
   std::optional<RayLimit> ray_limit;
 
-  // The pixels that are rendered.
-  [[nodiscard]] PixelRect rect() const {
-    return options.crop.value_or(PixelRect{0, 0, options.width, options.height});
-  }
+  [[nodiscard]] PixelRect rect() const { return rendered_rect(options); }
   [[nodiscard]] bool is_interrupted() const { return statistics.stop == StopReason::Cancelled; }
   // --error or --time alone: as many as they need.
   [[nodiscard]] bool has_sample_limit() const {

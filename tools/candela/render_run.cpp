@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "integrators/whitted/lab_lights.h"
 #include "renderer/base/parallel.h"
 #include "renderer/image/image_format.h"
 #include "tools/candela/decode_textures.h"
@@ -176,15 +175,10 @@ std::vector<std::string> RenderRun::warnings_of_options() const {
   return warnings;
 }
 
-// Such scenes are lit by an environment that only path sees.
-bool RenderRun::is_dark(const Scene& scene) const {
-  return is_lab_shading(options().integrator) && is_black(scene.ambient) &&
-         lab_lights(scene).empty();
-}
-
 // With --strict a texture that cannot be decoded is an error: found now and not after the render.
 bool RenderRun::accepts_scene(const Scene& scene) {
-  if (is_dark(scene)) {
+  // Such scenes are lit by an environment that only path sees.
+  if (is_lab_shading(options().integrator) && !has_light(scene, options())) {
     warn(
         fmt::format("{} sees no light in this scene: it knows point, spot and directional lights, "
                     "lamps and the ambient term",

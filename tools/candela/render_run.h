@@ -77,7 +77,6 @@ class RenderRun {
   void record(const Diagnostics& diagnostics);
   // Of those that do nothing, or harm.
   [[nodiscard]] std::vector<std::string> warnings_of_options() const;
-  [[nodiscard]] bool is_dark(const Scene& scene) const;
   void report_invalid_samples();
   void report_reliability();
   void report_samples();

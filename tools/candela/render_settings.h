@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "integrators/render.h"
+#include "integrators/render_options.h"
 #include "renderer/base/result.h"
 #include "renderer/description/scene_description.h"
 #include "tools/candela/arguments.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "integrators/render.h"
+#include "integrators/render_options.h"
 #include "renderer/accel/embree_accel.h"
 
 namespace candela::cli {

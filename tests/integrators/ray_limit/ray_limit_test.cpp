@@ -1,7 +1,7 @@
 // What --ray-limit measures.
 #include <gtest/gtest.h>
 
-#include "integrators/render.h"
+#include "integrators/ray_limit/ray_limit.h"
 #include "renderer/math/lanes.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"

@@ -4,6 +4,7 @@
 #include "integrators/report/emitter_table.h"
 #include "renderer/math/constants.h"
 #include "tests/scenes/description.h"
+#include "tests/scenes/form_factor.h"
 #include "tests/scenes/render_scene.h"
 #include "tests/statistics/distributions.h"
 #include "tests/statistics/moments.h"
@@ -51,13 +52,6 @@ SceneDescription lamp_over_a_plane(int copies) {
   }
   set_camera(scene, {-0.5, 1, -0.5}, {0, 0, 0}, 0.01);
   return scene;
-}
-
-// The form factor of a rectangle with a corner above the point [Howell, B-3].
-double corner_form_factor(double a, double b, double c) {
-  const double x = a / c, y = b / c;
-  const double sx = std::sqrt(1 + x * x), sy = std::sqrt(1 + y * y);
-  return (x / sx * std::atan(y / sx) + y / sy * std::atan(x / sy)) / (2 * pi_double);
 }
 
 // Le f cos cos' / d^2 / pdf, averaged, whatever P_RR is: the floor sees nothing but the lamp.

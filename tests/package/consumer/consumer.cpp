@@ -15,7 +15,9 @@ int give_up(const candela::Diagnostics& reasons) {
 int main(int, char** arguments) {
   const auto description = candela::load(arguments[1], {});
   if (!description) return give_up(description.diagnostics);
-  const candela::RenderOptions options{.width = 64, .height = 64, .samples_per_pixel = 4};
+  candela::RenderOptions options = candela::usual_options();
+  options.width = options.height = 64;
+  options.samples_per_pixel = 4;
   const auto scene = candela::compile(*description, candela::compile_options(options));
   if (!scene) return give_up(scene.diagnostics);
   const auto accelerator = build_accelerator(*scene, candela::AcceleratorKind::Auto);

@@ -146,19 +146,20 @@ TEST(Unit_Ply, FacesMayStandBeforeTheVertices) {
   EXPECT_EQ(mesh.triangles.size(), 2u);
 }
 
-TEST(Unit_Ply, IsReadFromFilesGzippedOrNotAndAppended) {
+TEST(Unit_Ply, IsReadFromFilesGzippedOrNot) {
   const TemporaryFolder folder;
-  description::SceneDescription scene;
   Diagnostics diagnostics;
-  const std::string packed = folder.put("a.ply.gz", gzip(binary(std::endian::little)));
-  const auto handle = append_ply(packed, description::MaterialHandle(4), {}, scene, diagnostics);
-  ASSERT_TRUE(handle.is_valid());
-  EXPECT_EQ(scene.meshes[handle.index].materials, std::vector{description::MaterialHandle(4)});
-  EXPECT_EQ(scene.meshes[handle.index].triangles.size(), 4u);
-  EXPECT_EQ(scene.files, std::vector{packed});
-  EXPECT_FALSE(append_ply(folder.file("absent.ply"), {}, {}, scene, diagnostics).is_valid());
+  const std::string bytes = binary(std::endian::little);
+  for (const std::string& path :
+       {folder.put("a.ply", bytes), folder.put("a.ply.gz", gzip(bytes))}) {
+    const auto mesh = read_ply(path, {}, diagnostics);
+    ASSERT_TRUE(mesh);
+    EXPECT_EQ(mesh->triangles.size(), 4u);
+    EXPECT_TRUE(mesh->materials.empty());
+  }
+  EXPECT_FALSE(diagnostics.has_errors());
+  EXPECT_FALSE(read_ply(folder.file("absent.ply"), {}, diagnostics));
   EXPECT_TRUE(diagnostics.has_errors());
-  EXPECT_EQ(scene.meshes.size(), 1u);
 }
 
 TEST(Unit_Ply, StrangeNormalsAndTextureCoordinatesAreReplaced) {

@@ -1,5 +1,5 @@
 // Who is told what paths do on their way, lane by lane of a block, by kernels that are observed()
-// (feature_set.h).
+// (path/feature_set.h).
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct LeftSurface {
   float bsdf_pdf = 0;  // that of the BSDF alone, without a guide
   bool is_delta = false;
   Rgb throughput_before{0};       // as it came there
-  float roulette_throughput = 0;  // what Russian roulette went by (path_step.h)
+  float roulette_throughput = 0;  // what Russian roulette went by (path/path_step.h)
   float survival = 1;             // and the probability to live that it gave
 };
 
