@@ -3,14 +3,21 @@
 #include <algorithm>
 #include <variant>
 
+#include "renderer/math/ray.h"
+
 namespace candela {
 namespace {
 
 using description::SceneDescription;
 
+constexpr double largest = 1e30;  // optical depths of all ways in the scene are floats
+
+// Thinner channels are clear: light would scatter farther out than rays can start from
+// (farthest_traceable), thirty free paths and more.
+constexpr double thinnest = 30 / static_cast<double>(farthest_traceable);
+
 // Coefficients have the inverse of a length in them.
 Rgb scaled(const Vec3d& coefficient, const Normalisation& n) {
-  constexpr double largest = 1e30;  // optical depths of all ways in the scene are floats
   return Rgb(glm::min(coefficient / n.scale, Vec3d(largest)));
 }
 
@@ -18,9 +25,13 @@ Rgb scaled(const Vec3d& coefficient, const Normalisation& n) {
 constexpr double largest_asymmetry = 0.9999;
 
 Medium compile_medium(const description::Medium& medium, const Normalisation& n) {
+  Vec3d scattering = medium.scattering;
+  Vec3d extinction = medium.scattering + medium.absorption;
+  for (int c = 0; c < 3; ++c)
+    if (extinction[c] / n.scale < thinnest) scattering[c] = extinction[c] = 0;
   Medium out;
-  out.scattering = scaled(medium.scattering, n);
-  out.extinction = scaled(medium.scattering + medium.absorption, n);
+  out.scattering = scaled(scattering, n);
+  out.extinction = scaled(extinction, n);
   out.asymmetry =
       static_cast<float>(std::clamp(medium.asymmetry, -largest_asymmetry, largest_asymmetry));
   return out;
@@ -33,22 +44,18 @@ class MediumTable {
       : description_(description), scene_(scene), compiled_(description.media.size()) {}
 
   MediumHandle of(description::MediumHandle handle) {
-    if (!handle || is_clear(handle)) return {};
+    if (!handle) return {};
     MediumHandle& compiled = compiled_[handle.index];
     if (!compiled) {
+      const Medium medium = compile_medium(description_.media[handle.index], scene_.normalisation);
+      if (is_black(medium.extinction)) return {};
       compiled = MediumHandle(scene_.media.size());
-      scene_.media.push_back(
-          compile_medium(description_.media[handle.index], scene_.normalisation));
+      scene_.media.push_back(medium);
     }
     return compiled;
   }
 
  private:
-  [[nodiscard]] bool is_clear(description::MediumHandle handle) const {
-    const description::Medium& medium = description_.media[handle.index];
-    return medium.absorption == Vec3d(0.0) && medium.scattering == Vec3d(0.0);
-  }
-
   const SceneDescription& description_;
   Scene& scene_;
   std::vector<MediumHandle> compiled_;

@@ -39,6 +39,30 @@ TEST(Unit_CompileMedia, CoefficientsAreOfNormalisedSpace) {
   }
 }
 
+// Light would scatter where no ray can start.
+TEST(Unit_CompileMedia, ChannelsTooThinForTheSceneAreClear) {
+  SceneDescription scene = box_of({fog, none});
+  scene.media[0].scattering = Vec3d(1e-30, 1e-10, 0);
+  scene.media[0].absorption = Vec3d(0, 0, 1e-20);
+  const Scene thin = compiled(scene, {});
+  ASSERT_EQ(thin.media.size(), 1u);
+  EXPECT_EQ(thin.media[0].scattering.x, 0);
+  EXPECT_EQ(thin.media[0].extinction.x, 0);
+  EXPECT_GT(thin.media[0].extinction.y, 0);
+  EXPECT_EQ(thin.media[0].extinction.z, 0);
+  scene.media[0].scattering.y = 0;
+  EXPECT_TRUE(compiled(scene, {}).media.empty());
+}
+
+TEST(Unit_CompileMedia, ThinFogAllAroundGivesValidSamples) {
+  for (const double scattering : {1e-12, 1e-13, 1e-14, 1e-18, 1e-30}) {
+    SceneDescription scene = box_of({none, none});
+    scene.media[0].scattering = scene.media[0].absorption = Vec3d(scattering);
+    scene.cameras[0].medium = fog;
+    EXPECT_EQ(rendered(scene, settings_of(8, 256)).statistics.invalid_samples, 0u) << scattering;
+  }
+}
+
 TEST(Unit_CompileMedia, InterfacesStayWhereTheyBoundSomething) {
   const Scene scene = compiled(box_of({fog, none}), {});
   ASSERT_EQ(scene.medium_boundaries.size(), 1u);
