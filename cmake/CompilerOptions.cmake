@@ -39,13 +39,14 @@ set_source_files_properties(renderer/sampling/sampler_block.cpp PROPERTIES
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
   set_source_files_properties(
     integrators/path/block_lanes.cpp integrators/path/camera_rays.cpp
-    integrators/path/reflectance_lanes.cpp
+    integrators/path/film_lanes.cpp integrators/path/reflectance_lanes.cpp
     integrators/path/plain_bsdf_lanes.cpp
     integrators/path/plain_lanes.cpp integrators/path/reuse_lanes.cpp
     integrators/path/sky_lanes.cpp
     renderer/accel/box_list.cpp
     renderer/accel/embree_block.cpp
     renderer/accel/face_hits.cpp renderer/accel/face_lanes.cpp
+    renderer/accel/sphere_list.cpp
     renderer/film/alike_sums.cpp renderer/film/pair_errors.cpp
     renderer/film/pixel_planes.cpp renderer/film/robust_mean.cpp
     PROPERTIES

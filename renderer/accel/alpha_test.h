@@ -9,11 +9,6 @@
 
 namespace candela {
 
-// Coverage of a material, in [0,1], where `hit` lies; lab3's thresholds applied where the material
-// asks.
-[[nodiscard]] float opacity_at(const Scene& scene, const Material& material, const Hit& hit,
-                               Vec2f uv);
-
 // Whether the ray passes through `triangle` of `geometry` at the barycentrics (u, v).
 // `instance`: as in Hit. Ray in world space, as given to the accelerator.
 [[nodiscard]] bool is_transparent_at(const Scene& scene, std::uint32_t geometry,

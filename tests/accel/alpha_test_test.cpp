@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "renderer/accel/any_accel.h"
@@ -164,21 +165,20 @@ TEST(Unit_AlphaTest, WhollyOpaqueAndWhollyClear) {
 }
 
 TEST(Unit_AlphaTest, ThresholdsOfLabMaterials) {
-  Scene scene;
-  Material material;
-  const auto opacity = [&](float constant, bool is_lab) {
-    material.opacity.constant = constant;
-    material.lab_opacity = is_lab;
-    return opacity_at(scene, material, {}, Vec2f(0));
+  const std::vector<Ray> rays = camera_rays(32, 4);
+  const auto hits = [&](float opacity, bool is_lab) {
+    Scene scene = layers(1, opacity);
+    scene.materials.back().lab_opacity = is_lab;
+    return std::ranges::count_if(rays, [&](const Ray& ray) { return !is_clear(scene, 1, ray); });
   };
-  EXPECT_EQ(opacity(0.19f, true), 0);
-  EXPECT_EQ(opacity(0.2f, true), 0.2f);
-  EXPECT_EQ(opacity(0.89f, true), 0.89f);
-  EXPECT_EQ(opacity(0.9f, true), 1);
-  EXPECT_EQ(opacity(0.19f, false), 0.19f);
-  EXPECT_EQ(opacity(0.95f, false), 0.95f);
-  EXPECT_EQ(opacity(1.5f, false), 1);
-  EXPECT_EQ(opacity(-0.5f, false), 0);
+  const auto all = std::ssize(rays);
+  EXPECT_EQ(hits(0.19f, true), 0);
+  EXPECT_EQ(hits(0.2f, true), hits(0.2f, false));
+  EXPECT_EQ(hits(0.89f, true), hits(0.89f, false));
+  EXPECT_EQ(hits(0.9f, true), all);
+  EXPECT_TRUE(hits(0.19f, false) > 0 && hits(0.95f, false) < all);
+  EXPECT_EQ(hits(1.5f, false), all);
+  EXPECT_EQ(hits(-0.5f, false), 0);
 }
 
 // The first layer that stops the ray is the one that is hit, in every order of traversal.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <random>
 
 #include "renderer/accel/alpha_test.h"
@@ -47,21 +49,33 @@ TEST(Unit_CompileCoverage, OneGridForEachMapThatVisibilityAsks) {
   EXPECT_FALSE(scene.materials[2].coverage_grid);
 }
 
-TEST(Unit_CompileCoverage, OpacityIsTheSameWithAndWithoutTheGrid) {
+TEST(Unit_CompileCoverage, RaysPassTheSameWithAndWithoutTheGrid) {
   const TemporaryFolder folder;
   const Scene scene = leaves(folder);
-  Material bare = scene.materials[0];
-  bare.coverage_grid = {};
+  Scene bare = leaves(folder);
+  for (Material& material : bare.materials) material.coverage_grid = {};
+  const auto leaf = static_cast<std::uint32_t>(
+      std::ranges::find_if(scene.geometries, &Geometry::has_cutouts) - scene.geometries.begin());
+  ASSERT_EQ(scene.geometries.at(leaf).triangles.size(), 2u);
   std::mt19937 random(3);
-  std::uniform_real_distribution<float> uniform(-1, 2);
-  std::array<int, 3> seen{};  // clear, between, opaque
-  for (int i = 0; i < 20000; ++i) {
-    const Vec2f uv{uniform(random), uniform(random)};
-    const float opacity = opacity_at(scene, scene.materials[0], {}, uv);
-    ASSERT_EQ(opacity, opacity_at(scene, bare, {}, uv)) << uv.x << ' ' << uv.y;
-    ++seen[opacity <= 0 ? 0 : opacity < 1 ? 1 : 2];
+  std::uniform_real_distribution<float> uniform(0, 1);
+  constexpr std::size_t rays = 4;
+  std::array<int, rays + 1> seen{};  // by how many of the rays pass
+  for (std::uint32_t i = 0; i < 20000; ++i) {
+    const float u = uniform(random), v = uniform(random) * (1 - u);
+    std::size_t passing = 0;
+    for (std::size_t k = 0; k < rays; ++k) {
+      const Vec3f origin{uniform(random), uniform(random), 1}, direction{0, 0, -1};
+      const bool passes =
+          is_transparent_at(scene, leaf, i % 2, Hit{}.instance, u, v, origin, direction);
+      ASSERT_EQ(passes,
+                is_transparent_at(bare, leaf, i % 2, Hit{}.instance, u, v, origin, direction))
+          << u << ' ' << v;
+      passing += passes ? 1 : 0;
+    }
+    ++seen[passing];
   }
-  for (const int count : seen) EXPECT_GT(count, 100);
+  EXPECT_GT(std::ranges::min(seen), 100);
 }
 
 }  // namespace

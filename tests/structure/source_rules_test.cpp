@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 namespace candela::structure {
 namespace {
@@ -57,6 +59,21 @@ TEST(Unit_Structure, TheHeaviestLibrariesAreIncludedOnce) {
 
 TEST(Unit_Structure, FilesKeepTheConventions) {
   expect_all_keep(broken_conventions);
+}
+
+// Loops over lanes become vectors only by options of their own.
+TEST(Unit_Structure, FilesWithLanesAreCompiledForThem) {
+  std::ifstream stream(std::string(CANDELA_SOURCE_DIR) + "/cmake/CompilerOptions.cmake");
+  const std::string options{std::istreambuf_iterator<char>(stream), {}};
+  int with_lanes = 0;
+  for (const SourceFile& file : sources()) {
+    if (!file.path.ends_with(".cpp") || file.text.find("\nCANDELA_LANES ") == std::string::npos)
+      continue;
+    ++with_lanes;
+    EXPECT_NE(options.find(' ' + file.path), std::string::npos)
+        << file.path << " is not named in cmake/CompilerOptions.cmake";
+  }
+  EXPECT_GT(with_lanes, 10);
 }
 
 // The rules themselves: what they must refuse and what they must let pass.
