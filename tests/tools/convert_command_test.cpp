@@ -113,6 +113,18 @@ TEST(Unit_Convert, WritesTheSameBytesAgainAndNothingElse) {
   EXPECT_EQ(file_text(folder + "/a.pbrt"), file_text(folder + "/b/a.pbrt"));
 }
 
+// The scene names its meshes by where it lies.
+TEST(Unit_Convert, WritesBesideWhatALinkLeadsTo) {
+  const std::string folder = fresh_folder("convert_link");
+  fs::create_directories(folder + "/real");
+  fs::create_symlink("real/b.pbrt", folder + "/a.pbrt");
+  const ProgramResult result = run_candela({"convert", asset("cornell_box"), folder + "/a.pbrt"});
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_EQ(file_names(folder), (std::vector<std::string>{"a.pbrt", "real"}));
+  EXPECT_EQ(file_names(folder + "/real"), (std::vector<std::string>{"b.pbrt", "b_files"}));
+  EXPECT_EQ(run_candela({"check", folder + "/real/b.pbrt"}).exit_code, 0);
+}
+
 TEST(Unit_Convert, NamesWhatIsLostForPbrt) {
   const std::string folder = fresh_folder("convert_lost");
   const ProgramResult result = run_candela({"convert", asset("cornell_box"), folder + "/a.pbrt"});
