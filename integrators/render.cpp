@@ -27,7 +27,7 @@ namespace {
 template <class A>
 PathKernel<A> path_instance(const Scene& scene, const RenderOptions& options) {
   if (!has_default_strategy(options)) return strategy_kernel<A>();
-  return select_path_kernel<A>(scene.features, options.use_general_kernel);
+  return select_path_kernel<A>(scene.features, options.uses_general_kernel);
 }
 
 // For passes with a guide or an observer.

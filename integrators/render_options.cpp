@@ -33,20 +33,19 @@ std::optional<Mat3d> film_balance(const RenderOptions& options) {
 
 CompileOptions compile_options(const RenderOptions& options) {
   const bool is_lab = is_lab_shading(options.integrator);
-  return {.width = options.width,
-          .height = options.height,
-          .lab_quantised = is_lab,
-          .decides_cutouts = !is_lab,
-          .light_sampling = options.integrator == IntegratorKind::Path ? options.light_sampling
-                                                                       : LightSampling::Triangles,
-          .keeps_media = options.integrator == IntegratorKind::Path,
-          .samples_constant_environment =
-              options.samples_constant_sky || !counts_met_light(options.sampling),
-          .compensates_sky = options.compensates_sky &&
-                             options.integrator == IntegratorKind::Path &&
-                             options.sampling == SamplingStrategy::Mis,
-          .light_cells = options.light_cells && options.integrator == IntegratorKind::Path,
-          .opacity_grids = options.savings.opacity_grids};
+  return {
+      .width = options.width,
+      .height = options.height,
+      .lab_quantised = is_lab,
+      .decides_cutouts = !is_lab,
+      .light_sampling = options.integrator == IntegratorKind::Path ? options.light_sampling
+                                                                   : LightSampling::Triangles,
+      .keeps_media = options.integrator == IntegratorKind::Path,
+      .samples_constant_sky = options.samples_constant_sky || !counts_met_light(options.sampling),
+      .compensates_sky = options.compensates_sky && options.integrator == IntegratorKind::Path &&
+                         options.sampling == SamplingStrategy::Mis,
+      .light_cells = options.light_cells && options.integrator == IntegratorKind::Path,
+      .opacity_grids = options.savings.opacity_grids};
 }
 
 }  // namespace candela

@@ -102,9 +102,9 @@ struct RenderOptions {
   FilterKind filter = FilterKind::BlackmanHarris;
   std::optional<float> filter_radius;
   AovSet aovs = 0;
-  bool transparent = false;         // camera rays that leave the scene are black with alpha 0
-  bool use_general_kernel = false;  // whatever the scene's features are
-  PathSavings savings;              // path
+  bool transparent = false;          // camera rays that leave the scene are black with alpha 0
+  bool uses_general_kernel = false;  // whatever the scene's features are
+  PathSavings savings;               // path
   int tile_size = 16;
   float report_p_rr = 0.8f;  // Report: the probability P_RR to go on, in (0, 1]
   // The film shows daylight of so many kelvins as white (math/white_balance.h); none: no balance.

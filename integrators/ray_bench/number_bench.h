@@ -1,8 +1,6 @@
 // What random numbers cost: those that a path takes over its first bounces.
 #pragma once
 
-#include <cstdint>
-
 namespace candela {
 
 // Nanoseconds of CPU time of one thread a dimension, a pair being two; medians of rounds.

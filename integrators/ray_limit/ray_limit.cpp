@@ -54,12 +54,12 @@ std::optional<RayLimit> measure(const Scene& scene, const A& accelerator,
   const PathContext<A> context = make_path_context(scene, accelerator, filter, options);
   const auto recording = make_path_context(scene, recorder, filter, options);
   const auto samples = static_cast<std::uint32_t>(options.samples_per_pixel);
-  const PathKernel<A> kernel = select_path_kernel<A>(scene.features, options.use_general_kernel);
+  const PathKernel<A> kernel = select_path_kernel<A>(scene.features, options.uses_general_kernel);
   const PathPlan plan = feasible_options(scene, options).plan;
   Film film(options.width, options.height, rendered_rect(options), options.aovs);
 
   const auto recorded =
-      select_path_kernel<RecordingAccel<A>>(scene.features, options.use_general_kernel);
+      select_path_kernel<RecordingAccel<A>>(scene.features, options.uses_general_kernel);
 
   RayLimit limit;
   volatile double sink = 0;

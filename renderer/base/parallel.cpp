@@ -1,6 +1,5 @@
 #include "renderer/base/parallel.h"
 
-#include <algorithm>
 #include <latch>
 #include <optional>
 #include <thread>

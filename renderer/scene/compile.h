@@ -26,7 +26,7 @@ struct CompileOptions {
   bool keeps_media = true;  // false: all is as clear as air
   // Whether light samples look for a constant environment, too. Where directions are drawn from
   // BSDFs these find it as well, and a shadow ray less a hit is worth more than the second sample.
-  bool samples_constant_environment = true;
+  bool samples_constant_sky = true;
   // Whether directions from BSDFs find the sky as well as light samples do (sky_distribution.h).
   bool compensates_sky = false;
   // Whether lights are picked by what they may send to where they are asked for (light_cells.h).

@@ -186,7 +186,7 @@ void add_environment(const SceneDescription& description, const CompileOptions& 
                      Scene& scene, Diagnostics& diagnostics) {
   scene.environment = compile_environments(description, scene.textures, diagnostics);
   if (!scene.environment || scene.environment->is_black()) return;
-  if (scene.environment->is_constant() && !options.samples_constant_environment) return;
+  if (scene.environment->is_constant() && !options.samples_constant_sky) return;
   if (!scene.environment->is_constant() && options.compensates_sky)
     scene.environment->distribution = compensated(scene.environment->distribution);
   scene.environment_light = static_cast<std::uint32_t>(scene.lights.size());

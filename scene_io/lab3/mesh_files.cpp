@@ -1,7 +1,6 @@
 #include "scene_io/lab3/mesh_files.h"
 
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "renderer/base/parallel.h"

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <memory>
-#include <string>
 
 #include "renderer/math/transform.h"
 #include "scene_io/pbrt/parameter.h"

@@ -7,7 +7,6 @@
 #include <mutex>
 #include <optional>
 #include <system_error>
-#include <vector>
 
 #include <fmt/format.h>
 

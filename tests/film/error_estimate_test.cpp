@@ -8,7 +8,6 @@
 
 #include "renderer/image/compare.h"
 #include "tests/film/synthetic_film.h"
-#include "tests/statistics/moments.h"
 
 namespace candela {
 namespace {

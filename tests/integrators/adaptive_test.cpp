@@ -176,7 +176,7 @@ TEST(Agreement_Adaptive, SameBitsWhereThePilotsPixelsShareBlocks) {
   EXPECT_GT(own.film.max_samples(), own.film.min_samples());
   const Image whole = own.film.to_image(true);
   expect_same_bits_however_rendered(scene, settings, whole, {5, 11, 30, 40});
-  settings.options.use_general_kernel = true;
+  settings.options.uses_general_kernel = true;
   EXPECT_EQ(picture(scene, settings).values, whole.values);
 }
 

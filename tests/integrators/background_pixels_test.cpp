@@ -179,7 +179,7 @@ TEST(Unit_ProjectedBounds, AreThoseOfTheCorners) {
 }
 
 RenderResult with_kernel(const Scene& scene, RenderSettings settings, bool is_general) {
-  settings.options.use_general_kernel = is_general;
+  settings.options.uses_general_kernel = is_general;
   return rendered(scene, settings);
 }
 

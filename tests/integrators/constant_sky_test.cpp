@@ -50,7 +50,7 @@ TEST(Unit_ConstantSky, IsSampledWhereNothingElseFindsIt) {
        {SamplingStrategy::Light, SamplingStrategy::Cosine, SamplingStrategy::Uniform}) {
     RenderOptions options = sky_settings(false).options;
     options.sampling = strategy;
-    EXPECT_TRUE(compile_options(options).samples_constant_environment) << name_of(strategy);
+    EXPECT_TRUE(compile_options(options).samples_constant_sky) << name_of(strategy);
   }
 }
 

@@ -228,7 +228,7 @@ TEST(Agreement_LampPixels, SameBitsHoweverItIsRendered) {
       EXPECT_GT(result.statistics.rays.lamp, 0u);
       const Image whole = result.film.to_image(true);
       expect_same_bits_however_rendered(scene, settings, whole, {13, 0, 31, 22});
-      settings.options.use_general_kernel = true;
+      settings.options.uses_general_kernel = true;
       EXPECT_EQ(picture(scene, settings).values, whole.values);
     }
 }

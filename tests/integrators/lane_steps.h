@@ -18,7 +18,7 @@ inline void expect_single_steps(const description::SceneDescription& description
   settings.options.aovs = all_aovs;
   const Scene scene = compiled(description, settings.options);
   const RenderResult together = rendered(scene, settings);
-  settings.options.use_general_kernel = true;
+  settings.options.uses_general_kernel = true;
   const RenderResult single = rendered(scene, settings);
   ASSERT_EQ(together.statistics.kernel, lanes) << what;
   ASSERT_NE(single.statistics.kernel, lanes) << what;

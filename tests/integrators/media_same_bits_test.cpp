@@ -95,7 +95,7 @@ TEST(Agreement_MediaSameBits, LanesAreSingleSteps) {
     const RenderSettings settings = settings_of(32, 40);
     expect_single_steps(description, settings, "path/media_lanes", what);
     RenderOptions general = settings.options;
-    general.use_general_kernel = true;
+    general.uses_general_kernel = true;
     EXPECT_EQ(kernel_name(compiled(description, general), general), "path/media") << what;
   };
   check("a lamp");

@@ -139,7 +139,7 @@ TEST(Agreement_Splitting, SameBitsOverKernelsAndCutBlocks) {
   const Scene scene = compiled(small_room(), settings.options);
   const RenderResult special = rendered(scene, settings);
   EXPECT_EQ(special.statistics.kernel, "path/lanes");
-  settings.options.use_general_kernel = true;
+  settings.options.uses_general_kernel = true;
   EXPECT_EQ(picture(scene, settings).values, special.film.to_image(true).values);
 
   settings.options.samples_per_pixel = 7;

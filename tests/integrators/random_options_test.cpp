@@ -206,7 +206,7 @@ TEST(Agreement_RandomOptions, KernelsThreadsAndCropsGiveTheSameBits) {
     const int size = settings.options.width;
     expect_same_bits_however_rendered(scene, settings, whole,
                                       {size / 4, size / 3, size - 2, size - 1});
-    settings.options.use_general_kernel = true;
+    settings.options.uses_general_kernel = true;
     const RenderResult general = rendered(scene, settings);
     EXPECT_EQ(general.film.to_image(true).values, whole.values);
     EXPECT_EQ(general.statistics.rays.shadow, own.statistics.rays.shadow);

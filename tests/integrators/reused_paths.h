@@ -24,7 +24,7 @@ inline RenderResult expect_same_bits_shared(const Scene& scene, const RenderSett
   const Image image = whole.film.to_image(true);
   expect_same_bits_however_rendered(scene, settings, image, {13, 5, 38, 40});
   RenderSettings general = settings;
-  general.options.use_general_kernel = true;
+  general.options.uses_general_kernel = true;
   EXPECT_EQ(rendered(scene, general).film.to_image(true).values, image.values);
   return whole;
 }

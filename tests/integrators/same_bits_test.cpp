@@ -49,7 +49,7 @@ TEST(Agreement_SameBits, SpecialisedKernelIsTheGeneralOne) {
   RenderSettings settings = settings_of(48, 16);
   const Scene scene = compiled(small_room(), settings.options);
   const RenderResult special = rendered(scene, settings);
-  settings.options.use_general_kernel = true;
+  settings.options.uses_general_kernel = true;
   const RenderResult general = rendered(scene, settings);
   EXPECT_EQ(special.statistics.kernel, "path/lanes");
   EXPECT_EQ(general.statistics.kernel, "path/general");
@@ -75,7 +75,7 @@ TEST(Agreement_SameBits, LabScenesFromTheGeneralKernel) {
   settings.options.aovs = all_aovs;
   const Scene scene = compiled(lab_room(), settings.options);
   const RenderResult special = rendered(scene, settings);
-  settings.options.use_general_kernel = true;
+  settings.options.uses_general_kernel = true;
   const RenderResult general = rendered(scene, settings);
   EXPECT_EQ(special.statistics.kernel, "path/lanes");
   EXPECT_EQ(general.statistics.kernel, "path/general");

@@ -97,7 +97,7 @@ RenderSettings settings_for(const description::SceneDescription& description) {
 }
 
 RenderResult by_general_kernel(const Scene& scene, RenderSettings settings) {
-  settings.options.use_general_kernel = true;
+  settings.options.uses_general_kernel = true;
   return test::rendered(scene, settings);
 }
 

@@ -89,8 +89,8 @@ SceneDescription wall_seen(double fovy_degrees, double aspect, double turn_radia
 }
 
 // The largest distance, in pixels, between where samples in the middles of pixels hit the wall and
-// where the pinhole's formula puts them. Rays of float directions have errors of `direction_error`
-// radians, and the wall's points its own.
+// where the pinhole's formula puts them. Directions in float are off by their rounding, and the
+// wall's points by theirs.
 void expect_hits(const std::string& name, int width, int height, double fovy_degrees,
                  double turn_radians, double allowed_pixels) {
   const double aspect = static_cast<double>(width) / height;

@@ -193,7 +193,7 @@ TEST(Stress_RandomScenes, NothingIsInvalid) {
     settings.options.max_depth = seed % 3 == 0 ? std::optional<int>(5) : std::nullopt;
     const std::string name = fmt::format("scene {}", seed);
     const Renders renders = renders_of(name, scene, settings, 1);  // expects no invalid ones
-    settings.options.use_general_kernel = true;
+    settings.options.uses_general_kernel = true;
     const Renders general = renders_of(name, scene, settings, 1);
     EXPECT_EQ(renders.images[0].values, general.images[0].values) << name;
     samples += 2 * 12 * 12 * 8;

@@ -223,7 +223,7 @@ RenderSettings settled(const RenderArguments& arguments,
   options.seed = arguments.seed.value_or(defaults.seed.value_or(options.seed));
   options.lab_normals = arguments.has_lab_normals;
   options.specular = arguments.specular.value_or(options.specular);
-  options.use_general_kernel = arguments.uses_general_kernel;
+  options.uses_general_kernel = arguments.uses_general_kernel;
   options.savings = path_savings_without(arguments.without);
   refuse_what_does_not_fit(arguments, options);
   if (need == MemoryNeed::Heeded)

@@ -97,7 +97,7 @@ TEST(Agreement_ChooseRoulette, SameBitsOverKernels) {
   const Scene scene = compiled(description, settings.options);
   const RenderResult special = rendered(scene, settings);
   EXPECT_GT(special.statistics.skipped.samples, 0u);
-  settings.options.use_general_kernel = true;
+  settings.options.uses_general_kernel = true;
   expect_part(special.film.to_image(true), picture(scene, settings), {0, 0, 64, 64});
 }
 
@@ -130,7 +130,7 @@ TEST(Agreement_ChooseRoulette, SameBitsOverKernelsInFog) {
   const Scene scene = compiled(foggy_box(), settings.options);
   const RenderResult special = rendered(scene, settings);
   EXPECT_GT(special.statistics.roulette_samples, 0u);
-  settings.options.use_general_kernel = true;
+  settings.options.uses_general_kernel = true;
   expect_part(special.film.to_image(true), picture(scene, settings), {0, 0, 64, 64});
 }
 

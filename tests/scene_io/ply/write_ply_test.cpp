@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "scene_io/ply/read_ply.h"
-#include "tests/scenes/meshes.h"
 
 namespace candela::ply {
 namespace {
