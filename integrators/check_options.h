@@ -1,4 +1,4 @@
-// Whether options are what render.h says of them.
+// Whether options are what render_options.h says of them.
 #pragma once
 
 #include "integrators/render_options.h"

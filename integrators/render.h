@@ -36,7 +36,7 @@ struct RenderResult {
 [[nodiscard]] Diagnostics check_integrator(const description::SceneDescription& scene,
                                            const RenderOptions& options);
 
-// Whether there is any light that the options' integrator knows.
+// Whether there is any light; for whitted and raster of the kinds that they know.
 [[nodiscard]] bool has_light(const Scene& scene, const RenderOptions& options);
 
 // The name of the kernel that render() would run with Embree.

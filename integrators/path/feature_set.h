@@ -22,7 +22,7 @@ struct FeatureSet {
     return features;
   }
 
-  // An observer may be told what paths do (path_observer.h).
+  // An observer may be told what paths do (integrators/path_observer.h).
   [[nodiscard]] constexpr bool observed() const {
     return guided || (media && !lanes && !strategies);
   }

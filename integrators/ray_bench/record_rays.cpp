@@ -26,8 +26,8 @@ void record_shadow_ray(const Scene& scene, const Hit& hit, const SurfacePoint& f
                        const Sampler& sampler, std::uint32_t bounce, std::vector<Ray>& rays) {
   const Light* light = pick_light(scene, sampler.sample_1d_bits(bounce, Dimension::LightChoice));
   if (!light || light->geometry == hit.geometry) return;
-  const LightSample sample =
-      sample_light(light_tables(scene), *light, from, sampler.sample_2d(bounce, Dimension::LightPoint));
+  const LightSample sample = sample_light(light_tables(scene), *light, from,
+                                          sampler.sample_2d(bounce, Dimension::LightPoint));
   if (!sample.is_valid() || !(dot(sample.wi, from.geometric_normal) > 0)) return;
   Ray ray = sample.shadow_ray;
   if (ray.t_max < infinity) {  // to a finite light: unit, and well short of its own surface

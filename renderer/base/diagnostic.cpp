@@ -95,12 +95,12 @@ void Diagnostics::append(const Diagnostics& other) {
   warning_count_ = warnings;
 }
 
-// Of what may be meant by a word no more is looked at.
-constexpr std::size_t longest_name = 200;
+// Words are compared by so many of their first bytes.
+constexpr std::size_t compared_length = 200;
 
 std::string_view nearest_name(std::string_view word,
                               const std::vector<std::string_view>& candidates) {
-  word = word.substr(0, longest_name);  // the distance's time goes with both lengths
+  word = word.substr(0, compared_length);
   std::string_view best;
   std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (const std::string_view candidate : candidates) {

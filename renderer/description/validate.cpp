@@ -1,7 +1,6 @@
 #include "renderer/description/validate.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -75,11 +74,16 @@ SourceSpan whole_file(const SceneDescription& scene) {
   return {std::make_shared<const std::string>(scene.path), 0, 0};
 }
 
+bool is_clear(const Medium& medium) {
+  return medium.absorption + medium.scattering == Vec3d(0.0);
+}
+
 // Skies and media around cameras are seen where no surface is.
 bool has_anything_to_see(const SceneDescription& scene) {
   return has_surface(scene) || std::ranges::any_of(scene.lights, is_seen_sky) ||
-         std::ranges::any_of(scene.cameras,
-                             [](const Camera& camera) { return camera.medium.is_valid(); });
+         std::ranges::any_of(scene.cameras, [&](const Camera& camera) {
+           return camera.medium && !is_clear(scene.media[camera.medium.index]);
+         });
 }
 
 void warn_of_nothing_to_see(const SceneDescription& scene, Diagnostics& diagnostics) {

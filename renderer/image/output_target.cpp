@@ -81,7 +81,7 @@ Diagnostics check_descriptor(const std::string& path, int descriptor) {
   const int flags = ::fcntl(descriptor, F_GETFL);
   if (flags >= 0 && (flags & O_ACCMODE) != O_RDONLY) return {};
   return failure(fmt::format("'{}' cannot be written: {}", path,
-                             flags < 0 ? system_message(errno) : "it is open for reading alone"));
+                             flags < 0 ? system_message(errno) : "it is not open for writing"));
 }
 
 // A pipe or device.

@@ -7,7 +7,8 @@ namespace candela {
 
 enum class Coverage : std::uint8_t { Clear, Partial, Opaque };
 
-// lab3's: below the one a surface is a hole, from the other on solid (docs/scene_format.md).
+// lab3's: below the one a surface is a hole, from the other on solid (docs/scene_format.md); in
+// whitted rays that are no shadow rays go on straight behind what is not solid.
 inline constexpr float lab_hole_below = 0.2f;
 inline constexpr float lab_solid_from = 0.9f;
 

@@ -10,15 +10,15 @@ namespace {
 
 using description::SceneDescription;
 
-constexpr double largest = 1e30;  // optical depths of all ways in the scene are floats
+constexpr double largest_coefficient = 1e30;  // optical depths of all ways in the scene are floats
 
 // Thinner channels are clear: light would scatter farther out than rays can start from
 // (farthest_traceable), thirty free paths and more.
-constexpr double thinnest = 30 / static_cast<double>(farthest_traceable);
+constexpr double thinnest_extinction = 30 / static_cast<double>(farthest_traceable);
 
 // Coefficients have the inverse of a length in them.
 Rgb scaled(const Vec3d& coefficient, const Normalisation& n) {
-  return Rgb(glm::min(coefficient / n.scale, Vec3d(largest)));
+  return Rgb(glm::min(coefficient / n.scale, Vec3d(largest_coefficient)));
 }
 
 // Beyond this the peak is narrower than directions in float can tell.
@@ -28,7 +28,7 @@ Medium compile_medium(const description::Medium& medium, const Normalisation& n)
   Vec3d scattering = medium.scattering;
   Vec3d extinction = medium.scattering + medium.absorption;
   for (int c = 0; c < 3; ++c)
-    if (extinction[c] / n.scale < thinnest) scattering[c] = extinction[c] = 0;
+    if (extinction[c] / n.scale < thinnest_extinction) scattering[c] = extinction[c] = 0;
   Medium out;
   out.scattering = scaled(scattering, n);
   out.extinction = scaled(extinction, n);

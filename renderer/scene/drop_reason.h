@@ -1,6 +1,7 @@
 // Why compiling leaves out what it leaves out, and how often it did.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string_view>
@@ -28,6 +29,7 @@ enum class DropReason : std::uint8_t {
   FlatTriangles,
   UnusedVertices,
 };
+inline constexpr std::size_t drop_reasons = std::size_t(DropReason::UnusedVertices) + 1;
 
 // As in "12 triangles without area".
 [[nodiscard]] std::string_view name_of(DropReason reason);

@@ -1,7 +1,6 @@
 #include "scene_io/pbrt/materials.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 

@@ -24,8 +24,8 @@ namespace candela::text {
 // Blanks and lines' ends off both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-// A name that goes on to the end of its line, without a comment behind it: names may hold blanks and
-// a '#' ("Material #25"), but seldom one between blanks.
+// A name that goes on to the end of its line, without a comment behind it: names may hold blanks
+// and a '#' ("Material #25"), but seldom one between blanks.
 [[nodiscard]] std::string_view without_comment(std::string_view name);
 
 // A place in a text that only moves forward. A copy of it is a look ahead.

@@ -263,6 +263,8 @@ TEST(Unit_Validate, SkiesAndFogAreThereToBeSeen) {
   EXPECT_EQ(messages(validate(sky), Severity::Warning).size(), 1u);
   sky.media.emplace_back();
   sky.cameras[0].medium = description::MediumHandle(std::size_t{0});
+  EXPECT_EQ(messages(validate(sky), Severity::Warning).size(), 1u);  // it is as clear as none
+  sky.media[0].scattering = Vec3d(0.1);
   EXPECT_TRUE(messages(validate(sky), Severity::Warning).empty());
 }
 

@@ -125,7 +125,8 @@ TEST(Errors_OutputFile, DescriptorsThatTakeNoBytesAreToldBeforeAndAfter) {
   const TemporaryFolder folder;
   const int descriptor = ::open(folder.put("x", std::string("x")).c_str(), O_RDONLY);
   const std::string path = fmt::format("/dev/fd/{}", descriptor);
-  EXPECT_NE(first_message(check_writable_file(path)).find("for reading alone"), std::string::npos);
+  EXPECT_NE(first_message(check_writable_file(path)).find("not open for writing"),
+            std::string::npos);
   EXPECT_TRUE(write_file_atomically(path, "x").has_errors());
   ::close(descriptor);
   EXPECT_NE(first_message(check_writable_file(path)).find("Bad file"), std::string::npos);

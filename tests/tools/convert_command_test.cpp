@@ -1,7 +1,6 @@
 // `candela convert` through the built program: scenes of all formats come back with the same bits.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 

@@ -43,6 +43,20 @@ TEST(Unit_LabCommands, PicturesTellTheirIntegrator) {
   }
 }
 
+// path shows the sky.
+TEST(Unit_LabCommands, ThatASkyAloneIsNotDrawnIsSaid) {
+  const std::string folder = fresh_folder("sky_alone");
+  const std::string scene = folder + "/sky.pbrt", output = folder + "/a.exr";
+  write_text(scene, "WorldBegin\nLightSource \"infinite\"\n");
+  for (const std::string name : {"whitted", "raster"}) {
+    const ProgramResult lax = render(scene, output, {"--integrator", name});
+    EXPECT_EQ(lax.exit_code, 0);
+    EXPECT_NE(lax.error.find(name + " draws surfaces alone"), std::string::npos) << lax.error;
+    EXPECT_EQ(render(scene, output, {"--integrator", name, "--strict"}).exit_code, 3);
+  }
+  EXPECT_EQ(render(scene, output, {"--strict"}).exit_code, 0);
+}
+
 TEST(Unit_LabCommands, WhatWhittedCannotGrantIsSaid) {
   const std::string folder = fresh_folder("dark");
   const std::string scene = dark_scene(folder), output = folder + "/a.exr";

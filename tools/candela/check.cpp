@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "integrators/render.h"
+#include "renderer/base/printable.h"
 #include "renderer/description/validate.h"
 #include "tools/candela/commands.h"
 #include "tools/candela/console.h"
@@ -34,8 +35,8 @@ ExitCode run_check(const CheckArguments& arguments) {
   const bool is_refused =
       read.error_count > 0 || (arguments.scene.is_strict && read.warning_count > 0);
   const ExitCode printed = print_result(
-      fmt::format("{}: {}, {}\n", arguments.scene.path, counted(read.error_count, "error"),
-                  counted(read.warning_count, "warning")),
+      fmt::format("{}: {}, {}\n", printable(arguments.scene.path),
+                  counted(read.error_count, "error"), counted(read.warning_count, "warning")),
       console);
   return is_refused ? read.refusal : printed;
 }

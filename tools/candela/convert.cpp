@@ -126,7 +126,7 @@ class Conversion {
       console_.print(problems);
       if (problems.has_errors()) return ExitCode::Output;
     }
-    console_.note(fmt::format("wrote {} and {} file{} beside it", arguments_.output,
+    console_.note(fmt::format("wrote {} and {} file{} beside it", target_.string(),
                               outputs.size() - 1, outputs.size() == 2 ? "" : "s"));
     return ExitCode::Done;
   }

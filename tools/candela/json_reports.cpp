@@ -1,6 +1,5 @@
 #include "tools/candela/json_reports.h"
 
-#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "tools/candela/option_values.h"

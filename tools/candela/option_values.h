@@ -4,7 +4,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "renderer/base/result.h"
 #include "tools/candela/arguments.h"

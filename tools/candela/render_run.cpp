@@ -27,6 +27,11 @@ std::string samples_text(const RenderReport& report) {
                      report.max_samples);
 }
 
+bool shows_sky_alone(const Scene& scene) {
+  return scene.geometries.empty() && scene.environment && scene.environment->is_seen_by_camera &&
+         !scene.environment->is_black();
+}
+
 // What the render is to stop at.
 std::string rules_text(const RenderReport& report) {
   const RenderOptions& options = report.options;
@@ -183,6 +188,11 @@ bool RenderRun::accepts_scene(const Scene& scene) {
         fmt::format("{} sees no light in this scene: it knows point, spot and directional lights, "
                     "lamps and the ambient term",
                     name_of(options().integrator, integrator_choices())));
+    if (!allows(1)) return false;
+  }
+  if (is_lab_shading(options().integrator) && shows_sky_alone(scene)) {
+    warn(fmt::format("{} draws surfaces alone, of which there are none: there is nothing to see",
+                     name_of(options().integrator, integrator_choices())));
     if (!allows(1)) return false;
   }
   const std::vector<std::string> unmet = unmet_requests(arguments_, scene, options());

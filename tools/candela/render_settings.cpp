@@ -213,11 +213,8 @@ RenderSettings settled(const RenderArguments& arguments,
   options = usual_options(integrator_of(arguments, defaults));
   settle_size(arguments, defaults, options);
   settle_crop(arguments, defaults, options);
-  settle_camera(arguments, description, options);
   settle_film(arguments, defaults, options);
   settle_stop_rules(arguments, options);
-  settle_samples(arguments, defaults, options, settings.warnings);
-  settle_depth(arguments, defaults, options);
   settle_paths(arguments, options);
   settle_light(arguments, options);
   options.seed = arguments.seed.value_or(defaults.seed.value_or(options.seed));
@@ -226,6 +223,9 @@ RenderSettings settled(const RenderArguments& arguments,
   options.uses_general_kernel = arguments.uses_general_kernel;
   options.savings = path_savings_without(arguments.without);
   refuse_what_does_not_fit(arguments, options);
+  settle_samples(arguments, defaults, options, settings.warnings);
+  settle_depth(arguments, defaults, options);
+  settle_camera(arguments, description, options);
   if (need == MemoryNeed::Heeded)
     if (const std::optional<std::string> sentence = missing_memory(options))
       throw Refusal{*sentence, ExitCode::Limit};

@@ -1,8 +1,6 @@
 // Meshes, instances, holes and heights in the files that are written.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "renderer/description/validate.h"
 #include "scene_io/pbrt/write/write_pbrt.h"
 #include "tests/scene_io/pbrt/write/round_trip.h"
