@@ -9,16 +9,15 @@
 #include "integrators/check_options.h"
 #include "integrators/feasible_options.h"
 #include "integrators/kernel.h"
+#include "integrators/lab_kernels.h"
 #include "integrators/path/check_sampling.h"
 #include "integrators/path/find_lamp_pixels.h"
 #include "integrators/path/kernels.h"
-#include "integrators/raster/raster_kernel.h"
 #include "integrators/render_rounds.h"
 #include "integrators/report/check_report.h"
 #include "integrators/report/report_context.h"
 #include "integrators/time_budget.h"
 #include "integrators/whitted/lab_lights.h"
-#include "integrators/whitted/whitted_kernel.h"
 
 namespace candela {
 namespace {

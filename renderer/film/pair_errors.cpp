@@ -67,17 +67,14 @@ struct OwnLevel {
   Vec3d mean;
   double share;  // of the pixel's samples
 };
-inline double signed_root(double square, double sign) {
-  const double root = std::sqrt(std::max(square, 0.0));
-  return sign < 0 ? -root : root;
-}
 inline OwnLevel level_beside_pair(const SampleSum& whole, const SampleSum& a, const SampleSum& b) {
   const double others = whole.samples - a.samples - b.samples;
   const double are_none = others > 0 ? 0.0 : 1.0;
   const double samples = others > 0 ? others : whole.samples;
   const Vec3d square = a.radiance * b.radiance * (1 / (a.samples * b.samples));
-  const Vec3d root(signed_root(square.x, whole.radiance.x), signed_root(square.y, whole.radiance.y),
-                   signed_root(square.z, whole.radiance.z));
+  const Vec3d size = glm::sqrt(max(square, 0.0));
+  const Vec3d root(std::copysign(size.x, whole.radiance.x), std::copysign(size.y, whole.radiance.y),
+                   std::copysign(size.z, whole.radiance.z));
   const Vec3d of_others = (whole.radiance - a.radiance - b.radiance) * (1 / samples);
   return {of_others + are_none * root, samples / whole.samples};
 }

@@ -35,31 +35,24 @@ std::optional<int> descriptor_in(const std::filesystem::path& path) {
   return whole_number(path.filename().string());
 }
 
-// What /dev/stdout is open on may be a file that others write to, or one without a name: it must
-// not be followed to it.
-std::optional<int> descriptor_behind(const std::string& path) {
-  std::filesystem::path current(path);
-  for (int i = 0; i < max_links; ++i) {
-    if (const auto descriptor = descriptor_in(current)) return descriptor;
-    std::error_code error;
-    const std::filesystem::path next = std::filesystem::read_symlink(current, error);
-    if (error) return std::nullopt;
-    current = next.is_absolute() ? next : current.parent_path() / next;
-  }
-  return std::nullopt;
-}
+struct LinksEnd {
+  std::string path;
+  std::optional<int> descriptor;
+};
 
 // Replacing a link by a file would surprise: what it points to is written instead. A path whose end
-// does not exist yet comes back as it is.
-std::string follow_links(const std::string& path) {
+// does not exist yet comes back as it is. What /dev/stdout is open on may be a file that others
+// write to, or one without a name: no further than to the descriptor.
+LinksEnd follow_links(const std::string& path) {
   std::filesystem::path current(path);
   for (int i = 0; i < max_links; ++i) {
+    if (const auto descriptor = descriptor_in(current)) return {current.string(), descriptor};
     std::error_code error;
     const std::filesystem::path next = std::filesystem::read_symlink(current, error);
-    if (error) return current.string();
+    if (error) break;
     current = next.is_absolute() ? next : current.parent_path() / next;
   }
-  return current.string();
+  return {current.string(), std::nullopt};
 }
 
 std::string folder_of(const std::string& path) {
@@ -98,7 +91,8 @@ OutputTarget find_output_target(const std::string& path) {
     target.diagnostics = failure(fmt::format("'{}' cannot be written: it names no file", path));
     return target;
   }
-  target.descriptor = descriptor_behind(path);
+  const LinksEnd end = follow_links(path);
+  target.descriptor = end.descriptor;
   if (target.descriptor) {
     target.path = path;
     target.is_stream = true;
@@ -106,7 +100,7 @@ OutputTarget find_output_target(const std::string& path) {
     return target;
   }
   target.is_stream = is_stream(path);
-  target.path = target.is_stream ? path : follow_links(path);
+  target.path = target.is_stream ? path : end.path;
   target.folder = folder_of(target.path);
   target.diagnostics = check_folder(path, target.folder);
   if (target.diagnostics.has_errors()) return target;

@@ -16,22 +16,18 @@ constexpr double largest_coefficient = 1e30;  // optical depths of all ways in t
 // (farthest_traceable), thirty free paths and more.
 constexpr double thinnest_extinction = 30 / static_cast<double>(farthest_traceable);
 
-// Coefficients have the inverse of a length in them.
-Rgb scaled(const Vec3d& coefficient, const Normalisation& n) {
-  return Rgb(glm::min(coefficient / n.scale, Vec3d(largest_coefficient)));
-}
-
 // Beyond this the peak is narrower than directions in float can tell.
 constexpr double largest_asymmetry = 0.9999;
 
+// Coefficients have the inverse of a length in them.
 Medium compile_medium(const description::Medium& medium, const Normalisation& n) {
-  Vec3d scattering = medium.scattering;
-  Vec3d extinction = medium.scattering + medium.absorption;
+  Vec3d scattering = medium.scattering / n.scale;
+  Vec3d extinction = (medium.scattering + medium.absorption) / n.scale;
   for (int c = 0; c < 3; ++c)
-    if (extinction[c] / n.scale < thinnest_extinction) scattering[c] = extinction[c] = 0;
+    if (extinction[c] < thinnest_extinction) scattering[c] = extinction[c] = 0;
   Medium out;
-  out.scattering = scaled(scattering, n);
-  out.extinction = scaled(extinction, n);
+  out.scattering = Rgb(glm::min(scattering, Vec3d(largest_coefficient)));
+  out.extinction = Rgb(glm::min(extinction, Vec3d(largest_coefficient)));
   out.asymmetry =
       static_cast<float>(std::clamp(medium.asymmetry, -largest_asymmetry, largest_asymmetry));
   return out;

@@ -206,8 +206,7 @@ void Arguments::warn_of_unknown() const {
   const std::vector<std::string_view> names(asked_.begin(), asked_.end());
   for (const Parameter& parameter : statement_.parameters) {
     if (parameter.is_used || parameter.is_default) continue;
-    const std::string_view word = std::string_view(parameter.name).substr(0, 100);
-    const std::string advice = report_.wants_warnings() ? did_you_mean(word, names) : "";
+    const std::string advice = report_.wants_warnings() ? did_you_mean(parameter.name, names) : "";
     warning(parameter, fmt::format("is not a parameter of {} \"{}\" and is ignored{}",
                                    statement_.directive, statement_.type, advice));
   }

@@ -187,10 +187,9 @@ template <class Names>
 bool check_type(const Statement& statement, std::string_view what, const Names& names,
                 const Report& report) {
   if (std::find(std::begin(names), std::end(names), statement.type) != std::end(names)) return true;
-  const std::string_view word = std::string_view(statement.type).substr(0, 100);
   report.error(statement.place,
                fmt::format("{} is no {}{}", text::quoted(statement.type), what,
-                           did_you_mean(word, {std::begin(names), std::end(names)})));
+                           did_you_mean(statement.type, {std::begin(names), std::end(names)})));
   return false;
 }
 

@@ -230,12 +230,11 @@ Materials::Made Materials::make(MaterialStatement& statement) {
   MaterialReader reader{arguments, context_, textures_};
   if (!set_own_model(reader, material) && !set_model(reader, type, material) &&
       !set_v3_model(reader, type, material)) {
-    const std::string_view word = std::string_view(type).substr(0, 100);
     if (!type.empty())
       context_.report.error(
           statement.statement.place,
           fmt::format("{} is no material{}", text::quoted(type),
-                      did_you_mean(word, {std::begin(type_names), std::end(type_names)})));
+                      did_you_mean(type, {std::begin(type_names), std::end(type_names)})));
     return {material, {}};
   }
   add_own_parameters(reader, material);

@@ -22,11 +22,10 @@ const Directive* Parser::known_directive() {
     check_side_of_world(*known);
     return known;
   }
-  const std::string_view word = directive_.text.substr(0, 100);
   error_here(fmt::format("found {}, expected a directive{}", described(directive_),
-                         did_you_mean(word, directive_names())));
+                         did_you_mean(directive_.text, directive_names())));
   const bool is_word = directive_.kind == TokenKind::Word;
-  return is_word ? directive_named(nearest_name(word, directive_names())) : nullptr;
+  return is_word ? directive_named(nearest_name(directive_.text, directive_names())) : nullptr;
 }
 
 // A missing WorldBegin is said once.

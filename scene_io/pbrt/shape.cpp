@@ -45,10 +45,9 @@ void refuse(const ShapeStatement& shape, const Report& report) {
     return report.warning(
         shape.statement.place,
         fmt::format("shapes of type {} are not supported: it is left out", text::quoted(type)));
-  const std::string_view word = std::string_view(type).substr(0, 100);
   report.error(shape.statement.place,
                fmt::format("{} is no shape{}", text::quoted(type),
-                           did_you_mean(word, {kinds.begin(), kinds.end()})));
+                           did_you_mean(type, {kinds.begin(), kinds.end()})));
 }
 
 bool has_texture(const Program& program, const MaterialUse& use) {

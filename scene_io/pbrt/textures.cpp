@@ -208,10 +208,10 @@ Textures::Value Textures::stand_in(Arguments& arguments) {
                                    text::quoted(statement.type)));
     return ColourInput{Vec3d(0.5), {}, {}};
   }
-  const std::string_view word = std::string_view(statement.type).substr(0, 100);
-  context_.report.error(statement.place,
-                        fmt::format("{} is no texture{}", text::quoted(statement.type),
-                                    did_you_mean(word, {std::begin(ours), std::end(ours)})));
+  context_.report.error(
+      statement.place,
+      fmt::format("{} is no texture{}", text::quoted(statement.type),
+                  did_you_mean(statement.type, {std::begin(ours), std::end(ours)})));
   return std::nullopt;
 }
 

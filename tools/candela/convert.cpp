@@ -29,7 +29,7 @@ void fill_defaults(const RenderOptions& options, description::RenderDefaults& de
   defaults.height = options.height;
   defaults.samples_per_pixel = options.samples_per_pixel;
   defaults.max_depth = options.max_depth;
-  defaults.integrator = std::string(name_of(options.integrator, integrator_choices()));
+  defaults.integrator = std::string(integrator_name(options));
   defaults.filter = std::string(name_of(options.filter, filter_choices()));
   defaults.filter_radius = options.filter_radius.value_or(default_radius(options.filter));
 }

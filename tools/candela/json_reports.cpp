@@ -65,7 +65,7 @@ Json error_json(const std::optional<ErrorEstimate>& error) {
 
 void add_options(Json& json, const RenderReport& report) {
   const RenderOptions& options = report.options;
-  json["integrator"] = name_of(options.integrator, integrator_choices());
+  json["integrator"] = integrator_name(options);
   json["width"] = options.width;
   json["height"] = options.height;
   json["crop"] = crop_json(report.rect());

@@ -99,6 +99,10 @@ Result<double> number_in(std::string_view text, std::string_view number, bool (*
 std::span<const Choice<IntegratorKind>> integrator_choices() {
   return integrators;
 }
+
+std::string_view integrator_name(const RenderOptions& options) {
+  return name_of(options.integrator, integrator_choices());
+}
 std::span<const Choice<SpecularModel>> specular_choices() {
   return speculars;
 }

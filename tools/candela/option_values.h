@@ -18,6 +18,7 @@ struct Choice {
 };
 
 [[nodiscard]] std::span<const Choice<IntegratorKind>> integrator_choices();
+[[nodiscard]] std::string_view integrator_name(const RenderOptions& options);
 [[nodiscard]] std::span<const Choice<SpecularModel>> specular_choices();
 [[nodiscard]] std::span<const Choice<SamplingStrategy>> sampling_choices();
 [[nodiscard]] std::span<const Choice<Heuristic>> heuristic_choices();

@@ -9,10 +9,6 @@
 namespace candela::cli {
 namespace {
 
-std::string_view integrator_name(const RenderOptions& options) {
-  return name_of(options.integrator, integrator_choices());
-}
-
 void refuse_what_only_path_does(const RenderArguments& arguments, const RenderOptions& options) {
   if (options.integrator == IntegratorKind::Path) return;
   const auto refuse = [&](bool is_said, std::string_view option) {

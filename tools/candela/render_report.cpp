@@ -123,7 +123,7 @@ Metadata metadata_of(const RenderReport& report) {
       {"candela:command", report.command},
       {"candela:scene", report.scene},
       {"candela:scene_hash", report.scene_hash},
-      {"candela:integrator", std::string(name_of(report.options.integrator, integrator_choices()))},
+      {"candela:integrator", std::string(integrator_name(report.options))},
       {"candela:options", options_text(report)},
       {"candela:kernel", statistics.kernel},
       {"candela:seed", std::to_string(report.options.seed)},

@@ -187,12 +187,12 @@ bool RenderRun::accepts_scene(const Scene& scene) {
     warn(
         fmt::format("{} sees no light in this scene: it knows point, spot and directional lights, "
                     "lamps and the ambient term",
-                    name_of(options().integrator, integrator_choices())));
+                    integrator_name(options())));
     if (!allows(1)) return false;
   }
   if (is_lab_shading(options().integrator) && shows_sky_alone(scene)) {
     warn(fmt::format("{} draws surfaces alone, of which there are none: there is nothing to see",
-                     name_of(options().integrator, integrator_choices())));
+                     integrator_name(options())));
     if (!allows(1)) return false;
   }
   const std::vector<std::string> unmet = unmet_requests(arguments_, scene, options());
@@ -209,7 +209,7 @@ ProgressSink* RenderRun::start_rendering(const Scene& scene) {
   report_.triangles = triangle_count(scene);
   console_.note(fmt::format("{}: {} triangles, {}x{}, {}, {}, {} thread{}", report_.scene,
                             report_.triangles, crop.width(), crop.height(), rules_text(report_),
-                            name_of(options().integrator, integrator_choices()), report_.threads,
+                            integrator_name(options()), report_.threads,
                             report_.threads == 1 ? "" : "s"));
   progress_ = std::make_unique<ProgressReport>(console_);
   return arguments_.is_quiet ? nullptr : progress_.get();  // its numbers cost a little

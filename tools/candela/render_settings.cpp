@@ -86,16 +86,16 @@ void settle_grid(bool is_said, RenderOptions& options, std::vector<std::string>&
   const int side = square_side_below(asked);
   if (side * side == asked) return;
   if (is_said)
-    throw Refusal{fmt::format("--spp {}: {} puts samples on a grid of n x n; the nearest square "
-                              "numbers are {} and {}",
-                              asked, name_of(options.integrator, integrator_choices()), side * side,
-                              (side + 1) * (side + 1)),
-                  ExitCode::Usage};
+    throw Refusal{
+        fmt::format("--spp {}: {} puts samples on a grid of n x n; the nearest square "
+                    "numbers are {} and {}",
+                    asked, integrator_name(options), side * side, (side + 1) * (side + 1)),
+        ExitCode::Usage};
   options.samples_per_pixel = side * side;
-  warnings.push_back(fmt::format(
-      "the scene asks for {} samples a pixel, {} takes {}: a grid of "
-      "{} x {}",
-      asked, name_of(options.integrator, integrator_choices()), side * side, side, side));
+  warnings.push_back(
+      fmt::format("the scene asks for {} samples a pixel, {} takes {}: a grid of "
+                  "{} x {}",
+                  asked, integrator_name(options), side * side, side, side));
 }
 
 void settle_stop_rules(const RenderArguments& arguments, RenderOptions& options) {

@@ -1,4 +1,4 @@
-// The kernel of whitted.
+// The kernels of whitted and raster.
 #pragma once
 
 #include "integrators/kernel.h"
@@ -12,8 +12,13 @@ namespace candela {
 template <class A>
 [[nodiscard]] Kernel whitted_kernel(const Scene& scene, const A& accelerator,
                                     const RenderOptions& options);
+template <class A>
+[[nodiscard]] Kernel raster_kernel(const Scene& scene, const A& accelerator,
+                                   const RenderOptions& options);
 
 extern template Kernel whitted_kernel(const Scene&, const EmbreeAccel&, const RenderOptions&);
 extern template Kernel whitted_kernel(const Scene&, const BvhAccel&, const RenderOptions&);
+extern template Kernel raster_kernel(const Scene&, const EmbreeAccel&, const RenderOptions&);
+extern template Kernel raster_kernel(const Scene&, const BvhAccel&, const RenderOptions&);
 
 }  // namespace candela
