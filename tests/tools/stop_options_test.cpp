@@ -107,6 +107,17 @@ TEST(Unit_StopOptions, ErrorsThatCannotBeTrustedAreWarnedOf) {
   EXPECT_EQ(even.messages.find(warning), std::string::npos) << even.messages;
 }
 
+TEST(Unit_StopOptions, TheErrorOfTwoSamplesIsWarnedOf) {
+  const char* const warning = "two samples a pixel know little of their error";
+  const StopRun two = run_of({"--spp", "2"});
+  EXPECT_GT(two.stats["error"]["relmse"], 0);
+  EXPECT_NE(two.messages.find(warning), std::string::npos) << two.messages;
+  for (const char* spp : {"1", "3"}) {
+    const StopRun run = run_of({"--spp", spp});
+    EXPECT_EQ(run.messages.find(warning), std::string::npos) << run.messages;
+  }
+}
+
 // Lamps of which no path gets to know: bounces are forbidden, and the camera looks elsewhere.
 TEST(Unit_StopOptions, APictureWithoutAnyLightTellsThatItKnowsNothing) {
   const StopRun run =

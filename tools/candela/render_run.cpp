@@ -236,6 +236,10 @@ void RenderRun::report_reliability() {
   const bool has_two_replicates = std::min(report_.min_samples, report_.replicates) >= 2;
   if (!report_.error && has_two_replicates)
     warn("no sample has met light, though the scene has some: the picture's error is not known");
+  if (report_.error && report_.error->relmse > 0 && report_.min_samples < 3)
+    warn(
+        "two samples a pixel know little of their error: the stated one is likely too small "
+        "(three do)");
   // Fewer samples a replicate say little about tails.
   const bool is_telling = report_.min_samples >= 4 * report_.replicates;
   if (report_.error && is_telling && report_.error->heavy_tails > negligible)
