@@ -64,6 +64,8 @@ void check_picture(const Scene& scene, const RenderOptions& options, const Check
 }
 
 void check_sampling(const RenderOptions& options, const Check& check) {
+  if (options.integrator > IntegratorKind::Report)
+    check.error("the integrator is none that there is");
   check.within("the number of samples a pixel", options.samples_per_pixel, 1,
                max_samples_per_pixel);
   check.within("the number of replicates", options.replicates, 1, max_replicates);

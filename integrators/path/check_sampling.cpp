@@ -13,9 +13,9 @@ namespace {
 
 using namespace description;
 
-// A map may be smooth somewhere.
+// A map or a texture may be smooth somewhere.
 bool may_be_smooth(const ScalarInput& roughness) {
-  return roughness.map || roughness.factor < static_cast<double>(smallest_ggx_width);
+  return !roughness.is_constant() || roughness.factor < static_cast<double>(smallest_ggx_width);
 }
 // The larger of two widths decides (coat_widths_at()).
 template <class Layer>
@@ -25,7 +25,8 @@ bool may_be_smooth(const Layer& layer) {
 }
 template <class Layer>
 bool has_map(const Layer& layer) {
-  return layer.roughness.map || (layer.roughness_across && layer.roughness_across->map);
+  return !layer.roughness.is_constant() ||
+         (layer.roughness_across && !layer.roughness_across->is_constant());
 }
 
 // Whether a material has, or may have somewhere, a delta lobe beside another. One alone is followed

@@ -76,6 +76,7 @@ Light sphere_lamp_light(const Scene& scene, const Light& sphere) {
   const float seen_area = 0.25f * sphere.area * opacity_of(scene, sphere.geometry);
   Light light = make_point_light(sphere.position, radiance * (seen_area / pi));
   light.geometry = sphere.geometry;
+  light.triangle = sphere.triangle;
   return light;
 }
 

@@ -18,7 +18,10 @@ inline constexpr int most_lab_layers = 10'000;
 // Whether a shadow ray goes on behind what it met: holes, and the lamp that it is cast to.
 [[nodiscard]] inline bool passes_light(const Scene& scene, const Light& light, const Hit& hit,
                                        const SurfacePoint& place) {
-  if (hit.geometry == light.geometry) return true;
+  const bool is_one_of_spheres =
+      light.geometry != Light::none && !scene.geometries[light.geometry].spheres.empty();
+  if (hit.geometry == light.geometry && (!is_one_of_spheres || hit.triangle == light.triangle))
+    return true;
   const Material& worn = scene.materials[scene.geometries[hit.geometry].material.index];
   const TexturePoint at = texture_point_of(place);
   const Material& part = greater_part_of_mix(scene.materials, worn, scene.textures, at);

@@ -11,8 +11,8 @@ struct LabSurface {
   Rgb kd{0};
   Rgb ks{0};
   float exponent = 1;
-  Rgb mirror{0};       // weight of the mirror direction
-  Rgb transmitted{1};  // factor of what comes straight from behind, beside 1 - alpha
+  Rgb mirror{0};  // weight of the mirror direction
+  Rgb behind{0};  // weight of what comes straight from behind
   float alpha = 1;
 };
 
@@ -26,11 +26,16 @@ struct LabSurface {
          material.model == MaterialModel::ThinDielectric;
 }
 
-// Coverage as it is stored: no thresholds, no dice. A mixture's is its own, whichever part is met
-// (a material that is no mixture is its own part); glass covers what it reflects.
+// As it is stored: no thresholds, no dice. A mixture's is its own, whichever part is met.
+[[nodiscard]] inline float lab_opacity_at(const Material& worn, const TextureStore& textures,
+                                          const TexturePoint& at) {
+  return clamp_unit(scalar_at(worn.opacity, textures, at));
+}
+
+// Coverage (a material that is no mixture is its own part): glass covers what it reflects.
 [[nodiscard]] inline float lab_alpha_at(const Material& worn, const Material& part,
                                         const TextureStore& textures, const TexturePoint& at) {
-  const float opacity = clamp_unit(scalar_at(worn.opacity, textures, at));
+  const float opacity = lab_opacity_at(worn, textures, at);
   return is_glass(part) ? opacity * normal_reflectance(part.eta.x) : opacity;
 }
 
@@ -62,8 +67,11 @@ struct LabSurface {
 
 // What glass does not reflect passes unbent.
 [[nodiscard]] inline LabSurface glass_surface(const Material& material, const Bsdf& bsdf) {
-  const float exponent = bsdf.is_smooth ? 256.0f : lab_exponent(bsdf.alpha);
-  return {.ks = Rgb{1}, .exponent = exponent, .transmitted = material.transmittance};
+  const bool is_smooth = bsdf.is_smooth || bsdf.model == BsdfModel::ThinDielectric;
+  const float passing = 1 - normal_reflectance(material.eta.x);
+  return {.ks = Rgb{1},
+          .exponent = is_smooth ? 256.0f : lab_exponent(bsdf.alpha),
+          .behind = passing * material.transmittance};
 }
 
 // All but the coverage.
@@ -108,10 +116,11 @@ struct LabSurface {
 [[nodiscard]] inline LabSurface lab_surface_at(const Material& worn, const Material& part,
                                                const TextureStore& textures,
                                                const TexturePoint& at) {
-  const float alpha = lab_alpha_at(worn, part, textures, at);
-  if (alpha == 0 && !is_glass(part)) return {.alpha = 0};  // nothing of it shows
+  const float opacity = lab_opacity_at(worn, textures, at);
+  if (opacity == 0) return {.behind = Rgb{1}, .alpha = 0};  // nothing of it shows
   LabSurface surface = uncovered_surface_at(part, textures, at);
-  surface.alpha = alpha;
+  surface.alpha = lab_alpha_at(worn, part, textures, at);
+  surface.behind = Rgb{1 - opacity} + opacity * surface.behind;
   return surface;
 }
 

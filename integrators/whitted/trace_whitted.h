@@ -30,7 +30,7 @@ inline void step_whitted(const LabContext<A>& context, const LabPoint& point, co
     walk.clear = 0;
     walk.ray = spawn_ray(point.place, normalize(n * (2 * dot(n, wo)) - wo));
   } else {
-    walk.weight *= surface.transmitted * (1 - surface.alpha);
+    walk.weight *= surface.behind;
     walk.clear *= 1 - surface.alpha;
     walk.ray = spawn_ray(point.place, walk.ray.direction);
   }

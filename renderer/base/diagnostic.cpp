@@ -67,12 +67,21 @@ std::string to_string(const Diagnostic& diagnostic) {
 
 void Diagnostics::add(Diagnostic diagnostic) {
   diagnostic.message = printable(diagnostic.message);  // names in scenes may hold anything
+  if (is_told(diagnostic)) return;
   const bool is_error = diagnostic.severity == Severity::Error;
   const bool is_warning = diagnostic.severity == Severity::Warning;
   const std::size_t earlier = is_error ? error_count_ : is_warning ? warning_count_ : 0;
   if (is_error) ++error_count_;
   if (is_warning) ++warning_count_;
   if (earlier < limit) list_.push_back(std::move(diagnostic));
+}
+
+bool Diagnostics::is_told(const Diagnostic& diagnostic) const {
+  return std::any_of(list_.begin(), list_.end(), [&](const Diagnostic& told) {
+    return told.severity == diagnostic.severity && told.span.line == diagnostic.span.line &&
+           told.span.column == diagnostic.span.column && told.message == diagnostic.message &&
+           place_of(told.span) == place_of(diagnostic.span);
+  });
 }
 
 void Diagnostics::error(SourceSpan span, std::string message) {
@@ -119,6 +128,15 @@ std::string_view nearest_name(std::string_view word,
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
   const std::string_view name = nearest_name(word, candidates);
   return name.empty() ? "" : fmt::format(", did you mean '{}'?", name);
+}
+
+std::string nearest_or_all(std::string_view word, const std::vector<std::string_view>& candidates) {
+  const std::string nearest = did_you_mean(word, candidates);
+  if (!nearest.empty() || candidates.empty()) return nearest;
+  std::string all(candidates[0]);
+  for (std::size_t i = 1; i < candidates.size(); ++i)
+    all += fmt::format("{}{}", i + 1 < candidates.size() ? ", " : " or ", candidates[i]);
+  return ", expected " + all;
 }
 
 }  // namespace candela

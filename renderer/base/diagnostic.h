@@ -29,9 +29,9 @@ struct Diagnostic {
 // "file:line:column: error: message", then the excerpt on lines of its own where there is one.
 [[nodiscard]] std::string to_string(const Diagnostic& diagnostic);
 
-// A reader's collection. After `limit` errors further ones are only counted, so that a broken file
-// of a million lines gives a page and not a book. Warnings have a limit of their own. Readers of
-// text stop at `most_counted` errors.
+// A reader's collection. The same of the same place is told once. After `limit` errors further ones
+// are only counted, so that a broken file of a million lines gives a page and not a book. Warnings
+// have a limit of their own. Readers of text stop at `most_counted` errors.
 class Diagnostics {
  public:
   static constexpr std::size_t limit = 20;
@@ -53,6 +53,8 @@ class Diagnostics {
   void append(const Diagnostics& other);
 
  private:
+  [[nodiscard]] bool is_told(const Diagnostic& diagnostic) const;
+
   std::vector<Diagnostic> list_;
   std::size_t error_count_ = 0;
   std::size_t warning_count_ = 0;
@@ -66,5 +68,8 @@ class Diagnostics {
 // ", did you mean 'X'?" or "".
 [[nodiscard]] std::string did_you_mean(std::string_view word,
                                        const std::vector<std::string_view>& candidates);
+// The same of a few, all of which are named where none is near: ", expected A, B or C".
+[[nodiscard]] std::string nearest_or_all(std::string_view word,
+                                         const std::vector<std::string_view>& candidates);
 
 }  // namespace candela

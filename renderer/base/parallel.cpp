@@ -1,7 +1,9 @@
 #include "renderer/base/parallel.h"
 
 #include <latch>
+#include <mutex>
 #include <optional>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -47,6 +49,36 @@ class FlushDenormals {
   [[maybe_unused]] unsigned before_ = 0;
 };
 
+// Lets oneTBB have more threads than there are processors. Of all controls it takes the least: so
+// there is one for the process, of the most threads that are wanted at the moment.
+class MoreThreads {
+ public:
+  explicit MoreThreads(int count) : count_(static_cast<std::size_t>(count)) {
+    const std::lock_guard lock(mutex_);
+    wanted_.insert(count_);
+    allow();
+  }
+  ~MoreThreads() {
+    const std::lock_guard lock(mutex_);
+    wanted_.erase(wanted_.find(count_));
+    allow();
+  }
+  MoreThreads(const MoreThreads&) = delete;
+  MoreThreads& operator=(const MoreThreads&) = delete;
+
+ private:
+  static void allow() {
+    control_.reset();
+    if (!wanted_.empty())
+      control_.emplace(tbb::global_control::max_allowed_parallelism, *wanted_.rbegin());
+  }
+
+  static inline std::mutex mutex_;
+  static inline std::multiset<std::size_t> wanted_;
+  static inline std::optional<tbb::global_control> control_;
+  std::size_t count_;
+};
+
 }  // namespace
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
@@ -88,9 +120,8 @@ void require_threads(int count) {
 void with_threads(int threads, const std::function<void()>& work, Denormals denormals) {
   const int count = threads > 0 ? threads : available_threads();
   require_threads(count);
-  std::optional<tbb::global_control> more;  // its least value is that of the whole process
-  if (count > available_threads())
-    more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
+  std::optional<MoreThreads> more;
+  if (count > available_threads()) more.emplace(count);
   std::optional<FlushDenormals> flush;
   if (denormals == Denormals::Flushed) flush.emplace();
   const FloatingPointTraps traps(Traps::On);  // in the arena's workers likewise

@@ -39,7 +39,10 @@ void check_instance(const SceneDescription& scene, const Instance& instance,
 
 void check_images(const SceneDescription& scene, Diagnostics& diagnostics) {
   for (const Image& image : scene.images)
-    if (image.path.empty()) diagnostics.error(image.span, "an image without a file name");
+    if (image.path.empty())
+      diagnostics.error(image.span, "an image without a file name");
+    else if (image.encoding > Encoding::LabGamma || image.wrap > Wrap::Black)
+      diagnostics.error(image.span, "an image of an encoding or a wrap that there is not");
 }
 
 void check_defaults(const SceneDescription& scene, Diagnostics& diagnostics) {
@@ -103,11 +106,16 @@ bool has_light(const SceneDescription& scene) {
 }
 
 bool has_surface(const SceneDescription& scene) {
-  return std::any_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
+  const auto is_surface = [](const Light& light) {
+    return std::holds_alternative<TriangleLight>(light.kind);
+  };
+  const auto has_any = [&](const Instance& instance) {
     return instance.mesh.index < scene.meshes.size() &&
            (!scene.meshes[instance.mesh.index].triangles.empty() ||
             scene.meshes[instance.mesh.index].sphere);
-  });
+  };
+  return std::ranges::any_of(scene.instances, has_any) ||
+         std::ranges::any_of(scene.lights, is_surface);
 }
 
 Diagnostics validate(const SceneDescription& scene) {
@@ -117,6 +125,7 @@ Diagnostics validate(const SceneDescription& scene) {
   check_textures(scene, diagnostics);
   check_media(scene, diagnostics);
   for (const Material& material : scene.materials) check_material(scene, material, diagnostics);
+  check_mixtures(scene, diagnostics);
   for (const Mesh& mesh : scene.meshes) check_mesh(scene, mesh, diagnostics);
   for (const Instance& instance : scene.instances) check_instance(scene, instance, diagnostics);
   check_lights(scene, diagnostics);

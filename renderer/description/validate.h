@@ -23,7 +23,7 @@ inline constexpr double largest_radiance = 1e30;
 // Whether anything shines by its numbers, images aside.
 [[nodiscard]] bool has_light(const SceneDescription& scene);
 
-// Whether some instance has a triangle or a sphere.
+// Whether some instance has a triangle or a sphere, or a light is a triangle.
 [[nodiscard]] bool has_surface(const SceneDescription& scene);
 
 }  // namespace candela::description

@@ -206,4 +206,20 @@ void check_material(const SceneDescription& scene, const Material& material,
                                                  material.name));
 }
 
+// Parts stand before their mixtures, or check_material() refuses them.
+void check_mixtures(const SceneDescription& scene, Diagnostics& diagnostics) {
+  std::vector<int> depths(scene.materials.size(), 0);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const auto* const mix = std::get_if<MixMaterial>(&scene.materials[i].model);
+    if (!mix) continue;
+    for (const MaterialHandle part : {mix->first, mix->second})
+      if (part.index < i) depths[i] = std::max(depths[i], depths[part.index] + 1);
+    if (depths[i] <= deepest_mixture) continue;
+    diagnostics.error(scene.materials[i].span,
+                      fmt::format("material '{}': mixtures of mixtures more than {} deep",
+                                  scene.materials[i].name, deepest_mixture));
+    depths[i] = 0;  // told once
+  }
+}
+
 }  // namespace candela::description

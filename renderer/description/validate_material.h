@@ -16,4 +16,8 @@ inline constexpr int deepest_coat = 1000;    // each bounce is a product at ever
 void check_material(const SceneDescription& scene, const Material& material,
                     Diagnostics& diagnostics);
 
+// Of mixtures of mixtures, of all materials.
+inline constexpr int deepest_mixture = 16;
+void check_mixtures(const SceneDescription& scene, Diagnostics& diagnostics);
+
 }  // namespace candela::description

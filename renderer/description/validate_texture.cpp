@@ -92,6 +92,7 @@ class Check {
   void input(const ColourInput& i) {
     value(i.factor);
     if (i.map && i.map.index >= scene_.images.size()) error("an image does not exist");
+    if (i.map && i.texture) error("an input has a map and a texture");
     if (!i.texture) return;
     if (i.texture.index >= index_) return error("a texture that it uses does not stand before it");
     const Cost& inner = costs_[i.texture.index];

@@ -111,7 +111,7 @@ Vec3d xyz_of_light(const SpectrumFunction& spectrum) {
 
 Vec3d colour_of_light(const SpectrumFunction& spectrum) {
   const Vec3d xyz = xyz_of_light(spectrum);
-  return xyz.y > 0 ? of_luminance_one(xyz) : Vec3d(1.0);
+  return xyz.y > 0 ? of_luminance_one(xyz) : Vec3d(0.0);
 }
 
 Vec3d colour_of_chromaticity(double x, double y) {

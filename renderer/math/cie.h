@@ -22,7 +22,7 @@ using SpectrumFunction = std::function<double(double wavelength)>;
 [[nodiscard]] double black_body(double wavelength, double kelvin);
 
 // The colour of light with this spectrum, scaled to luminance 1, as pbrt scales the spectra of its
-// lights; components outside Rec.709 are cut at 0. White where it has no luminance.
+// lights; components outside Rec.709 are cut at 0. Black where it has no luminance.
 [[nodiscard]] Vec3d colour_of_light(const SpectrumFunction& spectrum);
 // The same by chromaticity.
 [[nodiscard]] Vec3d colour_of_chromaticity(double x, double y);

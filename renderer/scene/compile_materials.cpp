@@ -16,16 +16,19 @@ namespace {
 using description::ColourInput;
 using description::ScalarInput;
 
+// What textures say is clamped where it is looked up (bsdf_at.h), and here where they say the same
+// everywhere.
 ColourParameter colour(const ColourInput& input, TextureCompiler& texture) {
   const TextureValue value = texture.input(input);
-  return {Rgb(value.constant), value.texture};
+  const Rgb constant(value.constant);
+  return {input.texture ? clamp_unit(constant) : constant, value.texture};
 }
 
 ScalarParameter scalar(const ScalarInput& input, TextureCompiler& texture) {
   if (input.texture) {
     const TextureValue value = texture.texture(input.texture);
     const int channel = std::max(0, input.channel);
-    return {value.constant[channel], value.texture, channel};
+    return {clamp_unit(value.constant[channel]), value.texture, channel};
   }
   if (input.channel == description::alpha_or_mean && input.map) {
     const TextureCompiler::Scalar found = texture.scalar(input.map);
@@ -128,7 +131,10 @@ struct ModelCompiler {
     set_conductor(m.eta, m.k);
     if (!m.reflectance) return;
     out.specular = colour(*m.reflectance, texture);
-    if (!out.specular.texture) set_conductor(Vec3d(1.0), extinction_of(m.reflectance->factor));
+    if (out.specular.texture) return;
+    const Vec3d reflectance =
+        m.reflectance->texture ? Vec3d(out.specular.constant) : m.reflectance->factor;
+    set_conductor(Vec3d(1.0), extinction_of(reflectance));
   }
 
   void operator()(const description::DielectricMaterial& m) const {
@@ -207,10 +213,13 @@ struct ModelCompiler {
     out.coat = coats.table(static_cast<float>(coat.ior), static_cast<float>(coat.thickness), alpha);
   }
   void set_conductor(const Vec3d& eta, const Vec3d& k) const {
+    constexpr double largest = 1e6;  // there nothing is left to reflect, and squares are numbers
+    const Vec3d n = glm::min(eta, Vec3d(largest));
+    const Vec3d extinction = glm::min(k, Vec3d(largest));
     out.fresnel_is_conductor = true;
-    out.eta = Rgb(eta);
-    out.k = Rgb(k);
-    out.f0 = Rgb(normal_reflectance(eta, k));
+    out.eta = Rgb(n);
+    out.k = Rgb(extinction);
+    out.f0 = Rgb(normal_reflectance(n, extinction));
   }
 };
 

@@ -21,16 +21,19 @@ bool is_yaml_not_finite(std::string_view word) {
   return text::equal_ignoring_case(word, ".nan") || text::equal_ignoring_case(word, ".inf");
 }
 
-bool is_number(const Node& node) {
-  return node.is_scalar() && static_cast<bool>(text::parse_double(node.text));
-}
-
 // After "found 5, expected a list of 3 numbers".
-std::string example_of(const Node& node, std::size_t count) {
-  if (!is_number(node)) return "";
+std::string example_of(const Node& node, std::size_t count, const Range& range) {
+  const auto number = text::parse_double(node.text);
+  if (!node.is_scalar() || !number || !range.contains(number.value)) return "";
   std::string list = node.text;
   for (std::size_t i = 1; i < count; ++i) list += ", " + node.text;
   return fmt::format(", such as [{}]", list);
+}
+
+// After "found 'Eye:[0, 1, 2]', expected the keys of a camera".
+std::string_view hint_of_missing_blank(const Node& node) {
+  const bool has_colon = node.is_scalar() && node.text.find(':') != std::string::npos;
+  return has_colon ? "; is a blank missing behind ':'?" : "";
 }
 
 // Equal for names that is_same_name() calls the same.
@@ -87,12 +90,15 @@ std::optional<double> read_number(Reader& reader, const Node& node, std::string_
 }
 
 std::optional<std::vector<double>> read_numbers(Reader& reader, const Node& node,
-                                                std::string_view name, std::size_t most,
+                                                std::string_view name, Count count,
                                                 const Range& range) {
+  const auto [least, most] = count;
   if (!node.is_sequence()) {
+    const std::string counts =
+        least == most ? fmt::format("{}", least) : fmt::format("{} or {}", least, most);
     reader.error(node.offset,
-                 found_expected(name, node, fmt::format("a list of {} numbers", most)) +
-                     example_of(node, most));
+                 found_expected(name, node, fmt::format("a list of {} numbers", counts)) +
+                     example_of(node, least, range));
     return std::nullopt;
   }
   if (node.entries.size() > most) {
@@ -110,7 +116,7 @@ std::optional<std::vector<double>> read_numbers(Reader& reader, const Node& node
 
 std::optional<Vec3d> read_vector(Reader& reader, const Node& node, std::string_view name,
                                  const Range& range) {
-  const auto numbers = read_numbers(reader, node, name, 3, range);
+  const auto numbers = read_numbers(reader, node, name, Count{3, 3}, range);
   if (!numbers) return std::nullopt;
   if (numbers->size() < 3)
     reader.warning(node.offset, fmt::format("{}: found {}, expected 3 numbers; lab3 takes 1 for "
@@ -124,8 +130,8 @@ std::optional<Vec3d> read_vector(Reader& reader, const Node& node, std::string_v
 Fields::Fields(Reader& reader, const Node& node, std::string_view what, Names known, Hint hint)
     : reader_(reader), node_(node), what_(what) {
   if (!node.is_map()) {
-    reader.error(node.offset,
-                 fmt::format("found {}, expected the keys of {}", describe(node), what));
+    reader.error(node.offset, fmt::format("found {}, expected the keys of {}{}", describe(node),
+                                          what, hint_of_missing_blank(node)));
     return;
   }
   std::unordered_map<std::string, const Entry*> unknown;
@@ -157,10 +163,20 @@ void Fields::refuse_second(const Entry& entry, const Entry& first) const {
 void Fields::warn_of_unknown_key(const Entry& entry, Names known, Hint hint) const {
   std::string sentence;
   if (hint && reader_.wants_warnings()) sentence = hint(entry.key);
-  if (sentence.empty() && reader_.wants_warnings())
-    sentence = fmt::format("unknown key {} in {}{}", text::quoted(entry.key), what_,
-                           did_you_mean(entry.key, {known.begin(), known.end()}));
+  if (sentence.empty() && reader_.wants_warnings()) sentence = unknown_key_text(entry, known);
   reader_.warning(entry.key_offset, std::move(sentence));
+}
+
+std::string Fields::unknown_key_text(const Entry& entry, Names known) const {
+  if (entry.key == "<<") return "merge keys (<<) are not read: write the keys out";
+  const std::string_view word = std::string_view(entry.key).substr(0, entry.key.find(' '));
+  const bool lacks_colon = entry.value->is_null() && word.size() < entry.key.size() &&
+                           std::any_of(known.begin(), known.end(), [&](std::string_view name) {
+                             return is_same_name(name, word);
+                           });
+  return fmt::format("unknown key {} in {}{}", text::quoted(entry.key), what_,
+                     lacks_colon ? fmt::format("; is ':' missing behind {}?", text::quoted(word))
+                                 : did_you_mean(entry.key, {known.begin(), known.end()}));
 }
 
 const Entry* Fields::find(std::string_view key) const {

@@ -45,10 +45,15 @@ inline constexpr Range zero_to_one{0, 1, false, false, "a number from 0 to 1"};
 // One number, a scalar node; `name` begins the sentence where it is wrong.
 [[nodiscard]] std::optional<double> read_number(Reader& reader, const Node& node,
                                                 std::string_view name, const Range& range);
-// A list of at most `most` numbers, as many as are written.
+// How many numbers a list should have; fewer pass, and are for the caller to tell.
+struct Count {
+  std::size_t least = 3;
+  std::size_t most = 3;
+};
+// As many as are written.
 [[nodiscard]] std::optional<std::vector<double>> read_numbers(Reader& reader, const Node& node,
-                                                              std::string_view name,
-                                                              std::size_t most, const Range& range);
+                                                              std::string_view name, Count count,
+                                                              const Range& range);
 // lab3's vector: what is missing of three numbers is 1 (and a warning).
 [[nodiscard]] std::optional<Vec3d> read_vector(Reader& reader, const Node& node,
                                                std::string_view name, const Range& range);
@@ -86,6 +91,7 @@ class Fields {
  private:
   void refuse_second(const Entry& entry, const Entry& first) const;
   void warn_of_unknown_key(const Entry& entry, Names known, Hint hint) const;
+  [[nodiscard]] std::string unknown_key_text(const Entry& entry, Names known) const;
 
   Reader& reader_;
   const Node& node_;

@@ -32,7 +32,7 @@ double clamped(Reader& reader, std::size_t offset, std::string_view name, double
 
 // Three or four numbers; what is missing is 1, silently only for the fourth.
 std::optional<Vec4d> read_vector4(Reader& reader, const Entry& entry, double most_of_fourth) {
-  const auto numbers = read_numbers(reader, *entry.value, entry.key, 4, any_number);
+  const auto numbers = read_numbers(reader, *entry.value, entry.key, Count{3, 4}, any_number);
   if (!numbers) return std::nullopt;
   if (numbers->size() < 3)
     reader.warning(entry.value->offset,

@@ -1,5 +1,7 @@
 #include "scene_io/lab3/transforms.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "scene_io/lab3/direction.h"
@@ -7,15 +9,22 @@
 namespace candela::lab3 {
 namespace {
 
+bool is_list_of_rows(const Node& node) {
+  return node.is_sequence() && node.entries.size() == 3 &&
+         std::all_of(node.entries.begin(), node.entries.end(),
+                     [](const Entry& row) { return row.value->is_sequence(); });
+}
+
 // Written as a list of rows.
 Mat3d read_rotation(Reader& reader, const Fields& fields) {
   const Entry* entry = fields.find("Rotation");
   if (!entry) return Mat3d(1.0);
   const Node& node = *entry->value;
-  if (!node.is_sequence() || node.entries.size() != 3) {
-    reader.error(node.offset, fmt::format("Rotation: found {}, expected a matrix: a list of 3 rows "
-                                          "of 3 numbers",
-                                          describe(node)));
+  if (!is_list_of_rows(node)) {
+    reader.error(node.offset,
+                 fmt::format("Rotation: found {}, expected a matrix: a list of 3 rows of 3 "
+                             "numbers, such as [[1, 0, 0], [0, 1, 0], [0, 0, 1]]",
+                             describe(node)));
     return Mat3d(1.0);
   }
   Mat3d rows(1.0);

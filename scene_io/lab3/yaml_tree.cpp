@@ -258,6 +258,9 @@ std::string hint_for(const std::string& reason, std::string_view text, std::size
   if (reason == YAML::ErrorMsg::TAB_IN_INDENTATION) return "; indent with blanks";
   if (reason == YAML::ErrorMsg::END_OF_SEQ_FLOW) return ", expected ']' or ','";
   if (reason == YAML::ErrorMsg::END_OF_MAP_FLOW) return ", expected '}' or ','";
+  if (reason == YAML::ErrorMsg::END_OF_SEQ)
+    return ", expected '-' or a key as far in as those above";
+  if (reason == YAML::ErrorMsg::END_OF_MAP) return ", expected a key as far in as those above";
   return has_tab_in_indentation(text, offset) ? " behind a tab; indent with blanks" : "";
 }
 
@@ -266,7 +269,12 @@ void build(std::string_view text, const LineTable& lines, Document& document) {
   std::istream stream(&buffer);
   YAML::Parser parser(stream);
   TreeBuilder builder(lines, document);
-  if (parser.HandleNextDocument(builder)) parser.HandleNextDocument(builder);
+  try {
+    if (parser.HandleNextDocument(builder)) parser.HandleNextDocument(builder);
+  } catch (const YAML::Exception&) {
+    builder.refuse_unclosed_quote();  // which is why a list's or a map's end was not found
+    throw;
+  }
   builder.refuse_unclosed_quote();
 }
 

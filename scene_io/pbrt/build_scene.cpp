@@ -196,13 +196,11 @@ class SceneBuilder {
   }
 
   void place_object(const ObjectUse& use, const Objects& objects) {
-    if (!context_.program.objects.contains(use.name)) {
-      std::vector<std::string_view> names;
-      for (const auto& [name, shapes] : context_.program.objects) names.push_back(name);
+    const auto& known = context_.program.objects;
+    if (!known.contains(use.name))
       return context_.report.error(use.place,
                                    fmt::format("there is no object {}{}", text::quoted(use.name),
-                                               did_you_mean(use.name, names)));
-    }
+                                               context_.report.did_you_mean_key(use.name, known)));
     const auto found = objects.find(use.name);
     if (found == objects.end()) return;  // without shapes
     const SourceSpan span = use.place.span();

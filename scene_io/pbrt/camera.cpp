@@ -92,7 +92,9 @@ void read_orthographic(Arguments& arguments, double scale, const Context& contex
 // pbrt's latitudes and longitudes have -x in their middle, and z to the left of it.
 void read_spherical(Arguments& arguments, const Transform& world_from_camera, bool is_mirrored,
                     Camera& camera) {
-  const std::string mapping = arguments.string("mapping").value_or("equalarea");
+  const bool is_v3 = arguments.statement().type == "environment";
+  const std::string mapping =
+      arguments.string("mapping").value_or(is_v3 ? "equirectangular" : "equalarea");
   if (mapping == "equirectangular") {
     camera.kind = CameraKind::LatLong;
     set_frame(world_from_camera, {-1, 0, 0}, {0, 1, 0}, !is_mirrored, camera);
@@ -112,6 +114,9 @@ void read_camera(Context& context) {
   const Transform world_from_camera = inverse(context.program.camera_from_world);
   const double determinant = world_from_camera.determinant();
   const double scale = std::cbrt(std::abs(determinant));  // of the camera's unit in the world
+  if (similarity_scale(world_from_camera, seen_stretch) == 0)
+    context.report.warning(statement.place,
+                           "the camera's transform stretches or shears, which is left out");
   Camera camera;
   camera.span = statement.place.span();
   set_frame(world_from_camera, {0, 0, 1}, {0, 1, 0}, determinant > 0, camera);
@@ -128,10 +133,11 @@ void read_camera(Context& context) {
       context.warn_once("realistic", statement.place,
                         "cameras of type 'realistic' are not supported: 'perspective' is used");
     else if (statement.type != "perspective")
-      context.report.error(statement.place,
-                           fmt::format("{} is no camera{}", text::quoted(statement.type),
-                                       did_you_mean(statement.type, {"perspective", "orthographic",
-                                                                     "spherical", "realistic"})));
+      context.report.error(
+          statement.place,
+          fmt::format("{} is no camera{}", text::quoted(statement.type),
+                      nearest_or_all(statement.type,
+                                     {"perspective", "orthographic", "spherical", "realistic"})));
     set_lens(arguments, scale, camera);
     read_perspective(arguments, camera);
     if (statement.type == "realistic")

@@ -189,7 +189,7 @@ bool check_type(const Statement& statement, std::string_view what, const Names& 
   if (std::find(std::begin(names), std::end(names), statement.type) != std::end(names)) return true;
   report.error(statement.place,
                fmt::format("{} is no {}{}", text::quoted(statement.type), what,
-                           did_you_mean(statement.type, {std::begin(names), std::end(names)})));
+                           nearest_or_all(statement.type, {std::begin(names), std::end(names)})));
   return false;
 }
 
@@ -206,6 +206,8 @@ std::optional<std::uint64_t> read_seed(Arguments& sampler) {
   const Parameter* own = sampler.find("seed");
   if (!own || own->type != ParameterType::String) {
     const auto seed = sampler.integer("seed");
+    if (seed && *seed < 0)
+      sampler.warning(*own, fmt::format("is {}, expected at least 0: it is left out", *seed));
     return seed && *seed >= 0 ? std::optional<std::uint64_t>(*seed) : std::nullopt;
   }
   const std::string text = sampler.string("seed").value_or("");

@@ -8,6 +8,7 @@
 #include "renderer/math/constants.h"
 #include "scene_io/pbrt/spectrum.h"
 #include "scene_io/pbrt/textures.h"
+#include "scene_io/pbrt/transforms.h"
 
 namespace candela::pbrt {
 namespace {
@@ -71,8 +72,8 @@ class LightReader {
     const std::string& type = light_.statement.type;
     context_.report.error(light_.statement.place,
                           fmt::format("{} is no light{}", text::quoted(type),
-                                      did_you_mean(type, {"point", "spot", "distant", "infinite",
-                                                          "goniometric", "projection"})));
+                                      nearest_or_all(type, {"point", "spot", "distant", "infinite",
+                                                            "goniometric", "projection"})));
   }
 
   // Factors of factors may overflow.
@@ -119,7 +120,9 @@ class LightReader {
         arguments_.clamped("conedeltaangle", arguments_.number("conedeltaangle").value_or(5), 0);
     description::SpotLight light{place(from), axis(from, to), colour("I"), 0, 0};
     light.outer_angle_radians = outer * (pi_double / 180);
-    light.inner_angle_radians = std::clamp(outer - delta, 0.0, outer) * (pi_double / 180);
+    // pbrt knows the cosine alone of where the fall begins, which a negative angle has as well.
+    const double inner = std::min(std::abs(outer - delta), outer);
+    light.inner_angle_radians = inner * (pi_double / 180);
     // Between the angles the intensity is half of the whole in the mean over cosines.
     const double start = std::cos(light.inner_angle_radians);
     const double end = std::cos(light.outer_angle_radians);
@@ -229,6 +232,10 @@ class LightReader {
   // The axes of a map in the world, unit.
   Mat3d map_axes(const Mat3d& light_from_map) const {
     Mat3d axes = light_.world_from_light.linear * light_from_map;
+    if (similarity_scale(light_.world_from_light, seen_stretch) == 0)
+      context_.report.warning(light_.statement.place,
+                              "the light's transform stretches or shears: its picture is turned "
+                              "alone");
     for (int c = 0; c < 3; ++c) axes[c] = unit_or(axes[c], Vec3d(0, 0, 1));
     const Mat3d gram = glm::transpose(axes) * axes;
     if (std::max({std::abs(gram[0][1]), std::abs(gram[0][2]), std::abs(gram[1][2])}) > 1e-4)

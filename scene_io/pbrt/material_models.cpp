@@ -19,8 +19,11 @@ using description::DiffuseMaterial;
 using description::DiffuseTransmissionMaterial;
 using description::Material;
 
-double read_ior(MaterialReader& reader, std::string_view name, double least = 1) {
-  const double ior = reader.scalar(name, 1.5);
+constexpr double usual_ior = 1.5;
+
+double read_ior(MaterialReader& reader, std::string_view name, double otherwise = usual_ior,
+                double least = 1) {
+  const double ior = reader.scalar(name, otherwise);
   if (ior >= least) return ior;
   reader.arguments.warning(*reader.arguments.find(name),
                            fmt::format("is {}, below {}: 1 is used", ior, least));
@@ -56,7 +59,7 @@ ConductorMaterial conductor(MaterialReader& reader) {
 
 DielectricMaterial dielectric(MaterialReader& reader) {
   DielectricMaterial glass;
-  glass.ior = read_ior(reader, "eta", description::least_ior);
+  glass.ior = read_ior(reader, "eta", usual_ior, description::least_ior);
   set_widths(reader, "", glass);
   return glass;
 }
@@ -70,10 +73,10 @@ DielectricMaterial thin_dielectric(MaterialReader& reader) {
 
 // pbrt walks through the layers at random, up to `maxdepth` interfaces. What scatters between them
 // is not there here.
-Coat read_coat(MaterialReader& reader, std::string_view prefix) {
+Coat read_coat(MaterialReader& reader, std::string_view prefix, double ior = usual_ior) {
   Coat coat;
   set_widths(reader, prefix, coat);
-  coat.ior = read_ior(reader, fmt::format("{}eta", prefix));
+  coat.ior = read_ior(reader, fmt::format("{}eta", prefix), ior);
   coat.thickness = reader.arguments.clamped("thickness", reader.scalar("thickness", 0.01), 0);
   const auto depth = static_cast<double>(reader.arguments.integer("maxdepth").value_or(10));
   coat.max_depth = static_cast<int>(reader.arguments.clamped("maxdepth", depth, 1, 1000));
@@ -85,8 +88,8 @@ Coat read_coat(MaterialReader& reader, std::string_view prefix) {
   return coat;
 }
 
-CoatedDiffuseMaterial coated_diffuse(MaterialReader& reader) {
-  return {reader.reflectance("reflectance", 0.5), read_coat(reader, "")};
+CoatedDiffuseMaterial coated_diffuse(MaterialReader& reader, double ior = usual_ior) {
+  return {reader.reflectance("reflectance", 0.5), read_coat(reader, "", ior)};
 }
 
 CoatedConductorMaterial coated_conductor(MaterialReader& reader) {
@@ -127,8 +130,9 @@ bool set_stand_in(MaterialReader& reader, std::string_view type, Material& mater
       "material " + std::string(type), reader.arguments.statement().place,
       fmt::format("materials of type {} are not supported: {} is used", text::quoted(type),
                   type == "subsurface" ? "a coated diffuse one" : "a diffuse one"));
+  constexpr double ior_of_subsurface = 1.33;
   if (type == "subsurface")
-    material.model = coated_diffuse(reader);
+    material.model = coated_diffuse(reader, ior_of_subsurface);
   else
     material.model = DiffuseMaterial{
         reader.reflectance(reader.arguments.has("reflectance") ? "reflectance" : "color", 0.5)};

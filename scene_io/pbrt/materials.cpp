@@ -70,8 +70,9 @@ ColourInput MaterialReader::reflectance(std::string_view name, double otherwise)
 }
 
 double MaterialReader::scalar(std::string_view name, double otherwise) {
-  const Parameter* parameter =
-      arguments.find(name, {ParameterType::Float, ParameterType::Spectrum, ParameterType::Texture});
+  const Parameter* parameter = arguments.find(
+      name,
+      {ParameterType::Float, ParameterType::Rgb, ParameterType::Spectrum, ParameterType::Texture});
   if (!parameter) return otherwise;
   if (parameter->type == ParameterType::Texture) {
     const auto input = textures.scalar_texture(*parameter);
@@ -81,7 +82,9 @@ double MaterialReader::scalar(std::string_view name, double otherwise) {
     return otherwise;
   }
   const auto mean = mean_value(*parameter, context.scene, context.report);
-  if (mean && parameter->type == ParameterType::Spectrum)
+  const bool has_colour =
+      parameter->type == ParameterType::Rgb || parameter->type == ParameterType::Spectrum;
+  if (mean && has_colour)
     context.warn_once("dispersion", parameter->place,
                       "a spectrum here counts by its mean: light is not dispersed");
   return mean.value_or(otherwise);
@@ -140,12 +143,10 @@ std::size_t Materials::index_of(const MaterialUse& use) {
   const auto& named = context_.program.material_named;
   const auto found = named.find(use.name);
   if (found != named.end()) return found->second;
-  std::vector<std::string_view> names;
-  for (const auto& [name, index] : named) names.push_back(name);
   if (context_.warned.insert("material " + use.name).second)
     context_.report.error(use.place,
                           fmt::format("there is no material {}{}", text::quoted(use.name),
-                                      did_you_mean(use.name, names)));
+                                      context_.report.did_you_mean_key(use.name, named)));
   return grey;
 }
 
@@ -234,7 +235,7 @@ Materials::Made Materials::make(MaterialStatement& statement) {
       context_.report.error(
           statement.statement.place,
           fmt::format("{} is no material{}", text::quoted(type),
-                      did_you_mean(type, {std::begin(type_names), std::end(type_names)})));
+                      nearest_or_all(type, {std::begin(type_names), std::end(type_names)})));
     return {material, {}};
   }
   add_own_parameters(reader, material);

@@ -37,7 +37,7 @@ void set_coefficients(Arguments& arguments, description::SceneDescription& scene
     return;
   }
   arguments.warning(*arguments.find("preset"),
-                    fmt::format("names no medium that candela knows{}",
+                    fmt::format("is {}, no medium that candela knows{}", text::quoted(*name),
                                 did_you_mean(*name, medium_preset_names())));
 }
 
@@ -62,10 +62,9 @@ void Media::check_unused() const {
 MediumHandle Media::find(const MediumUse& use) {
   const auto found = context_.program.media.find(use.name);
   if (found != context_.program.media.end()) return read(found->second, use.name);
-  std::vector<std::string_view> names;
-  for (const auto& [name, statement] : context_.program.media) names.push_back(name);
-  context_.report.error(use.place, fmt::format("there is no medium {}{}", text::quoted(use.name),
-                                               did_you_mean(use.name, names)));
+  context_.report.error(
+      use.place, fmt::format("there is no medium {}{}", text::quoted(use.name),
+                             context_.report.did_you_mean_key(use.name, context_.program.media)));
   return {};
 }
 
@@ -80,7 +79,7 @@ void Media::warn_of_type(const Statement& statement, const std::string& type,
                                      text::quoted(type), text::quoted(name)));
   context_.report.error(statement.place,
                         fmt::format("{} is no type of media{}", text::quoted(type),
-                                    did_you_mean(type, {std::begin(types), std::end(types)})));
+                                    nearest_or_all(type, {std::begin(types), std::end(types)})));
 }
 
 MediumHandle Media::read(Statement& statement, const std::string& name) {

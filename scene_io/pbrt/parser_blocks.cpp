@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t deepest = 4096;  // blocks within blocks: each keeps a state
 // Each statement has a copy of them.
-constexpr std::size_t most_default_bytes = std::size_t{1} << 30;
+constexpr std::size_t most_default_bytes = std::size_t{1} << 28;
 
 std::size_t bytes_of(const Parameter& parameter) {
   return sizeof(Parameter) + parameter.numbers.size() * sizeof(double) +
@@ -48,8 +48,9 @@ std::optional<double> Parser::read_number() {
     tokens_->next();
     return number.value;
   }
-  error(token.offset,
-        token.kind == TokenKind::Word
+  const bool is_missing = begins_directive(token);
+  error(is_missing ? directive_.offset : token.offset,
+        token.kind == TokenKind::Word && !is_missing
             ? fmt::format("{}: {} {}, expected a number", directive_.text, text::quoted(token.text),
                           describe(number.fault))
             : fmt::format("{}: found {}, expected a number", directive_.text, described(token)));

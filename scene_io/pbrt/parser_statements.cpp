@@ -131,8 +131,8 @@ void Parser::color_space() {
   if (!name || *name == "srgb") return;
   const std::vector<std::string_view> others = {"srgb", "rec2020", "aces2065-1", "dci-p3"};
   if (std::find(others.begin(), others.end(), *name) == others.end())
-    error(place.offset,
-          fmt::format("{} is no colour space{}", text::quoted(*name), did_you_mean(*name, others)));
+    error(place.offset, fmt::format("{} is no colour space{}", text::quoted(*name),
+                                    nearest_or_all(*name, others)));
   else
     warn_once("ColorSpace", place,
               fmt::format("the colour space {} is not supported: colours count as srgb",

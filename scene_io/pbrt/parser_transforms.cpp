@@ -101,13 +101,11 @@ void Parser::coord_sys_transform() {
   if (!name) return;
   const auto found = systems_.find(*name);
   if (found != systems_.end()) {
-    if (state_.sets_transform) state_.transform = found->second;
+    state_.transform = found->second;  // of all times, whichever ActiveTransform names
     return;
   }
-  std::vector<std::string_view> names;
-  for (const auto& [known, transform] : systems_) names.push_back(known);
   report_.error(place, fmt::format("there is no coordinate system {}{}", text::quoted(*name),
-                                   did_you_mean(*name, names)));
+                                   report_.did_you_mean_key(*name, systems_)));
 }
 
 void Parser::active_transform() {

@@ -57,6 +57,14 @@ class Report {
   [[nodiscard]] bool wants_warnings() const {
     return text::is_kept(diagnostics_, Severity::Warning);
   }
+  // did_you_mean() of the keys of a map; "" where further errors are only counted.
+  template <class Map>
+  [[nodiscard]] std::string did_you_mean_key(std::string_view word, const Map& map) const {
+    if (!text::is_kept(diagnostics_, Severity::Error)) return "";
+    std::vector<std::string_view> keys;
+    for (const auto& entry : map) keys.push_back(entry.first);
+    return did_you_mean(word, keys);
+  }
   // Those that were said before are counted again.
   [[nodiscard]] std::size_t error_count() const { return error_count_; }
   [[nodiscard]] bool is_full() const { return diagnostics_.is_full(); }

@@ -44,10 +44,10 @@ void refuse(const ShapeStatement& shape, const Report& report) {
   if (is_known_to_pbrt(type))
     return report.warning(
         shape.statement.place,
-        fmt::format("shapes of type {} are not supported: it is left out", text::quoted(type)));
+        fmt::format("a shape of type {} is not supported and left out", text::quoted(type)));
   report.error(shape.statement.place,
                fmt::format("{} is no shape{}", text::quoted(type),
-                           did_you_mean(type, {kinds.begin(), kinds.end()})));
+                           nearest_or_all(type, {kinds.begin(), kinds.end()})));
 }
 
 bool has_texture(const Program& program, const MaterialUse& use) {

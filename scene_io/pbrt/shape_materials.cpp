@@ -1,5 +1,8 @@
 #include "scene_io/pbrt/shape_materials.h"
 
+#include <fmt/format.h>
+
+#include "renderer/description/validate.h"
 #include "scene_io/pbrt/mesh_areas.h"
 
 namespace candela::pbrt {
@@ -64,9 +67,15 @@ void ShapeMaterials::warn_of_holes(const Key& key, const Place& place) {
 void ShapeMaterials::read_emission_of(const ShapeStatement& shape, double area, Key& key) {
   const auto [at, is_new] = emissions_.try_emplace(shape.area_light);
   if (is_new) at->second = read_emission(context_, context_.program.area_lights[shape.area_light]);
-  const Vec3d radiance = at->second.radiance_on(area);
+  Vec3d radiance = at->second.radiance_on(area);
   if (!is_finite(radiance))
     context_.report.error(shape.statement.place, "what this shape emits is not finite");
+  else if (const double most = max_component(radiance); most > description::largest_radiance) {
+    context_.report.error(context_.program.area_lights[shape.area_light].place,
+                          fmt::format("the radiance of this light is {}, expected at most {:g}",
+                                      most, description::largest_radiance));
+    radiance = Vec3d(0.0);
+  }
   if (key.opacity == 0 && radiance != Vec3d(0.0))
     context_.warn_once("invisible lamp", shape.statement.place,
                        "lamps of an \"alpha\" of 0, which pbrt samples though no ray meets "

@@ -115,7 +115,8 @@ std::optional<IndexedFaces> indexed_faces(Arguments& arguments, std::size_t corn
         fmt::format("{} indices, expected {} for each face", faces.indices.size(), corners));
   const std::uint32_t largest = *std::max_element(faces.indices.begin(), faces.indices.end());
   if (largest >= count)
-    return fail(fmt::format("index {} of {} vertices (from 0)", largest, count));
+    return fail(
+        fmt::format("\"indices\" has {}, but there are {} vertices (from 0)", largest, count));
   if (!faces.normals.empty() && faces.normals.size() != count)
     return fail(fmt::format("{} normals N for {} vertices", faces.normals.size(), count));
   if (!faces.uvs.empty() && faces.uvs.size() != count)

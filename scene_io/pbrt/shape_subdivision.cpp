@@ -136,8 +136,10 @@ MaybeMesh loop_subdivision(Arguments& arguments) {
   }
   std::vector<Vec3d> positions = faces->positions;
   Triangles triangles;
+  // The other way round: pbrt-v4 goes around a vertex clockwise (LoopSubdivide, oneRing()), and the
+  // normals that it finds by that decide where such a surface faces.
   for (std::size_t i = 0; i < faces->indices.size(); i += 3)
-    triangles.push_back({faces->indices[i], faces->indices[i + 1], faces->indices[i + 2]});
+    triangles.push_back({faces->indices[i], faces->indices[i + 2], faces->indices[i + 1]});
   for (; left > 0; --left) subdivide(positions, triangles);
   move_vertices(positions, EdgeTable(triangles), true);
   Mesh mesh;

@@ -6,6 +6,7 @@
 
 #include "scene_io/text/file.h"
 #include "scene_io/text/path.h"
+#include "scene_io/text/plain_text.h"
 
 namespace candela::pbrt {
 namespace {
@@ -46,6 +47,11 @@ const SourceFile* SourceFiles::read(const Place& place, const std::string& path)
       report_.error(place, fmt::format("{} {}", text::quoted_path(path), reason.message));
     return nullptr;
   }
+  if (text::is_utf16(*bytes)) {
+    report_.error(place, fmt::format("{} is in UTF-16, expected UTF-8", text::quoted_path(path)));
+    return nullptr;
+  }
+  text::drop_byte_order_mark(*bytes);
   files_.push_back(std::make_unique<SourceFile>(path, std::move(*bytes)));
   return file_at_[path] = files_.back().get();
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "renderer/math/cie.h"
+#include "renderer/math/colour.h"
 #include "renderer/math/white_balance.h"
 #include "scene_io/pbrt/named_spectra.h"
 #include "scene_io/pbrt/source_files.h"
@@ -20,6 +21,10 @@ constexpr std::size_t most_samples = 100000;
 
 void error(const Parameter& parameter, const Report& report, std::string_view message) {
   report.error(parameter.place, fmt::format("{} {}", text::quoted(parameter.name), message));
+}
+
+bool is_one_name(const Parameter& parameter) {
+  return parameter.strings.size() == 1 && parameter.numbers.empty();
 }
 
 // Pairs of wavelength and value.
@@ -51,21 +56,29 @@ std::optional<SampledSpectrum> spectrum_of_pairs(const std::vector<double>& numb
 std::optional<SampledSpectrum> spectrum_of_file(const Parameter& parameter,
                                                 description::SceneDescription& scene,
                                                 const Report& report) {
-  const std::string path = resolve_file(scene.path, parameter.place, parameter.strings[0], report);
+  const std::string& name = parameter.strings[0];
+  const std::vector<std::string_view> names = spectrum_names();
+  if (std::find(names.begin(), names.end(), name) != names.end()) {
+    error(parameter, report,
+          fmt::format("is {}, which is a spectrum of another kind: illuminants are for lights, "
+                      "metals and glasses for what reflects",
+                      text::quoted(name)));
+    return std::nullopt;
+  }
+  const std::string path = resolve_file(scene.path, parameter.place, name, report);
   const auto bytes = text::read_file(path, {.bytes = 1 << 24, .inflated_bytes = 1 << 24});
   if (!bytes) {
     error(parameter, report,
           fmt::format("{} is no named spectrum, and as a file it {}{}", text::quoted(path),
-                      bytes.diagnostics.list()[0].message,
-                      did_you_mean(parameter.strings[0], spectrum_names())));
+                      bytes.diagnostics.list()[0].message, did_you_mean(name, names)));
     return std::nullopt;
   }
   scene.files.push_back(path);
   std::vector<double> numbers;
   Tokenizer tokens(*bytes);
-  for (Token token = tokens.next(); token.kind == TokenKind::Word; token = tokens.next()) {
+  for (Token token = tokens.next(); token.kind != TokenKind::End; token = tokens.next()) {
     const auto number = text::parse_double(token.text);
-    if (!number || numbers.size() > 2 * most_samples) {
+    if (token.kind != TokenKind::Word || !number || numbers.size() > 2 * most_samples) {
       error(parameter, report,
             fmt::format("{} holds {}, expected pairs of numbers", text::quoted(path),
                         text::quoted(token.text)));
@@ -79,6 +92,10 @@ std::optional<SampledSpectrum> spectrum_of_file(const Parameter& parameter,
 std::optional<SampledSpectrum> sampled(const Parameter& parameter,
                                        description::SceneDescription& scene, const Report& report) {
   if (parameter.strings.empty()) return spectrum_of_pairs(parameter.numbers, parameter, report);
+  if (!is_one_name(parameter)) {
+    error(parameter, report, "has several values, expected one name or a list of numbers");
+    return std::nullopt;
+  }
   return spectrum_of_file(parameter, scene, report);
 }
 
@@ -98,28 +115,39 @@ std::optional<Vec3d> triple(const Parameter& parameter, const Report& report) {
   const Vec3d colour = parameter.type == ParameterType::Xyz ? xyz_to_rgb(numbers) : numbers;
   if (parameter.type == ParameterType::Xyz) return glm::max(colour, Vec3d(0.0));
   if (colour.x >= 0 && colour.y >= 0 && colour.z >= 0) return colour;
-  error(parameter, report, "has a number below 0");
+  error(parameter, report,
+        fmt::format("has {}, expected at least 0", std::min({colour.x, colour.y, colour.z})));
   return std::nullopt;
 }
 
 std::optional<Vec3d> black_body_colour(const Parameter& parameter, const Report& report) {
-  if (parameter.numbers.empty() || parameter.numbers.size() > 2 || !(parameter.numbers[0] > 0)) {
-    error(parameter, report, "expected a temperature in kelvins, above 0");
+  constexpr std::string_view expected = "expected a temperature in kelvins, above 0";
+  const std::size_t count = parameter.numbers.size();
+  if (count == 0 || count > 2) {
+    error(parameter, report, fmt::format("has {} numbers, {}", count, expected));
+    return std::nullopt;
+  }
+  if (!(parameter.numbers[0] > 0)) {
+    error(parameter, report, fmt::format("is {}, {}", parameter.numbers[0], expected));
     return std::nullopt;
   }
   const double kelvin = std::clamp(parameter.numbers[0], coolest_kelvins, hottest_kelvins);
-  const double scale = parameter.numbers.size() == 2 ? std::max(parameter.numbers[1], 0.0) : 1.0;
+  const double scale = count == 2 ? std::max(parameter.numbers[1], 0.0) : 1.0;
   return scale * colour_of_light([&](double nm) { return black_body(nm, kelvin); });
 }
 
 std::optional<Vec3d> spectrum_light(const Parameter& parameter,
                                     description::SceneDescription& scene, const Report& report) {
-  if (!parameter.strings.empty())
+  if (is_one_name(parameter))
     if (const auto* illuminant = find_named(named_illuminants(), parameter.strings[0]))
       return colour_of_chromaticity(illuminant->x, illuminant->y);
   const auto spectrum = sampled(parameter, scene, report);
   if (!spectrum) return std::nullopt;
-  return colour_of_light(*spectrum);
+  const Vec3d colour = colour_of_light(*spectrum);
+  if (colour == Vec3d(0.0))
+    report.warning(parameter.place, fmt::format("{} has no light that is seen: it is black",
+                                                text::quoted(parameter.name)));
+  return colour;
 }
 
 // The part of a metal's pair that a name asks for.
@@ -133,7 +161,7 @@ std::optional<Vec3d> metal_part(std::string_view name) {
 
 std::optional<Vec3d> spectrum_factor(const Parameter& parameter,
                                      description::SceneDescription& scene, const Report& report) {
-  if (!parameter.strings.empty()) {
+  if (is_one_name(parameter)) {
     if (const auto part = metal_part(parameter.strings[0])) return part;
     if (const auto* glass = find_named(named_glasses(), parameter.strings[0]))
       return Vec3d(glass->ior);
@@ -177,7 +205,11 @@ std::optional<double> mean_value(const Parameter& parameter, description::SceneD
     error(parameter, report, "expected one number");
     return std::nullopt;
   }
-  if (!parameter.strings.empty()) {
+  if (parameter.type == ParameterType::Rgb) {
+    const auto colour = triple(parameter, report);
+    return colour ? std::optional(luminance(*colour)) : std::nullopt;
+  }
+  if (is_one_name(parameter)) {
     if (const auto* glass = find_named(named_glasses(), parameter.strings[0])) return glass->ior;
     if (const auto part = metal_part(parameter.strings[0])) return part->y;
   }

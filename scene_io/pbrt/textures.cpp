@@ -19,12 +19,6 @@ using description::UvMapping;
 
 constexpr int deepest = 64;  // textures of textures
 
-std::vector<std::string_view> names_of(const std::map<std::string, TextureStatement>& textures) {
-  std::vector<std::string_view> names;
-  for (const auto& [name, texture] : textures) names.push_back(name);
-  return names;
-}
-
 ScalarInput to_scalar(const ColourInput& input) {
   ScalarInput scalar;
   scalar.factor = input.factor.x;
@@ -121,7 +115,7 @@ void Textures::report_unknown(Kind kind, const Place& place, const std::string& 
   const std::string hint =
       others.contains(name)
           ? fmt::format("; the texture of this name is a {} one", words(!is_float))
-          : did_you_mean(name, names_of(wanted));
+          : context_.report.did_you_mean_key(name, wanted);
   context_.report.error(
       place, fmt::format("there is no {} texture {}{}", words(is_float), text::quoted(name), hint));
 }
@@ -211,7 +205,7 @@ Textures::Value Textures::stand_in(Arguments& arguments) {
   context_.report.error(
       statement.place,
       fmt::format("{} is no texture{}", text::quoted(statement.type),
-                  did_you_mean(statement.type, {std::begin(ours), std::end(ours)})));
+                  nearest_or_all(statement.type, {std::begin(ours), std::end(ours)})));
   return std::nullopt;
 }
 

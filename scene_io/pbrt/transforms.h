@@ -7,6 +7,10 @@
 
 namespace candela::pbrt {
 
+// What cameras and the pictures of lights are stretched or sheared by less is how files write their
+// numbers.
+inline constexpr double seen_stretch = 1e-3;
+
 [[nodiscard]] Transform scaling(const Vec3d& factors);
 // Degrees, by the right hand about an axis of any length but 0.
 [[nodiscard]] Transform rotation(double degrees, const Vec3d& axis);

@@ -25,27 +25,32 @@ using description::Mesh;
 enum Slot : std::size_t { X, Y, Z, NormalX, NormalY, NormalZ, U, V, SlotCount };
 constexpr std::size_t unused = SlotCount;
 
-constexpr std::array<std::pair<std::string_view, Slot>, 14> slot_names{{{"x", X},
-                                                                        {"y", Y},
-                                                                        {"z", Z},
-                                                                        {"nx", NormalX},
-                                                                        {"ny", NormalY},
-                                                                        {"nz", NormalZ},
-                                                                        {"u", U},
-                                                                        {"v", V},
-                                                                        {"s", U},
-                                                                        {"t", V},
-                                                                        {"texture_u", U},
-                                                                        {"texture_v", V},
-                                                                        {"texture_s", U},
-                                                                        {"texture_t", V}}};
+constexpr std::array<std::pair<std::string_view, Slot>, 6> slot_names{
+    {{"x", X}, {"y", Y}, {"z", Z}, {"nx", NormalX}, {"ny", NormalY}, {"nz", NormalZ}}};
 
-std::size_t slot_of(const Property& property) {
+// What texture coordinates may be called; the first that there is counts, as in pbrt.
+struct UvNames {
+  std::string_view u, v;
+};
+constexpr UvNames uv_names[] = {
+    {"u", "v"}, {"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}};
+
+UvNames uv_names_of(const Element& element) {
+  const auto has = [&](std::string_view name) {
+    return std::any_of(element.properties.begin(), element.properties.end(),
+                       [&](const Property& p) { return !p.count_type && p.name == name; });
+  };
+  for (const UvNames& names : uv_names)
+    if (has(names.u) && has(names.v)) return names;
+  return {};
+}
+
+std::size_t slot_of(const Property& property, const UvNames& uv) {
   if (property.count_type) return unused;
-  for (const auto& [name, slot] : slot_names) {
+  for (const auto& [name, slot] : slot_names)
     if (name == property.name) return slot;
-  }
-  return unused;
+  if (property.name == uv.u) return U;
+  return property.name == uv.v ? std::size_t{V} : unused;
 }
 
 bool is_index_list(const Property& property) {
@@ -91,6 +96,7 @@ class BodyReader {
   }
 
   bool refuse_no_faces() {
+    if (dropped_count_ > 0) return fail("holds no face of 3 corners or more");
     for (const Element& element : header_.elements)
       if (element.name == "face" && element.count > 0)
         return refuse(element, "faces without the list 'vertex_indices' or 'vertex_index'");
@@ -108,7 +114,11 @@ class BodyReader {
   }
 
   bool fail_at_number(const Element& element, std::uint64_t index) {
-    return fail_here(fmt::format("no number where {} should have one", nth(element, index)));
+    text::Cursor at(std::string_view(source_.text).substr(values_.offset()));
+    const std::string_view word = header_.form == Form::Ascii ? at.next_word() : std::string_view();
+    return fail_here(fmt::format("found {}, expected a number of {}",
+                                 word.empty() ? "the end of the file" : text::quoted(word),
+                                 nth(element, index)));
   }
 
   // "'face' 1 of 2", counted from 1.
@@ -174,8 +184,9 @@ class BodyReader {
   bool read_vertices(const Element& element, Mesh& mesh) {
     std::vector<std::size_t> slots;
     std::array<bool, SlotCount + 1> has{};
+    const UvNames uv = uv_names_of(element);
     for (const Property& property : element.properties) {
-      slots.push_back(slot_of(property));
+      slots.push_back(slot_of(property, uv));
       has[slots.back()] = true;
     }
     if (!has[X] || !has[Y] || !has[Z]) {
@@ -260,11 +271,10 @@ class BodyReader {
       list_.push_back(is_restart ? restart : static_cast<std::uint32_t>(*corner));
     }
     if (is_strip) return add_strip(polygons);
-    if (list_.size() < 3) {
-      return say(fmt::format("{} has {} corner{}; expected 3 or more", nth(element, index),
-                             list_.size(), list_.size() == 1 ? "" : "s"));
-    }
-    add_face(list_, polygons);
+    if (list_.size() < 3)
+      ++dropped_count_;
+    else
+      add_face(list_, polygons);
     return true;
   }
 
@@ -289,12 +299,17 @@ class BodyReader {
     return true;
   }
 
+  // pbrt leaves such faces out, too.
   void warn_of_replaced() {
-    if (replaced_count_ == 0) return;
-    diagnostics_.warning({source_.name, 0, 0},
-                         fmt::format("{} normals and texture coordinates are not finite and count "
-                                     "as absent or 0",
-                                     replaced_count_));
+    if (dropped_count_ > 0)
+      diagnostics_.warning(
+          {source_.name, 0, 0},
+          fmt::format("{} faces have fewer than 3 corners and are left out", dropped_count_));
+    if (replaced_count_ > 0)
+      diagnostics_.warning({source_.name, 0, 0},
+                           fmt::format("{} normals and texture coordinates are not finite and "
+                                       "count as absent or 0",
+                                       replaced_count_));
   }
 
   static constexpr std::uint32_t restart = UINT32_MAX;
@@ -305,6 +320,7 @@ class BodyReader {
   Diagnostics& diagnostics_;
   std::uint64_t vertex_count_ = 0;
   std::uint64_t replaced_count_ = 0;
+  std::uint64_t dropped_count_ = 0;
   bool was_said_ = false;
   std::vector<std::uint32_t> list_;  // the one being read
 };

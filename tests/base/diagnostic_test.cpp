@@ -14,7 +14,7 @@ TEST(Unit_Diagnostic, NamesThePlaceThatIsKnown) {
 
 TEST(Unit_Diagnostic, KeepsAtMostTwentyErrorsAndCountsTheRest) {
   Diagnostics diagnostics;
-  for (int i = 0; i < 50; ++i) diagnostics.error({}, "again");
+  for (int i = 0; i < 50; ++i) diagnostics.error({}, std::to_string(i));
   diagnostics.warning({}, "still kept");
   EXPECT_EQ(diagnostics.error_count(), 50u);
   EXPECT_EQ(diagnostics.list().size(), Diagnostics::limit + 1);
@@ -24,9 +24,32 @@ TEST(Unit_Diagnostic, ReadersStopWhereErrorsAreCountedNoFurther) {
   Diagnostics diagnostics;
   for (std::size_t i = 0; i < Diagnostics::most_counted; ++i) {
     EXPECT_FALSE(diagnostics.is_full());
-    diagnostics.error({}, "again");
+    diagnostics.error({}, std::to_string(i));
   }
   EXPECT_TRUE(diagnostics.is_full());
+}
+
+TEST(Unit_Diagnostic, TellsTheSameOfTheSamePlaceOnce) {
+  const auto file = std::make_shared<const std::string>("a.yaml");
+  const auto again = std::make_shared<const std::string>("a.yaml");
+  const auto other = std::make_shared<const std::string>("b.yaml");
+  Diagnostics diagnostics;
+  diagnostics.error({file, 3, 7}, "no");
+  diagnostics.error({again, 3, 7}, "no");
+  EXPECT_EQ(diagnostics.error_count(), 1u);
+  diagnostics.error({file, 3, 8}, "no");
+  diagnostics.error({file, 3, 7}, "neither");
+  diagnostics.error({other, 3, 7}, "no");
+  diagnostics.warning({file, 3, 7}, "no");
+  EXPECT_EQ(diagnostics.error_count(), 4u);
+  EXPECT_EQ(diagnostics.list().size(), 5u);
+}
+
+TEST(Unit_Diagnostic, NamesAllOfAFewWhereNoneIsNear) {
+  EXPECT_EQ(nearest_or_all("Difuse", {"Diffuse", "Specular"}), ", did you mean 'Diffuse'?");
+  EXPECT_EQ(nearest_or_all("x", {"point", "spot", "distant"}), ", expected point, spot or distant");
+  EXPECT_EQ(nearest_or_all("x", {"rgb"}), ", expected rgb");
+  EXPECT_EQ(nearest_or_all("x", {}), "");
 }
 
 TEST(Unit_Diagnostic, SuggestsOnlyNearNames) {

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <latch>
 #include <thread>
 #include <vector>
 
@@ -55,6 +56,25 @@ TEST(Unit_Parallel, AnArenaOfOneThreadLeavesOthersTheirs) {
   bool is_inner_parallel = false;
   with_threads(1, [&] { with_threads(2, [&] { is_inner_parallel = run_at_once(); }); });
   EXPECT_TRUE(is_inner_parallel);
+}
+
+// oneTBB warns where it is asked for more threads than another arena's limit lets it have.
+TEST(Unit_Parallel, ArenasOfSeveralSizesAtOnceAreQuiet) {
+  const int few = available_threads() + 1;
+  testing::internal::CaptureStderr();
+  std::latch are_all_there(2);
+  std::jthread other([&] {
+    with_threads(few, [&] {
+      are_all_there.arrive_and_wait();
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    });
+  });
+  with_threads(few + 5, [&] {
+    are_all_there.arrive_and_wait();
+    EXPECT_EQ(squares(10'000).back(), 9999u * 9999u);
+  });
+  other.join();
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 TEST(Unit_Parallel, NothingToDoIsFine) {

@@ -254,6 +254,39 @@ TEST(Unit_Validate, WarnsOfScenesWithNothingInThem) {
 }
 
 // Skies and media are seen without any surface.
+TEST(Unit_Validate, TriangleLightsAreThereToBeSeen) {
+  description::SceneDescription scene = test::empty_scene();
+  test::set_camera(scene, {0, 0, 5}, {0, 0, 0});
+  test::add_light(scene, description::TriangleLight{
+                             {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0, 1, 0)}, Vec3d(1.0)});
+  EXPECT_EQ(messages(validate(scene), Severity::Warning), std::vector<std::string>{});
+}
+
+TEST(Errors_Validate, MixturesOfMixturesAreNotEndless) {
+  description::SceneDescription scene = test::small_room();
+  description::MixMaterial mix;
+  mix.first = mix.second = description::MaterialHandle(0u);
+  for (int depth = 1; depth <= 17; ++depth) {
+    test::add_material(scene, mix);
+    scene.materials.back().name = "mix" + std::to_string(depth);
+    mix.first = mix.second = description::MaterialHandle(scene.materials.size() - 1);
+    const auto expected = depth <= 16 ? std::vector<std::string>{}
+                                      : std::vector<std::string>{
+                                            "material 'mix17': mixtures of "
+                                            "mixtures more than 16 deep"};
+    EXPECT_EQ(messages(validate(scene), Severity::Error), expected) << depth;
+  }
+}
+
+TEST(Errors_Validate, WaysToReadImagesThatThereAreNot) {
+  const auto error_of = [](description::Encoding encoding, description::Wrap wrap) {
+    return error_after([&](auto& scene) { scene.images.push_back({"a.png", encoding, wrap, {}}); });
+  };
+  const std::string expected = "an image of an encoding or a wrap that there is not";
+  EXPECT_EQ(error_of(description::Encoding(77), description::Wrap::Clamp), expected);
+  EXPECT_EQ(error_of(description::Encoding::Srgb, description::Wrap(4)), expected);
+}
+
 TEST(Unit_Validate, SkiesAndFogAreThereToBeSeen) {
   description::SceneDescription sky = test::empty_scene();
   test::set_camera(sky, {0, 0, 5}, {0, 0, 0});

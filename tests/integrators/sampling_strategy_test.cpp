@@ -82,6 +82,16 @@ TEST(Errors_SamplingStrategy, AMapMayBeSmoothSomewhere) {
   expect_refused(stained, "may be");
 }
 
+TEST(Errors_SamplingStrategy, ATextureMayBeSmoothSomewhere) {
+  description::SceneDescription scene = small_room();
+  scene.textures.push_back({"squares", {}, description::CheckerboardTexture{}});
+  description::CoatedDiffuseMaterial squared;
+  squared.coat.roughness.texture = description::TextureHandle(0);
+  const auto material = add_material(scene, squared);
+  EXPECT_NE(sentences(with_ball_of(material, scene), SamplingStrategy::Cosine).find("may be"),
+            std::string::npos);
+}
+
 // One delta lobe is followed as it is.
 TEST(Errors_SamplingStrategy, NamesNoCoatOverWhatIsSmoothItself) {
   expect_accepted(description::CoatedConductorMaterial{});

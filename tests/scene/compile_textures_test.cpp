@@ -231,6 +231,34 @@ TEST(Unit_Procedural, MaterialsReadThem) {
   EXPECT_GT(test::mean_of(image), 0);
 }
 
+// A texture that is the same everywhere is held to what others are, and means what a number does.
+TEST(Unit_Procedural, ConstantsOfTexturesAreClamped) {
+  SceneDescription scene = test::small_room();
+  for (const double factor : {0.75, 8.0, -8.0})
+    scene.textures.push_back(
+        {"product", {}, description::ProductTexture{constant(0.5), constant(factor)}});
+  const auto compiled_with = [&](const auto& model) {
+    scene.materials[0].model = model;
+    return compile(scene, {.width = 8, .height = 8})->materials[0];
+  };
+  constexpr float expected[] = {0.375f, 1, 0};
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const ColourInput input = by(description::TextureHandle(i));
+    EXPECT_EQ(compiled_with(description::DiffuseMaterial{input}).diffuse.constant,
+              Rgb(expected[i]));
+    description::CookTorranceMaterial rough;
+    rough.roughness.texture = input.texture;
+    EXPECT_EQ(compiled_with(rough).roughness.constant, expected[i]);
+    description::ConductorMaterial metal;
+    metal.reflectance = input;
+    const Material by_texture = compiled_with(metal);
+    metal.reflectance = constant(expected[i]);
+    const Material by_number = compiled_with(metal);
+    EXPECT_EQ(by_texture.k, by_number.k);
+    EXPECT_EQ(by_texture.f0, by_number.f0);
+  }
+}
+
 std::string error_of(const SceneDescription& scene) {
   const Diagnostics found = description::validate(scene);
   return found.has_errors() ? found.list().front().message : "";
@@ -245,6 +273,13 @@ TEST(Errors_Procedural, InputsStandBeforeAndAreThere) {
   EXPECT_EQ(error_of(scene), "texture 'self': its image does not exist");
   scene.textures[0].kind = description::BilinearTexture{{{1, 1}, {0, 0}}, Vec3d(INFINITY)};
   EXPECT_EQ(error_of(scene), "texture 'self': a value is not finite");
+  description::ProductTexture both;
+  both.first.map = description::ImageHandle(0u);
+  both.first.texture = description::TextureHandle(0u);
+  scene.images.push_back({"map.png", description::Encoding::Linear, description::Wrap::Repeat, {}});
+  scene.textures.push_back({"both", {}, both});
+  scene.textures[0].kind = description::CheckerboardTexture{};
+  EXPECT_EQ(error_of(scene), "texture 'both': an input has a map and a texture");
   scene.textures.clear();
   scene.materials[0].model = description::DiffuseMaterial{by(description::TextureHandle(3u))};
   EXPECT_NE(error_of(scene).find("the texture of the reflectance does not exist"),

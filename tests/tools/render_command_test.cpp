@@ -156,6 +156,18 @@ TEST(Unit_RenderCommand, TransparencyIsAlpha) {
   EXPECT_GT(partial, 0) << "no edge";
 }
 
+TEST(Unit_RenderCommand, TransparencyThatNoOutputHoldsIsWarnedOf) {
+  const std::string folder = fresh_folder("no_alpha");
+  write_text(folder + "/sky.pbrt", square_before_a_sky);
+  const auto messages = [&](const char* also) {
+    return run_candela({"render", folder + "/sky.pbrt", "--size", "4x4", "--spp", "1",
+                        "--transparent", "-q", "-o", folder + "/a.jpg", "-o", folder + also})
+        .error;
+  };
+  EXPECT_NE(messages("/a.hdr").find("--transparent: no output can hold alpha"), std::string::npos);
+  EXPECT_EQ(messages("/a.png").find("--transparent"), std::string::npos);
+}
+
 TEST(Unit_RenderCommand, ExposureAndToneMapReachTheBytes) {
   const std::string folder = fresh_folder("display");
   const Image linear = rendered(

@@ -1,5 +1,7 @@
 // tools/scene_gen: the scenes that benchmarks are made of are read without a word, are the same for
 // the same seed, and are what they say.
+#include <filesystem>
+
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -55,6 +57,17 @@ TEST_F(Unit_SceneGen, TheSameSeedGivesTheSameFilesAndAnotherOneOthers) {
     EXPECT_TRUE(meshes_of(first + name) == meshes_of(again + name)) << scene.name;
     EXPECT_EQ(meshes_of(first + name) != meshes_of(other + name), scene.is_random) << scene.name;
   }
+}
+
+TEST_F(Unit_SceneGen, WhatIsRefusedLeavesNoFolder) {
+  const std::string folder = fresh_folder("refused") + "/none";
+  const ProgramResult refused =
+      Program({python, "-B", CANDELA_SOURCE_DIR "/tools/dev/scene_gen/main.py", "lamps", "--lamps",
+               "0", "--out", folder},
+              ErrorStream::File)
+          .finish();
+  EXPECT_NE(refused.exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder));
 }
 
 // Large meshes are PLY files; they look like the OBJ files of small ones.

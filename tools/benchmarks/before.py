@@ -30,7 +30,7 @@ SAME_MEANS = .03  # by how much the two pictures' means may differ before the me
 
 def add_arguments(parser):
     parser.add_argument("before", type=pathlib.Path, metavar="PROGRAM", help="the other candela")
-    chosen_scenes.add_argument(parser, "all but the shipped pbrt files")
+    chosen_scenes.add_argument(parser, "all but gen/shed and the shipped pbrt files")
     parser.add_argument("--quick", action="store_true", help="64x64, 64 spp, 2 pairs")
     parser.add_argument("--pairs", type=at_least(1), help="pictures of each program (5)")
     parser.add_argument("--size", type=at_least(1), metavar="N", help="pixels a side (128)")

@@ -54,7 +54,7 @@ def add_arguments(parser):
     parser.add_argument("--most", type=at_least(4), metavar="SPP",
                         help="samples of the last point (256)")
     parser.add_argument("--curve", action="append", choices=CURVES, metavar="NAME",
-                        help="only this one; may be given several times: " + ", ".join(CURVES))
+                        help="only this one; may be given several times: " + "; ".join(CURVES))
     parser.add_argument("--threads", type=at_least(1), default=1,
                         help="of the measured pictures (1)")
 

@@ -16,8 +16,10 @@ std::string back_end_line(std::string_view name, const BackEndFigures& figures) 
   std::string text = fmt::format("  {:<8}{:>9.3f}{:>9.1f}", name, figures.build_seconds,
                                  static_cast<double>(figures.bytes) * 1e-6);
   for (std::size_t i = 0; i < ray_class_names.size(); ++i)
-    text +=
-        fmt::format("{:>9.2f}{:>9.2f}", figures.mrays_one_thread[i], figures.mrays_all_threads[i]);
+    text += figures.mrays_one_thread[i] > 0
+                ? fmt::format("{:>9.2f}{:>9.2f}", figures.mrays_one_thread[i],
+                              figures.mrays_all_threads[i])
+                : fmt::format("{:>9}{:>9}", "-", "-");  // no such rays
   return text + "\n";
 }
 
@@ -25,7 +27,9 @@ std::string ratio_line(const std::array<Spread, ray_class_names.size()>& embree_
   std::string text = fmt::format("  {:<26}", "embree / bvh");
   for (const Spread& ratio : embree_over_bvh)
     text += fmt::format(
-        "{:>18}", fmt::format("{:.2f} ({:.2f}-{:.2f})", ratio.median, ratio.least, ratio.most));
+        "{:>18}", ratio.median > 0
+                      ? fmt::format("{:.2f} ({:.2f}-{:.2f})", ratio.median, ratio.least, ratio.most)
+                      : "-");
   return text + "   on one thread, median (range) of rounds\n";
 }
 

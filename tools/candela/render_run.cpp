@@ -67,6 +67,11 @@ bool is_exr(const std::string& path) {
   return format_of_extension(path) == ImageFormat::Exr;
 }
 
+bool lacks_alpha(const std::string& path) {
+  const auto format = format_of_extension(path);
+  return format == ImageFormat::Jpeg || format == ImageFormat::Hdr;
+}
+
 std::uint64_t triangle_count(const Scene& scene) {
   std::uint64_t count = 0;
   for (const Geometry& geometry : scene.geometries) count += geometry.triangles.size();
@@ -174,6 +179,8 @@ std::vector<std::string> RenderRun::warnings_of_options() const {
   const std::vector<std::string> paths = output_paths(arguments_);
   if (arguments_.aovs != 0 && std::none_of(paths.begin(), paths.end(), is_exr))
     warnings.push_back("--aov: only an EXR output can hold further layers, and none is asked for");
+  if (arguments_.is_transparent && std::all_of(paths.begin(), paths.end(), lacks_alpha))
+    warnings.push_back("--transparent: no output can hold alpha; expected EXR, PNG or TIFF");
   for (const std::string& bias : biases_of(options()))
     if (bias.starts_with("clamp"))
       warnings.push_back(bias + ": the picture is biased, it lacks light");

@@ -23,6 +23,9 @@ Result<WrittenScene> write_pbrt(const description::SceneDescription& scene,
                                 const WriteOptions& options) {
   Diagnostics invalid = description::validate(scene);
   if (invalid.has_errors()) return invalid;
+  if (options.camera > 0 && options.camera >= scene.cameras.size())
+    return failure(
+        fmt::format("camera {} of a scene that has {}", options.camera, scene.cameras.size()));
   WrittenScene written;
   Diagnostics diagnostics;
   WriteContext context{scene, options, written, diagnostics};

@@ -9,9 +9,10 @@ namespace {
 using namespace test;
 
 template <class Model>
-LabSurface surface_of(Model model) {
+LabSurface surface_of(Model model, double opacity = 1) {
   description::SceneDescription scene = empty_scene();
   add_sheet(scene, 0, add_material(scene, std::move(model)));
+  scene.materials[0].opacity.factor = opacity;
   set_camera(scene, {0, 2, 0}, {0, 0, 0}, 40, {0, 0, 1});
   const Scene made = compiled(scene, lab_settings(IntegratorKind::Whitted).options);
   const Material& material = made.materials[0];
@@ -59,7 +60,25 @@ TEST(Unit_LabSurface, GlassIsAHoleForShadowsThatCoversWhatItReflects) {
   model.transmittance = {1, 0.5, 0.25};
   const LabSurface surface = surface_of(model);
   EXPECT_NEAR(surface.alpha, 0.04, 1e-6);
-  expect_near(surface.transmitted, {1, 0.5, 0.25});
+  expect_near(surface.behind, 0.96 * Vec3d(1, 0.5, 0.25));
+}
+
+// What is not there tints nothing.
+TEST(Unit_LabSurface, HolesInTintedGlassAreClear) {
+  description::DielectricMaterial model;
+  model.ior = 1.5;
+  model.transmittance = Vec3d(0.5);
+  expect_near(surface_of(model, 0).behind, Vec3d(1.0));
+  const LabSurface half = surface_of(model, 0.5);
+  EXPECT_NEAR(half.alpha, 0.02, 1e-6);
+  expect_near(half.behind, Vec3d(0.5 + 0.5 * 0.96 * 0.5));
+}
+
+TEST(Unit_LabSurface, ThinPanesHaveTheNarrowestHighlight) {
+  description::DielectricMaterial pane;
+  pane.ior = 1.5;
+  pane.is_thin = true;
+  EXPECT_EQ(surface_of(pane).exponent, 256);
 }
 
 }  // namespace

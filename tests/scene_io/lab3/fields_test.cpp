@@ -66,6 +66,22 @@ TEST(Errors_Fields, WhatIsNoVector) {
             "1:17: Eye: found a list of 4 values, expected at most 3 numbers");
 }
 
+// An example must be right itself.
+TEST(Errors_Fields, NoExampleOutsideOfTheRange) {
+  EXPECT_EQ(error_in("AmbientIntensity: -1\n"),
+            "1:19: AmbientIntensity: found '-1', expected a list of 3 numbers");
+}
+
+TEST(Errors_Fields, WhatLacksBlanksAndColons) {
+  EXPECT_EQ(error_in("Cameras:\n  - Eye:[0, 1, 2]\n"),
+            "2:5: found 'Eye:[0, 1, 2]', expected the keys of a camera; is a blank missing "
+            "behind ':'?");
+  EXPECT_EQ(warning_in("Cameras:\n  - Eye: [0, 1, 2]\n    target [0, 0, 0]:\n"),
+            "3:5: unknown key 'target [0, 0, 0]' in a camera; is ':' missing behind 'target'?");
+  EXPECT_EQ(warning_in("Cameras:\n  - Eye: [0, 1, 2]\n    <<: {}\n"),
+            "3:5: merge keys (<<) are not read: write the keys out");
+}
+
 TEST(Unit_Fields, MissingEntriesOfVectorsAreOne) {
   EXPECT_EQ(scene_of(eye("[7, 8]")).cameras.at(0).eye, Vec3d(7, 8, 1));
   EXPECT_EQ(scene_of(eye("[7]")).cameras.at(0).eye, Vec3d(7, 1, 1));

@@ -185,7 +185,7 @@ TEST(Unit_Lab3Materials, OfEqualNamesTheLastCounts) {
 
 TEST(Errors_Lab3Materials, WhatIsNoMaterial) {
   EXPECT_EQ(error_in(materials("Diffuse: .5")),
-            "2:24: Diffuse: found '.5', expected a list of 4 numbers, such as [.5, .5, .5, .5]");
+            "2:24: Diffuse: found '.5', expected a list of 3 or 4 numbers, such as [.5, .5, .5]");
   EXPECT_EQ(error_in(materials("Diffuse: [1, 1, 1, 1, 1]")),
             "2:24: Diffuse: found a list of 5 values, expected at most 4 numbers");
   EXPECT_EQ(error_in(materials("Shininess: [5]")),

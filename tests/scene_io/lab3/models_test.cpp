@@ -100,13 +100,14 @@ TEST(Unit_Lab3Models, TheTransformIsTheWrittenIntent) {
 TEST(Unit_Lab3Models, RotationIsAMatrixOfRows) {
   const Transform transform = transform_of("Rotation: [[0, 0, 1], [0, 1, 0], [-1, 0, 0]]");
   expect_near(transform.point({0, 0, 1}), {1, 0, 0});  // a quarter turn about +y
-  EXPECT_EQ(error_in(models("Rotation: 30")),
-            "3:36: Rotation: found '30', expected a matrix: a list of 3 rows of 3 numbers");
+  const std::string expected =
+      ", expected a matrix: a list of 3 rows of 3 numbers, such as [[1, 0, 0], [0, 1, 0], "
+      "[0, 0, 1]]";
+  EXPECT_EQ(error_in(models("Rotation: 30")), "3:36: Rotation: found '30'" + expected);
   EXPECT_EQ(error_in(models("Rotation: [0, 90, 0]")),
-            "3:37: a row of Rotation: found '0', expected a list of 3 numbers, such as [0, 0, 0]");
+            "3:36: Rotation: found a list of 3 values" + expected);
   EXPECT_EQ(error_in(models("Rotation: [[1, 0, 0], [0, 1, 0]]")),
-            "3:36: Rotation: found a list of 2 values, expected a matrix: a list of 3 rows of 3 "
-            "numbers");
+            "3:36: Rotation: found a list of 2 values" + expected);
   EXPECT_EQ(warning_in(models("Rotation: [[2, 0, 0], [0, 1, 0], [0, 0, 1]]")),
             "3:36: Rotation is no rotation: its rows are not of length 1 and at right angles; it "
             "is used as it stands");

@@ -87,6 +87,11 @@ TEST(Errors_YamlTree, MalformedTexts) {
   EXPECT_EQ(error_in("Render:\n\tWidth: 3\n"),
             "2:7: malformed YAML: illegal map value behind a tab; indent with blanks");
   EXPECT_EQ(error_in("Render:\n  Width: 3: 4\t\n"), "2:11: malformed YAML: illegal map value");
+  EXPECT_EQ(error_in("Lights:\n  - Type: Point\n Position: [1, 2, 3]\n"),
+            "3:2: malformed YAML: end of map not found, expected a key as far in as those above");
+  EXPECT_EQ(error_in("Lights:\n- Type: Point\n Intensity: 3\n"),
+            "3:2: malformed YAML: end of sequence not found, expected '-' or a key as far in as "
+            "those above");
   EXPECT_EQ(error_in("Lights: *sun\n"),
             "1:9: malformed YAML: the referenced anchor is not defined");
   EXPECT_EQ(error_in("[a, b]: 1\n"), "1:1: found a value where the name of a key was expected");
@@ -113,6 +118,10 @@ TEST(Errors_YamlTree, UnclosedQuotes) {
             "2:11: this quote is not closed, expected the same mark behind its text");
   EXPECT_EQ(error_in("Models:\n  - Mesh: 'it''s\n"),
             "2:11: this quote is not closed, expected the same mark behind its text");
+  EXPECT_EQ(error_in("Environment: {Map: \"sky.hdr}\n\n"),
+            "1:20: this quote is not closed, expected the same mark behind its text");
+  EXPECT_EQ(error_in("Cameras: [{Eye: 'far}]\n"),
+            "1:17: this quote is not closed, expected the same mark behind its text");
   EXPECT_EQ(error_in("'Lights: 5\n"),
             "1:1: this quote is not closed, expected the same mark behind its text");
   for (const char* before : {"!!str ", "&a ", "!!str  &a "})
@@ -174,7 +183,7 @@ TEST(Unit_YamlTree, CountsColumnsInCharacters) {
             "2 of them: 2:10: Cameras: "
             "found '5', expected a list | 1:9: Lights: found a map of keys, expected a list");
   EXPECT_EQ(error_in("Materials: [{Name: \"\xc3\xa9\xc3\xa9\", Diffuse: 5}]\n"),
-            "1:35: Diffuse: found '5', expected a list of 4 numbers, such as [5, 5, 5, 5]");
+            "1:35: Diffuse: found '5', expected a list of 3 or 4 numbers, such as [5, 5, 5]");
 }
 
 }  // namespace

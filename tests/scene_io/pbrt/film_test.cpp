@@ -279,5 +279,25 @@ TEST(Errors_PbrtFilm, MediaUnderAnIntegratorWithoutAny) {
   EXPECT_EQ(pbrt_warning("Integrator \"path\"\nWorldBegin"), "0 of them: ");
 }
 
+TEST(Unit_PbrtCamera, ThatOfPbrtV3sEnvironmentIsOfLatitudesAndLongitudes) {
+  const auto kind_of = [](const std::string& words) {
+    return pbrt_scene("Camera " + words + "\nWorldBegin").cameras.at(0).kind;
+  };
+  EXPECT_EQ(kind_of("\"environment\""), CameraKind::LatLong);
+  EXPECT_EQ(kind_of("\"spherical\""), CameraKind::EqualArea);
+}
+
+TEST(Errors_PbrtTransforms, ThatStretchCamerasAndPicturesOfLights) {
+  EXPECT_EQ(pbrt_warning("Scale 2 1 1 LookAt 0 0 5 0 0 0 0 1 0 Camera \"perspective\"\n"
+                         "WorldBegin Shape \"disk\" LightSource \"infinite\""),
+            "1:45: the camera's transform stretches or shears, which is left out");
+  EXPECT_EQ(pbrt_warning("Scale 2 2 2 LookAt 0 0 5 0 0 0 0 1 0 Camera \"perspective\"\n"
+                         "WorldBegin Shape \"disk\" LightSource \"infinite\""),
+            "0 of them: ");
+  EXPECT_EQ(test::pbrt_world_warning(
+                "Scale .5 1 1 LightSource \"projection\" \"string filename\" \"picture.png\""),
+            "2:26: the light's transform stretches or shears: its picture is turned alone");
+}
+
 }  // namespace
 }  // namespace candela

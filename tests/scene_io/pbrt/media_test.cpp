@@ -85,7 +85,7 @@ TEST(Errors_PbrtMedia, WhatIsNotRenderedIsNamed) {
                                "\"m\" \"\" Shape \"disk\" Shape \"disk\""),
             "2:17: media of type 'cloud' are not rendered: 'm' is as clear as air");
   EXPECT_EQ(pbrt_world_warning(named("\"string preset\" \"Ketchp\"")),
-            "2:49: 'preset' names no medium that candela knows, did you mean 'Ketchup'?");
+            "2:49: 'preset' is 'Ketchp', no medium that candela knows, did you mean 'Ketchup'?");
   EXPECT_EQ(pbrt_world_warning(named("\"rgb Le\" [ 1 1 1 ]")),
             "2:49: 'Le' is ignored: media do not shine");
 }

@@ -61,7 +61,7 @@ TEST(Unit_PbrtOwnParameters, NormalMapsAreRightHandedUnlessTheyFollowV) {
 
 TEST(Errors_PbrtOwnParameters, NameWhatTheyExpect) {
   EXPECT_EQ(pbrt_world_error("Material \"diffuse\" #candela: \"string model\" \"blob\"\n"),
-            "2:30: 'model' expected lab, mirror or cooktorrance");
+            "2:30: 'model' is 'blob', expected lab, mirror or cooktorrance");
   const std::string rough = "Material \"diffuse\" #candela: \"string model\" \"cooktorrance\" ";
   EXPECT_EQ(pbrt_world_error(rough + "\"float cooktorrance.ior\" 0.5\n"),
             "2:60: 'cooktorrance.ior' is 0.5, expected at least 1");

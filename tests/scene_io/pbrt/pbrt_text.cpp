@@ -43,6 +43,11 @@ std::string make_folder() {
   write("state.pbrt", "Material \"conductor\"\nTranslate 1 0 0\nShape \"disk\"\n");
   write("self.pbrt", "Include \"self.pbrt\"\n");
   write("broken.pbrt", "Foo\n");
+  write("quoted.spd", "300 .2 500 .2\n\"oops\" 600 .8 900 .8\n");
+  write("marked.pbrt", "\xef\xbb\xbfShape \"disk\"\n");
+  write("wide.pbrt", std::string("\xff\xfe"
+                                 "S\0h\0a\0p\0e\0",
+                                 12));
   write("spot.pbrt", "LightSource \"spot\" \"point from\" [ 0 0 1 ] \"point to\" [ 0 0 ]\n");
   write("mesh.pbrt",
         "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0 1 0 0 0 1 0 ] \"integer indices\" [ -1 ]\n");

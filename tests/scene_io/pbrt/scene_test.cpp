@@ -38,6 +38,18 @@ TEST(Unit_PbrtLights, PlacesAndDirections) {
   EXPECT_NEAR(spot.outer_angle_radians, 40 * pi_double / 180, 1e-12);
 }
 
+// The cosine of the negative angle where pbrt's fall would begin is that of the angle.
+TEST(Unit_PbrtLights, ConesThatFallFromBeyondTheirAxis) {
+  const auto scene = pbrt_world(
+      "LightSource \"spot\" \"float coneangle\" 20 \"float conedeltaangle\" 35\n"
+      "LightSource \"spot\" \"float coneangle\" 20 \"float conedeltaangle\" 50");
+  const auto inner = [&](std::size_t i) {
+    return std::get<SpotLight>(scene.lights.at(i).kind).inner_angle_radians * 180 / pi_double;
+  };
+  EXPECT_NEAR(inner(0), 15, 1e-12);
+  EXPECT_NEAR(inner(1), 20, 1e-12);
+}
+
 // Each of the file's skies is one of the description; compile() adds them up.
 TEST(Unit_PbrtLights, SkiesAreKeptApart) {
   const auto plain = pbrt_world(
@@ -173,6 +185,20 @@ TEST(Unit_PbrtMaterials, RoughnessIsSquaredUnlessItSaysNo) {
   EXPECT_NEAR(two.roughness.factor, 0.1, 1e-12);
   ASSERT_TRUE(two.roughness_across);
   EXPECT_NEAR(two.roughness_across->factor, 0.2, 1e-12);
+}
+
+TEST(Unit_PbrtMaterials, IndicesOfRefraction) {
+  const auto model_of = [](const std::string& words) {
+    return pbrt_world("Material " + words + " Shape \"disk\"").materials.at(0).model;
+  };
+  const auto glass = [&](const std::string& eta) {
+    return std::get<description::DielectricMaterial>(model_of("\"dielectric\" " + eta)).ior;
+  };
+  EXPECT_EQ(glass(""), 1.5);
+  EXPECT_EQ(glass("\"float eta\" 1.25"), 1.25);
+  EXPECT_NEAR(glass("\"rgb eta\" [ 1.25 1.25 1.25 ]"), 1.25, 1e-6);
+  const auto skin = model_of("\"subsurface\"");
+  EXPECT_EQ(std::get<description::CoatedDiffuseMaterial>(skin).coat.ior, 1.33);
 }
 
 TEST(Unit_PbrtMaterials, RoughnessByATextureIsRemappedToo) {

@@ -335,7 +335,11 @@ TEST(Unit_PbrtShapes, SubdivisionGoesToLoopsLimit) {
     EXPECT_EQ(mesh.triangles.size(), 8u << (2 * std::atoi(levels)));
     // n = 4, beta = 3/32: gamma = 1 / (4 + 4) and the neighbours of a vertex cancel.
     EXPECT_LT(length(mesh.positions[0] - Vec3d(0.5, 0, 0)), 1e-12) << levels;
-    EXPECT_LT(length(normalize(Vec3d(mesh.normals[0])) - Vec3d(1, 0, 0)), 1e-6) << levels;
+    // pbrt-v4's are on the other side than those of the faces' winding.
+    EXPECT_LT(length(normalize(Vec3d(mesh.normals[0])) - Vec3d(-1, 0, 0)), 1e-6) << levels;
+    const auto& [a, b, c] = mesh.triangles[0];
+    const Vec3d& p = mesh.positions[a];
+    EXPECT_LT(dot(cross(mesh.positions[b] - p, mesh.positions[c] - p), p), 0) << levels;
   }
   // A boundary is a cubic B-spline: the limit of a corner is 2/3 of itself and 1/6 of each side.
   const Mesh open = mesh_of(
@@ -364,7 +368,7 @@ TEST(Errors_PbrtShapes, WhatAMeshLacks) {
             "2:22: 'P' has 4 values, expected triples");
   const std::string p = "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ] ";
   EXPECT_EQ(pbrt_world_error(p + "\"integer indices\" [ 0 1 3 ]"),
-            "2:7: index 3 of 3 vertices (from 0)");
+            "2:7: \"indices\" has 3, but there are 3 vertices (from 0)");
   EXPECT_EQ(pbrt_world_error(p + "\"integer indices\" [ 0 1 ]"),
             "2:7: 2 indices, expected 3 for each face");
   EXPECT_EQ(pbrt_world_error(p + "\"normal N\" [ 0 0 1 ]"), "2:7: 1 normals N for 3 vertices");
@@ -373,7 +377,7 @@ TEST(Errors_PbrtShapes, WhatAMeshLacks) {
   EXPECT_EQ(pbrt_world_error("Shape \"sphere\" \"float radius\" 0"),
             "2:7: the radius is 0, expected above 0");
   EXPECT_EQ(pbrt_world_warning("Shape \"curve\" \"float width\" 1"),
-            "2:7: shapes of type 'curve' are not supported: it is left out");
+            "2:7: a shape of type 'curve' is not supported and left out");
 }
 
 }  // namespace

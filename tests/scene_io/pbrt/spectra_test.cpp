@@ -77,6 +77,17 @@ TEST(Unit_PbrtSpectra, MetalsByName) {
               {0.97, 0.79, 0.35}, 0.03);
 }
 
+TEST(Unit_PbrtSpectra, LightThatNobodySeesIsBlack) {
+  for (const char* spectrum : {"[ 400 0 700 0 ]", "[ 840 1 900 1 ]"}) {
+    const std::string light = fmt::format("LightSource \"point\" \"spectrum I\" {}", spectrum);
+    const auto scene = pbrt_world(light);
+    EXPECT_EQ(std::get<description::PointLight>(scene.lights.at(0).kind).intensity, Vec3d(0.0));
+    EXPECT_NE(test::pbrt_world_message(light).find("'I' has no light that is seen: it is black"),
+              std::string::npos)
+        << test::pbrt_world_message(light);
+  }
+}
+
 TEST(Errors_PbrtSpectra, WhatIsNoSpectrum) {
   EXPECT_EQ(pbrt_world_error("LightSource \"point\" \"spectrum I\" [ 400 1 300 1 ]"),
             "2:21: 'I' has the wavelength 300 in place 2: expected rising ones");
@@ -85,9 +96,19 @@ TEST(Errors_PbrtSpectra, WhatIsNoSpectrum) {
   EXPECT_EQ(pbrt_world_error("LightSource \"point\" \"rgb I\" [ 1 1 ]"),
             "2:21: 'I' has 2 numbers, expected 3");
   EXPECT_EQ(pbrt_world_error("LightSource \"point\" \"rgb I\" [ 1 1 -1 ]"),
-            "2:21: 'I' has a number below 0");
+            "2:21: 'I' has -1, expected at least 0");
   EXPECT_EQ(pbrt_world_error("LightSource \"point\" \"blackbody I\" 0"),
-            "2:21: 'I' expected a temperature in kelvins, above 0");
+            "2:21: 'I' is 0, expected a temperature in kelvins, above 0");
+  EXPECT_EQ(pbrt_world_error("LightSource \"point\" \"blackbody I\" [ 5000 1 2 ]"),
+            "2:21: 'I' has 3 numbers, expected a temperature in kelvins, above 0");
+  EXPECT_EQ(pbrt_world_error("LightSource \"point\" \"spectrum I\" [ \"stdillum-A\" \"x\" ]"),
+            "2:21: 'I' has several values, expected one name or a list of numbers");
+  EXPECT_EQ(pbrt_world_error("LightSource \"point\" \"spectrum I\" \"metal-Au-eta\""),
+            "2:21: 'I' is 'metal-Au-eta', which is a spectrum of another kind: illuminants are for "
+            "lights, metals and glasses for what reflects");
+  EXPECT_NE(pbrt_world_error("LightSource \"point\" \"spectrum I\" \"quoted.spd\"")
+                .find("holds 'oops', expected pairs of numbers"),
+            std::string::npos);
   EXPECT_NE(pbrt_world_error("Material \"conductor\" \"spectrum eta\" \"metal-Cu-etta\"")
                 .find("did you mean 'metal-Cu-eta'?"),
             std::string::npos);

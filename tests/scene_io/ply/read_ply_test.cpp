@@ -129,6 +129,25 @@ TEST(Unit_Ply, TextureCoordinatesHaveManyNames) {
   }
 }
 
+// In pbrt's order, whichever stands first in the file.
+TEST(Unit_Ply, OfSeveralTextureCoordinatesThoseNamedUAndVCount) {
+  const std::string more =
+      "property float s\nproperty float t\nproperty float u\nproperty float v\n";
+  const Mesh mesh = parse(triangle_header(more) +
+                          "0 0 0 9 9 0 0\n1 0 0 9 9 1 0\n0 1 0 9 9 0 .25\n" + "3 0 1 2\n");
+  EXPECT_EQ(mesh.uvs, (std::vector<Vec2f>{{0, 0}, {1, 0}, {0, 0.25f}}));
+}
+
+TEST(Unit_Ply, FacesOfFewerThanThreeCornersAreLeftOut) {
+  const Outcome outcome =
+      outcome_of(triangle_header("", "3") + "0 0 0\n1 0 0\n0 1 0\n2 0 1\n3 0 1 2\n1 0\n");
+  ASSERT_TRUE(outcome.mesh);
+  EXPECT_EQ(outcome.mesh->triangles.size(), 1u);
+  ASSERT_EQ(outcome.diagnostics.list().size(), 1u);
+  EXPECT_EQ(to_string(outcome.diagnostics.list()[0]),
+            "a.ply: warning: 2 faces have fewer than 3 corners and are left out");
+}
+
 TEST(Unit_Ply, StripsTurnEveryOtherTriangle) {
   const Mesh mesh = parse(
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
@@ -228,7 +247,7 @@ TEST(Errors_Ply, NameThePlaceAndWhatWasExpected) {
        "a.ply:3:1: error: 4000000000 'vertex' are announced, but the file has only 18 bytes for "
        "them\nelement vertex 4000000000\n^"},
       {triangle_header() + "0 0 0\n1 x 0\n",
-       "a.ply:11:3: error: no number where 'vertex' 2 of 3 should have one\n1 x 0\n  ^"},
+       "a.ply:11:3: error: found 'x', expected a number of 'vertex' 2 of 3\n1 x 0\n  ^"},
       {triangle_header() + "0 0 0\n1 nan 0\n0 1 0\n",
        "a.ply:11:7: error: 'vertex' 2 of 3 has a position that is not finite\n1 nan 0\n      ^"},
       {triangle_header() + vertices + "3 0 1 3\n",
@@ -241,13 +260,13 @@ TEST(Errors_Ply, NameThePlaceAndWhatWasExpected) {
        "a.ply:13:5: error: 'face' 1 of 1 has corner 1.5, but there are 3 vertices (from 0)\n"
        "3 0 1.5 2\n    ^"},
       {triangle_header() + vertices + "2 0 1\n",
-       "a.ply:13:5: error: 'face' 1 of 1 has 2 corners; expected 3 or more\n2 0 1\n    ^"},
+       "a.ply: error: holds no face of 3 corners or more"},
       {triangle_header() + vertices + "4000000000 0 1\n",
        "a.ply:13:1: error: 'face' 1 of 1 announces 4000000000 corners, more than the file has "
        "bytes "
        "for\n4000000000 0 1\n^"},
       {triangle_header("", "2") + vertices + "3 0 1 2\n",
-       "a.ply:14:1: error: no number where 'face' 2 of 2 should have one\n\n^"},
+       "a.ply:14:1: error: found the end of the file, expected a number of 'face' 2 of 2\n\n^"},
   };
   for (const auto& [text, expected] : cases) {
     const Outcome outcome = outcome_of(text);

@@ -10,7 +10,9 @@ class MeshFolder:
         self.folder = folder
 
     def add(self, name, mesh):
-        """The file's name, as a model's `Mesh`."""
+        """The file's name, as a model's `Mesh`. The folder is made with its first mesh, so that a
+        scene that is refused leaves none."""
+        self.folder.mkdir(parents=True, exist_ok=True)
         if len(mesh.faces) > LARGE:
             write_ply(self.folder / f"{name}.ply", mesh)
             return f"{name}.ply"

@@ -29,12 +29,12 @@ def generate(name, folder, seed=0, **parameters):
     if unknown:
         raise ValueError(f"{name} has no parameter '{sorted(unknown)[0]}'; expected "
                          + (", ".join(values) or "none"))
-    folder.mkdir(parents=True, exist_ok=True)
     path = folder / f"{name}.yaml"
     about = module.__doc__.splitlines()[0]
     made = " ".join(f"--{key.replace('_', '-')} {value}"
                     for key, value in ({"seed": seed} | values | parameters).items())
     content = module.scene(MeshFolder(folder), numpy.random.RandomState(seed),
                            **(values | parameters))
+    folder.mkdir(parents=True, exist_ok=True)
     write_yaml(path, content, f"{about}\ntools/scene_gen {name} {made}")
     return path

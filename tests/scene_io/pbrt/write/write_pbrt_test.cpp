@@ -21,6 +21,14 @@ TEST(Errors_WritePbrt, ScenesThatAreNotValid) {
   EXPECT_FALSE(write_pbrt(scene, {}));
 }
 
+TEST(Errors_WritePbrt, CamerasThatThereAreNot) {
+  const SceneDescription scene = test::small_room();
+  const Result<WrittenScene> written = write_pbrt(scene, {.camera = 7});
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.diagnostics.list().at(0).message, "camera 7 of a scene that has 1");
+  EXPECT_TRUE(write_pbrt(scene, {.camera = 0}));
+}
+
 TEST(Unit_WritePbrt, ImagesThatNobodyLooksAtAreMagenta) {
   SceneDescription scene = test::small_room();
   scene.images = {{"wood.png", Encoding::Srgb, Wrap::Repeat, {}}};
