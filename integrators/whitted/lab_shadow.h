@@ -18,11 +18,10 @@ inline constexpr int most_lab_layers = 10'000;
 // Whether a shadow ray goes on behind what it met: holes, and the lamp that it is cast to.
 [[nodiscard]] inline bool passes_light(const Scene& scene, const Light& light, const Hit& hit,
                                        const SurfacePoint& place) {
-  const bool is_one_of_spheres =
-      light.geometry != Light::none && !scene.geometries[light.geometry].spheres.empty();
-  if (hit.geometry == light.geometry && (!is_one_of_spheres || hit.triangle == light.triangle))
-    return true;
-  const Material& worn = scene.materials[scene.geometries[hit.geometry].material.index];
+  const Geometry& geometry = scene.geometries[hit.geometry];
+  const bool is_alone = geometry.spheres.empty();  // lamps of spheres may share a geometry
+  if (hit.geometry == light.geometry && (is_alone || hit.triangle == light.triangle)) return true;
+  const Material& worn = scene.materials[geometry.material.index];
   const TexturePoint at = texture_point_of(place);
   const Material& part = greater_part_of_mix(scene.materials, worn, scene.textures, at);
   return lab_alpha_at(worn, part, scene.textures, at) < lab_hole_below;

@@ -1,6 +1,7 @@
 #include "renderer/base/parallel.h"
 
 #include <latch>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -67,15 +68,18 @@ class MoreThreads {
   MoreThreads& operator=(const MoreThreads&) = delete;
 
  private:
+  // The next is there before the last goes, so that none has fewer threads in between.
   static void allow() {
-    control_.reset();
+    std::unique_ptr<tbb::global_control> next;
     if (!wanted_.empty())
-      control_.emplace(tbb::global_control::max_allowed_parallelism, *wanted_.rbegin());
+      next = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                   *wanted_.rbegin());
+    control_ = std::move(next);
   }
 
   static inline std::mutex mutex_;
   static inline std::multiset<std::size_t> wanted_;
-  static inline std::optional<tbb::global_control> control_;
+  static inline std::unique_ptr<tbb::global_control> control_;
   std::size_t count_;
 };
 

@@ -232,16 +232,15 @@ class LightReader {
   // The axes of a map in the world, unit.
   Mat3d map_axes(const Mat3d& light_from_map) const {
     Mat3d axes = light_.world_from_light.linear * light_from_map;
-    if (similarity_scale(light_.world_from_light, seen_stretch) == 0)
-      context_.report.warning(light_.statement.place,
-                              "the light's transform stretches or shears: its picture is turned "
-                              "alone");
     for (int c = 0; c < 3; ++c) axes[c] = unit_or(axes[c], Vec3d(0, 0, 1));
     const Mat3d gram = glm::transpose(axes) * axes;
     if (std::max({std::abs(gram[0][1]), std::abs(gram[0][2]), std::abs(gram[1][2])}) > 1e-4)
       context_.report.warning(light_.statement.place,
                               "the light's transform is no rotation: its axes are not at right "
                               "angles");
+    else if (similarity_scale(light_.world_from_light, seen_stretch) == 0)
+      context_.report.warning(light_.statement.place,
+                              "the light's transform stretches its picture, which is left out");
     return axes;
   }
 

@@ -296,7 +296,7 @@ TEST(Errors_PbrtTransforms, ThatStretchCamerasAndPicturesOfLights) {
             "0 of them: ");
   EXPECT_EQ(test::pbrt_world_warning(
                 "Scale .5 1 1 LightSource \"projection\" \"string filename\" \"picture.png\""),
-            "2:26: the light's transform stretches or shears: its picture is turned alone");
+            "2:26: the light's transform stretches its picture, which is left out");
 }
 
 }  // namespace
