@@ -9,6 +9,7 @@
 namespace candela {
 namespace {
 
+using embree::least_t;
 using embree::none;
 
 // Four floats at once: Embree loads origin and direction as vectors, and a vector load cannot be
@@ -27,7 +28,7 @@ void store_four(float* target, const Vec3f& v, float last) {
 }
 
 void set_ray(RTCRay& target, const Ray& ray) {
-  store_four(&target.org_x, ray.origin, 0.0f);     // tnear
+  store_four(&target.org_x, ray.origin, least_t);  // tnear
   store_four(&target.dir_x, ray.direction, 0.0f);  // time
   target.tfar = ray.t_max;
   target.mask = none;

@@ -8,6 +8,8 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <limits>
+
 #include "renderer/accel/ray_block.h"
 #include "renderer/base/floating_point_traps.h"
 #include "renderer/math/ray.h"
@@ -19,6 +21,9 @@ using Context = RTCRayQueryContext;
 #else
 using Context = RTCIntersectContext;
 #endif
+
+// Where rays begin: at t = 0 robust Embree counts hits, of rays from within a face's plane.
+inline constexpr float least_t = std::numeric_limits<float>::min();
 
 // What a query carries to the filter functions: Embree hands them a pointer to `context`, which,
 // being the first member, is a pointer to the whole.

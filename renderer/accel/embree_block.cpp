@@ -33,7 +33,7 @@ inline ValidLanes<size> set_packet(const RayBlock& rays, LaneMask lanes, std::ui
   copy_lanes(rays.direction.y, first, target.dir_y);
   copy_lanes(rays.direction.z, first, target.dir_z);
   copy_lanes(rays.t_max, first, target.tfar);
-  fill_lanes(0.0f, target.tnear);
+  fill_lanes(embree::least_t, target.tnear);
   fill_lanes(0.0f, target.time);
   fill_lanes(RTC_INVALID_GEOMETRY_ID, target.mask);
   fill_lanes(0u, target.flags);

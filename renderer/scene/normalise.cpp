@@ -133,10 +133,12 @@ std::vector<Bounds3d> boxes_of_others(const std::vector<Bounds3d>& boxes) {
 }
 
 // The one instance that is so far from all others that these would lose their digits to it, a sun
-// that is a mesh or a sphere: the one of fewest points where two lie like that.
+// that is a mesh or a sphere: the one of fewest points where two lie like that. None beside which
+// the others are crumbs: a room that holds one speck is the scene.
 std::optional<std::size_t> far_primitive(const std::vector<Vec3d>& points,
                                          const std::vector<Primitive>& primitives) {
   constexpr double farthest = 1e4;
+  constexpr double widest = 1e8;
   constexpr std::size_t few = 64;
   std::vector<Bounds3d> boxes(primitives.size());
   for (std::size_t i = 0; i < primitives.size(); ++i)
@@ -147,7 +149,10 @@ std::optional<std::size_t> far_primitive(const std::vector<Vec3d>& points,
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     if (boxes[i].is_empty() || others[i].is_empty()) continue;
     const double extent = max_component(others[i].extent());
-    if (!(extent > 0) || !(gap(boxes[i], others[i]) > farthest * extent)) continue;
+    const double distance = gap(boxes[i], others[i]);
+    if (!(extent > 0) || !(distance > farthest * extent)) continue;
+    const double own_extent = max_component(boxes[i].extent());
+    if (own_extent > widest * extent && own_extent > 4 * distance) continue;
     const std::size_t votes = primitives[i].votes();
     if (votes > std::max(few, points.size() / 2)) continue;
     if (!far || votes < primitives[*far].votes()) far = i;

@@ -94,6 +94,42 @@ TEST(Unit_Accel, DirectionsMayHaveAnyLength) {
   expect_any_length(BvhAccel(scene), rays);
 }
 
+// A floor of many triangles, more than a list of faces takes.
+Soup floor_of_squares() {
+  Soup floor;
+  for (int x = -10; x < 10; ++x)
+    for (int z = -10; z < 10; ++z) {
+      const Vec3f at(static_cast<float>(x), 0, static_cast<float>(z));
+      const Vec3f right = at + Vec3f(1, 0, 0), near = at + Vec3f(0, 0, 1);
+      floor.push_back({at, near, right});
+      floor.push_back({right, near, at + Vec3f(1, 0, 1)});
+    }
+  return floor;
+}
+
+template <Accelerator A>
+void expect_to_leave_its_plane(const A& accelerator, Vec3f direction) {
+  const Ray ray{{0.03f, 0, 1.2f}, normalize(direction), infinity};
+  EXPECT_FALSE(accelerator.intersect(ray).is_hit());
+  EXPECT_FALSE(accelerator.occluded(ray));
+  RayBlock block;
+  for (std::uint32_t i = 0; i < block_size; ++i) block.set(i, ray);
+  constexpr LaneMask all = (1u << block_size) - 1;
+  EXPECT_EQ(accelerator.intersect(block, all, Coherence::Coherent).met, 0u);
+  EXPECT_EQ(accelerator.occluded(block, all), 0u);
+}
+
+// As cameras in the plane of a ground see.
+TEST(Unit_Accel, RaysFromAPlaneDoNotMeetIt) {
+  const Scene scene = test::scene_of(floor_of_squares());
+  for (const Vec3f& direction :
+       {Vec3f(0.1f, 1, -0.7f), Vec3f(0.1f, -1, -0.7f), Vec3f(-0.3f, 0.02f, 1)}) {
+    expect_to_leave_its_plane(BvhAccel(scene), direction);
+    expect_to_leave_its_plane(EmbreeAccel(scene, {.robust = false}), direction);
+    expect_to_leave_its_plane(EmbreeAccel(scene, {.robust = true}), direction);
+  }
+}
+
 // A complaint about a wrong answer, or the tests above show nothing.
 TEST(Unit_Accel, OracleComplains) {
   const Soup soup = test::random_soup(50, 0.5f, 18);

@@ -50,6 +50,18 @@ TEST(Unit_Normalise, OneFarLampDoesNotSpoilTheRest) {
     }
 }
 
+TEST(Unit_Normalise, ACrumbAboveAFloorIsNotTheScene) {
+  description::SceneDescription scene;
+  const auto material = add_material(scene, diffuse(Vec3d(0.5)));
+  add_mesh(scene, quad({-10, 0, 10}, {20, 0, 0}, {0, 0, -20}), material);
+  const double alone = normalisation_of(scene).scale;
+  for (const double size : {1e-10, 1e-13, 1e-30}) {
+    description::SceneDescription both = scene;
+    add_mesh(both, quad({0, 2, 0}, {size, 0, 0}, {0, 0, size}), material);
+    EXPECT_EQ(normalisation_of(both).scale, alone) << size;
+  }
+}
+
 TEST(Unit_Normalise, ALargeFloorUnderASmallObjectIsNoOutlier) {
   description::SceneDescription scene;
   const auto material = add_material(scene, diffuse(Vec3d(0.5)));

@@ -107,11 +107,13 @@ TEST(Unit_LabLights, SpheresShineFromTheirCentres) {
 
 // Also where both wear one material and are one geometry.
 TEST(Unit_LabLights, SpheresStandInEachOthersWay) {
-  SceneDescription scene = floor_seen_from(1, diffuse(Vec3d(0.5)));
-  const auto bulb = add_material(scene, diffuse(Vec3d(0.0)), Vec3d(2.0));
-  add_mesh(scene, exact_sphere(0.4), bulb, at_place({0, 5, 0}));
-  add_mesh(scene, exact_sphere(0.4), bulb, at_place({0, 10, 0}));
-  expect_near(seen_by_whitted(scene), Vec3d(0.5 * 2 * 0.16 / 25), 1e-5);
+  for (const auto& [first, second] : {std::pair{5, 10}, {10, 5}}) {
+    SceneDescription scene = floor_seen_from(1, diffuse(Vec3d(0.5)));
+    const auto bulb = add_material(scene, diffuse(Vec3d(0.0)), Vec3d(2.0));
+    add_mesh(scene, exact_sphere(0.4), bulb, at_place({0, first, 0}));
+    add_mesh(scene, exact_sphere(0.4), bulb, at_place({0, second, 0}));
+    expect_near(seen_by_whitted(scene), Vec3d(0.5 * 2 * 0.16 / 25), 1e-5);
+  }
 }
 
 TEST(Unit_LabLights, OtherMeshesStandInALampsWay) {
