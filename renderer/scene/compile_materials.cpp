@@ -199,7 +199,7 @@ struct ModelCompiler {
         mean(out.metal_roughness.constant, out.metal_roughness_across.constant)};
     bsdf.alpha = bsdf.alpha_across = layers.coat_alpha;
     bsdf.metal_widths = Vec2f(mean(bsdf.metal_widths.x, bsdf.metal_widths.y));
-    out.metal = std::make_shared<const CoatedMetalTable>(bsdf, layers);
+    out.metal = coats.metal(bsdf, layers);
   }
   void set_coat(const description::Coat& coat) const {
     // What neither reflects nor bends light does not blur it.
@@ -246,6 +246,19 @@ bool has_texture(const Material& m) {
 std::shared_ptr<const CoatTable> CoatTables::table(float eta, float thickness, float alpha) {
   std::shared_ptr<const CoatTable>& table = tables_[{eta, thickness, alpha}];
   if (!table) table = std::make_shared<const CoatTable>(eta, thickness, alpha);
+  return table;
+}
+
+std::shared_ptr<const CoatedMetalTable> CoatTables::metal(const Bsdf& bsdf,
+                                                          const CoatedMetalLayers& layers) {
+  const Rgb& n = bsdf.eta;
+  const Rgb& k = bsdf.k;
+  const MetalKey key{
+      bsdf.coat,
+      bsdf.metal_bounces,
+      {n.x, n.y, n.z, k.x, k.y, k.z, layers.coat_alpha, layers.metal_alpha, bsdf.metal_widths.x}};
+  std::shared_ptr<const CoatedMetalTable>& table = metals_[key];
+  if (!table) table = std::make_shared<const CoatedMetalTable>(bsdf, layers);
   return table;
 }
 

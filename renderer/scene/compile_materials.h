@@ -5,7 +5,9 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <tuple>
 
+#include "renderer/bsdf/coated_metal_table.h"
 #include "renderer/description/scene_description.h"
 #include "renderer/scene/compile.h"
 #include "renderer/scene/compile_textures.h"
@@ -13,14 +15,21 @@
 
 namespace candela {
 
-// Tables that materials share: made once for each coat.
+// Tables that materials share: made once for each coat, and for each metal under one.
 class CoatTables {
  public:
   // As the constructor of CoatTable takes it.
   [[nodiscard]] std::shared_ptr<const CoatTable> table(float eta, float thickness, float alpha);
+  // As that of CoatedMetalTable takes it; the coat's table is one of these.
+  [[nodiscard]] std::shared_ptr<const CoatedMetalTable> metal(const Bsdf& bsdf,
+                                                              const CoatedMetalLayers& layers);
 
  private:
+  // The coat, and eta, k and the widths of the metal.
+  using MetalKey = std::tuple<const CoatTable*, int, std::array<float, 9>>;
+
   std::map<std::array<float, 3>, std::shared_ptr<const CoatTable>> tables_;
+  std::map<MetalKey, std::shared_ptr<const CoatedMetalTable>> metals_;
 };
 
 // `unit`: a length of 1 in the file (Normalisation::scale).

@@ -13,6 +13,8 @@
 namespace candela::pbrt {
 namespace {
 
+constexpr std::size_t most_defaults = 1000;  // each Attribute looks through them
+
 // pbrt's; "seed" is the one that counts here.
 constexpr std::array<std::string_view, 11> options{"disablepixeljitter",
                                                    "disabletexturefiltering",
@@ -153,6 +155,9 @@ void Parser::attribute() {
   auto& defaults = state_.defaults[static_cast<std::size_t>(found - attribute_targets.begin())];
   for (Parameter& parameter : list) parameter.is_default = true;
   if (defaults) append_missing(*defaults, list);
+  if (list.size() > most_defaults)
+    return error(token.offset,
+                 fmt::format("Attribute: more than {} parameters of one target", most_defaults));
   defaults = std::make_shared<const ParameterList>(std::move(list));
 }
 

@@ -278,6 +278,12 @@ TEST(Errors_PbrtParse, DefaultsOfManyNumbers) {
             std::string::npos);
 }
 
+TEST(Errors_PbrtParse, DefaultsOfManyNames) {
+  std::string text;
+  for (int i = 0; i <= 1000; ++i) text += fmt::format("Attribute \"shape\" \"float p{}\" 1\n", i);
+  EXPECT_EQ(pbrt_world_error(text), "1002:11: Attribute: more than 1000 parameters of one target");
+}
+
 // Each ends in an error within a second (ten where sanitizers look on), with little memory.
 TEST(Errors_PbrtParse, WhatIsMadeToExhaustEndsSoon) {
   std::string blocks = "WorldBegin\n";
