@@ -24,7 +24,7 @@ bool may_be_smooth(const Layer& layer) {
          (!layer.roughness_across || may_be_smooth(*layer.roughness_across));
 }
 template <class Layer>
-bool has_map(const Layer& layer) {
+bool varies(const Layer& layer) {
   return !layer.roughness.is_constant() ||
          (layer.roughness_across && !layer.roughness_across->is_constant());
 }
@@ -35,7 +35,7 @@ struct HasDeltaLobeBeside {
   bool operator()(const CoatedDiffuseMaterial& m) const { return may_be_smooth(m.coat); }
   bool operator()(const CoatedConductorMaterial& m) const {
     const bool is_one_delta_lobe =
-        may_be_smooth(m) && !has_map(m) && !has_map(m.coat);  // where the coat is smooth
+        may_be_smooth(m) && !varies(m) && !varies(m.coat);  // where the coat is smooth
     return may_be_smooth(m.coat) && !is_one_delta_lobe;
   }
   template <class Other>
@@ -44,10 +44,10 @@ struct HasDeltaLobeBeside {
   }
 };
 
-struct HasMappedCoat {
+struct HasVaryingCoat {
   template <class Model>
   bool operator()(const Model& m) const {
-    if constexpr (requires { m.coat; }) return has_map(m.coat);
+    if constexpr (requires { m.coat; }) return varies(m.coat);
     return false;
   }
 };
@@ -62,7 +62,7 @@ void check_lobes(const SceneDescription& scene, SamplingStrategy strategy,
           material.span,
           fmt::format("material '{}' {} smoothly coated, and sampling by '{}' does not follow the "
                       "coat's reflection; expected mis, bsdf or light",
-                      material.name, std::visit(HasMappedCoat{}, material.model) ? "may be" : "is",
+                      material.name, std::visit(HasVaryingCoat{}, material.model) ? "may be" : "is",
                       name_of(strategy)));
   }
 }

@@ -37,7 +37,7 @@ struct NameOfUnknownModel {
 };
 
 bool is_black(const ColourInput& colour) {
-  return !colour.map && colour.factor == Vec3d(0.0);
+  return colour.is_constant() && colour.factor == Vec3d(0.0);
 }
 
 struct ReflectsNothing {
@@ -72,25 +72,24 @@ bool has_holes(const Material& material, const SceneDescription& scene) {
 
 void check_material(const Material& material, const SceneDescription& scene,
                     Diagnostics& diagnostics) {
+  // A file's material may be several here: of shapes that shine or bound media, and of others.
+  const auto tell = [&](Severity severity, std::string sentence) {
+    diagnostics.add_once(
+        {severity, material.span, fmt::format("material '{}' {}", material.name, sentence), {}});
+  };
   const std::string_view unknown = std::visit(NameOfUnknownModel{}, material.model);
   if (!unknown.empty())
-    diagnostics.error(material.span, fmt::format("material '{}' is {}; expected diffuse, "
-                                                 "cook_torrance or a lab3 material",
-                                                 material.name, unknown));
+    tell(Severity::Error,
+         fmt::format("is {}; expected diffuse, cook_torrance or a lab3 material", unknown));
   if (material.emission_map)
-    diagnostics.error(material.span, fmt::format("material '{}' emits by a texture; the report "
-                                                 "integrator knows lamps that emit evenly",
-                                                 material.name));
+    tell(Severity::Error, "emits by a texture; the report integrator knows lamps that emit evenly");
   if (material.emission != Vec3d(0.0) && has_holes(material, scene))
-    diagnostics.error(material.span,
-                      fmt::format("material '{}' emits and has holes (opacity); light samples of "
-                                  "the report integrator would shine through them",
-                                  material.name));
+    tell(Severity::Error,
+         "emits and has holes (opacity); light samples of the report integrator would shine "
+         "through them");
   if (material.emission != Vec3d(0.0) && !std::visit(ReflectsNothing{}, material.model))
-    diagnostics.warning(material.span,
-                        fmt::format("material '{}' emits and reflects; in the report integrator "
-                                    "emitters reflect nothing",
-                                    material.name));
+    tell(Severity::Warning,
+         "emits and reflects; in the report integrator emitters reflect nothing");
 }
 
 // "" of lights that are no environment, and of black ones.

@@ -19,8 +19,9 @@ inline constexpr int most_lab_layers = 10'000;
 [[nodiscard]] inline bool passes_light(const Scene& scene, const Light& light, const Hit& hit,
                                        const SurfacePoint& place) {
   const Geometry& geometry = scene.geometries[hit.geometry];
-  const bool is_alone = geometry.spheres.empty();  // lamps of spheres may share a geometry
-  if (hit.geometry == light.geometry && (is_alone || hit.triangle == light.triangle)) return true;
+  const bool is_one_lamp = geometry.spheres.empty();  // those of spheres may share a geometry
+  if (hit.geometry == light.geometry && (is_one_lamp || hit.triangle == light.triangle))
+    return true;
   const Material& worn = scene.materials[geometry.material.index];
   const TexturePoint at = texture_point_of(place);
   const Material& part = greater_part_of_mix(scene.materials, worn, scene.textures, at);

@@ -67,7 +67,6 @@ std::string to_string(const Diagnostic& diagnostic) {
 
 void Diagnostics::add(Diagnostic diagnostic) {
   diagnostic.message = printable(diagnostic.message);  // names in scenes may hold anything
-  if (is_told(diagnostic)) return;
   const bool is_error = diagnostic.severity == Severity::Error;
   const bool is_warning = diagnostic.severity == Severity::Warning;
   const std::size_t earlier = is_error ? error_count_ : is_warning ? warning_count_ : 0;
@@ -76,12 +75,11 @@ void Diagnostics::add(Diagnostic diagnostic) {
   if (earlier < limit) list_.push_back(std::move(diagnostic));
 }
 
-bool Diagnostics::is_told(const Diagnostic& diagnostic) const {
-  return std::any_of(list_.begin(), list_.end(), [&](const Diagnostic& told) {
-    return told.severity == diagnostic.severity && told.span.line == diagnostic.span.line &&
-           told.span.column == diagnostic.span.column && told.message == diagnostic.message &&
-           place_of(told.span) == place_of(diagnostic.span);
-  });
+void Diagnostics::add_once(Diagnostic diagnostic) {
+  const std::string text = to_string(diagnostic);
+  const bool is_told = std::any_of(list_.begin(), list_.end(),
+                                   [&](const Diagnostic& told) { return to_string(told) == text; });
+  if (!is_told) add(std::move(diagnostic));
 }
 
 void Diagnostics::error(SourceSpan span, std::string message) {

@@ -29,15 +29,17 @@ struct Diagnostic {
 // "file:line:column: error: message", then the excerpt on lines of its own where there is one.
 [[nodiscard]] std::string to_string(const Diagnostic& diagnostic);
 
-// A reader's collection. The same of the same place is told once. After `limit` errors further ones
-// are only counted, so that a broken file of a million lines gives a page and not a book. Warnings
-// have a limit of their own. Readers of text stop at `most_counted` errors.
+// A reader's collection. After `limit` errors further ones are only counted, so that a broken file
+// of a million lines gives a page and not a book. Warnings have a limit of their own. Readers of
+// text stop at `most_counted` errors.
 class Diagnostics {
  public:
   static constexpr std::size_t limit = 20;
   static constexpr std::size_t most_counted = 1000;
 
   void add(Diagnostic diagnostic);
+  // Unless the same is told of the same place: where several things have one place.
+  void add_once(Diagnostic diagnostic);
   void error(SourceSpan span, std::string message);
   void warning(SourceSpan span, std::string message);
   void note(SourceSpan span, std::string message);
@@ -53,8 +55,6 @@ class Diagnostics {
   void append(const Diagnostics& other);
 
  private:
-  [[nodiscard]] bool is_told(const Diagnostic& diagnostic) const;
-
   std::vector<Diagnostic> list_;
   std::size_t error_count_ = 0;
   std::size_t warning_count_ = 0;

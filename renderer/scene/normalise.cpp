@@ -134,11 +134,12 @@ std::vector<Bounds3d> boxes_of_others(const std::vector<Bounds3d>& boxes) {
 
 // The one instance that is so far from all others that these would lose their digits to it, a sun
 // that is a mesh or a sphere: the one of fewest points where two lie like that. None beside which
-// the others are crumbs: a room that holds one speck is the scene.
+// the others are crumbs, narrower than its floats tell and near for its size: a floor below a speck
+// is the scene, a planet below a plate is not.
 std::optional<std::size_t> far_primitive(const std::vector<Vec3d>& points,
                                          const std::vector<Primitive>& primitives) {
   constexpr double farthest = 1e4;
-  constexpr double widest = 1e8;
+  constexpr double widest = 1e11;
   constexpr std::size_t few = 64;
   std::vector<Bounds3d> boxes(primitives.size());
   for (std::size_t i = 0; i < primitives.size(); ++i)

@@ -25,6 +25,7 @@ bool is_yaml_not_finite(std::string_view word) {
 std::string example_of(const Node& node, std::size_t count, const Range& range) {
   const auto number = text::parse_double(node.text);
   if (!node.is_scalar() || !number || !range.contains(number.value)) return "";
+  if (number.value == 0) return "";  // which scales and directions refuse
   std::string list = node.text;
   for (std::size_t i = 1; i < count; ++i) list += ", " + node.text;
   return fmt::format(", such as [{}]", list);

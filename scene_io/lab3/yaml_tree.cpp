@@ -246,10 +246,19 @@ std::optional<Refusal> refuse_early(std::string_view text) {
   return std::nullopt;
 }
 
+// What stands before `offset` in its line.
+std::string_view line_before(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  return before.substr(before.rfind('\n') + 1);  // npos + 1 is 0
+}
+
+bool begins_line(std::string_view text, std::size_t offset) {
+  return line_before(text, offset).find_first_not_of(" \t") == std::string_view::npos;
+}
+
 // Whether a tab stands before the first word of the line around `offset`.
 bool has_tab_in_indentation(std::string_view text, std::size_t offset) {
-  const std::string_view before = text.substr(0, offset);
-  const std::string_view line = before.substr(before.rfind('\n') + 1);  // npos + 1 is 0
+  const std::string_view line = line_before(text, offset);
   return line.substr(0, line.find_first_not_of(" \t")).find('\t') != std::string_view::npos;
 }
 
@@ -258,8 +267,10 @@ std::string hint_for(const std::string& reason, std::string_view text, std::size
   if (reason == YAML::ErrorMsg::TAB_IN_INDENTATION) return "; indent with blanks";
   if (reason == YAML::ErrorMsg::END_OF_SEQ_FLOW) return ", expected ']' or ','";
   if (reason == YAML::ErrorMsg::END_OF_MAP_FLOW) return ", expected '}' or ','";
-  if (reason == YAML::ErrorMsg::END_OF_SEQ)
-    return ", expected '-' or a key as far in as those above";
+  const bool is_seq = reason == YAML::ErrorMsg::END_OF_SEQ;
+  if ((is_seq || reason == YAML::ErrorMsg::END_OF_MAP) && !begins_line(text, offset))
+    return ": expected the line's end behind a value (quotes within quotes are written twice)";
+  if (is_seq) return ", expected '-' or a key as far in as those above";
   if (reason == YAML::ErrorMsg::END_OF_MAP) return ", expected a key as far in as those above";
   return has_tab_in_indentation(text, offset) ? " behind a tab; indent with blanks" : "";
 }

@@ -101,7 +101,9 @@ void read_spherical(Arguments& arguments, const Transform& world_from_camera, bo
     return;
   }
   if (mapping != "equalarea")
-    arguments.error(*arguments.find("mapping"), "expected equalarea or equirectangular");
+    arguments.error(*arguments.find("mapping"),
+                    fmt::format("is {}{}", text::quoted(mapping),
+                                nearest_or_all(mapping, {"equalarea", "equirectangular"})));
   camera.kind = CameraKind::EqualArea;
 }
 

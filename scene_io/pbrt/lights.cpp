@@ -140,8 +140,8 @@ class LightReader {
     light.position = place(Vec3d(0.0));
     light.intensity = colour("I");
     light.power = arguments_.positive("power", unset);
-    light.world_from_map = map_axes(Mat3d(1, 0, 0, 0, 0, 1, 0, 1, 0));
     if (const Parameter* file = arguments_.find("filename", {ParameterType::String})) {
+      light.world_from_map = map_axes(Mat3d(1, 0, 0, 0, 0, 1, 0, 1, 0));
       light.image = light_image(*file);
       if (!light.image) return;
     }

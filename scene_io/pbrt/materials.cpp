@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/description/validate_material.h"
 #include "renderer/math/reflectance.h"
 #include "scene_io/pbrt/own_materials.h"
 #include "scene_io/pbrt/source_files.h"
@@ -16,7 +17,7 @@ using description::ColourInput;
 using description::Material;
 using description::ScalarInput;
 
-constexpr std::size_t deepest = 16;  // mixtures of mixtures
+constexpr std::size_t deepest = description::deepest_mixture;
 
 // Of types that candela knows; those of pbrt-v3 are not suggested.
 constexpr std::string_view type_names[] = {
@@ -86,7 +87,7 @@ double MaterialReader::scalar(std::string_view name, double otherwise) {
       parameter->type == ParameterType::Rgb || parameter->type == ParameterType::Spectrum;
   if (mean && has_colour)
     context.warn_once("dispersion", parameter->place,
-                      "a spectrum here counts by its mean: light is not dispersed");
+                      "a colour or a spectrum here counts as one number: light is not dispersed");
   return mean.value_or(otherwise);
 }
 

@@ -97,10 +97,10 @@ bool set_own_model(MaterialReader& reader, Material& material) {
   else if (*model == own::cook_torrance)
     material.model = own.cook_torrance();
   else
-    arguments.error(*arguments.find("model"),
-                    fmt::format("is {}, expected {}, {} or {}{}", text::quoted(*model), own::lab,
-                                own::mirror, own::cook_torrance,
-                                did_you_mean(*model, {own::lab, own::mirror, own::cook_torrance})));
+    arguments.error(
+        *arguments.find("model"),
+        fmt::format("is {}{}", text::quoted(*model),
+                    nearest_or_all(*model, {own::lab, own::mirror, own::cook_torrance})));
   return true;
 }
 

@@ -59,7 +59,7 @@ bool is_whole(Arguments& arguments, double radius) {
   const double z0 = arguments.number("zmin").value_or(-radius);
   const double z1 = arguments.number("zmax").value_or(radius);
   return std::min(z0, z1) <= -radius && std::max(z0, z1) >= radius &&
-         arguments.number("phimax").value_or(360) >= 360;
+         arguments.clamped("phimax", arguments.number("phimax").value_or(360), 0, 360) >= 360;
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ class BodyReader {
     }
     if (mesh.positions.empty()) return fail("holds no vertices");
     if (polygons.sizes.empty()) return refuse_no_faces();
-    warn_of_replaced();
+    warn_of_losses();
     return true;
   }
 
@@ -299,12 +299,11 @@ class BodyReader {
     return true;
   }
 
-  // pbrt leaves such faces out, too.
-  void warn_of_replaced() {
-    if (dropped_count_ > 0)
+  void warn_of_losses() {
+    if (dropped_count_ > 0)  // as pbrt does
       diagnostics_.warning(
           {source_.name, 0, 0},
-          fmt::format("{} faces have fewer than 3 corners and are left out", dropped_count_));
+          fmt::format("faces of fewer than 3 corners are left out: {}", dropped_count_));
     if (replaced_count_ > 0)
       diagnostics_.warning({source_.name, 0, 0},
                            fmt::format("{} normals and texture coordinates are not finite and "

@@ -29,18 +29,21 @@ TEST(Unit_Diagnostic, ReadersStopWhereErrorsAreCountedNoFurther) {
   EXPECT_TRUE(diagnostics.is_full());
 }
 
-TEST(Unit_Diagnostic, TellsTheSameOfTheSamePlaceOnce) {
+TEST(Unit_Diagnostic, TellsTheSameOfTheSamePlaceOnceWhereAsked) {
   const auto file = std::make_shared<const std::string>("a.yaml");
   const auto again = std::make_shared<const std::string>("a.yaml");
   const auto other = std::make_shared<const std::string>("b.yaml");
   Diagnostics diagnostics;
-  diagnostics.error({file, 3, 7}, "no");
-  diagnostics.error({again, 3, 7}, "no");
+  const auto add = [&](Severity severity, const SourceSpan& span, const char* message) {
+    diagnostics.add_once({severity, span, message, ""});
+  };
+  add(Severity::Error, {file, 3, 7}, "no");
+  add(Severity::Error, {again, 3, 7}, "no");
   EXPECT_EQ(diagnostics.error_count(), 1u);
-  diagnostics.error({file, 3, 8}, "no");
-  diagnostics.error({file, 3, 7}, "neither");
-  diagnostics.error({other, 3, 7}, "no");
-  diagnostics.warning({file, 3, 7}, "no");
+  add(Severity::Error, {file, 3, 8}, "no");
+  add(Severity::Error, {file, 3, 7}, "neither");
+  add(Severity::Error, {other, 3, 7}, "no");
+  add(Severity::Warning, {file, 3, 7}, "no");
   EXPECT_EQ(diagnostics.error_count(), 4u);
   EXPECT_EQ(diagnostics.list().size(), 5u);
 }

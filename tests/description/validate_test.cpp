@@ -253,7 +253,6 @@ TEST(Unit_Validate, WarnsOfScenesWithNothingInThem) {
   EXPECT_EQ(warnings[1], "the scene has no light: the picture will be black");
 }
 
-// Skies and media are seen without any surface.
 TEST(Unit_Validate, TriangleLightsAreThereToBeSeen) {
   description::SceneDescription scene = test::empty_scene();
   test::set_camera(scene, {0, 0, 5}, {0, 0, 0});
@@ -287,6 +286,7 @@ TEST(Errors_Validate, WaysToReadImagesThatThereAreNot) {
   EXPECT_EQ(error_of(description::Encoding::Srgb, description::Wrap(4)), expected);
 }
 
+// Skies and media are seen without any surface.
 TEST(Unit_Validate, SkiesAndFogAreThereToBeSeen) {
   description::SceneDescription sky = test::empty_scene();
   test::set_camera(sky, {0, 0, 5}, {0, 0, 0});

@@ -57,8 +57,9 @@ void expect_equal(const FilledFilm& a, const FilledFilm& b) {
   }
   EXPECT_EQ(a.counts.invalid_samples, b.counts.invalid_samples);
   ASSERT_EQ(a.counts.first_invalid.has_value(), b.counts.first_invalid.has_value());
-  if (a.counts.first_invalid)
+  if (a.counts.first_invalid) {
     EXPECT_EQ(a.counts.first_invalid->sample, b.counts.first_invalid->sample);
+  }
 }
 
 void expect_same_bits(const Film& empty, float clamp, const auto& spoil) {

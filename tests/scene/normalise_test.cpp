@@ -62,6 +62,17 @@ TEST(Unit_Normalise, ACrumbAboveAFloorIsNotTheScene) {
   }
 }
 
+TEST(Unit_Normalise, APlateAboveAPlanetIs) {
+  description::SceneDescription scene;
+  const auto material = add_material(scene, diffuse(Vec3d(0.5)));
+  add_mesh(scene, quad({0, 4e5, 0}, {0.1, 0, 0}, {0, 0, 0.1}), material);
+  const double alone = normalisation_of(scene).scale;
+  description::Mesh planet;
+  planet.sphere = description::Sphere{.radius = 6.371e6};
+  add_mesh(scene, planet, material, {Mat3d(1.0), {0, -6.371e6, 0}});
+  EXPECT_EQ(normalisation_of(scene).scale, alone);
+}
+
 TEST(Unit_Normalise, ALargeFloorUnderASmallObjectIsNoOutlier) {
   description::SceneDescription scene;
   const auto material = add_material(scene, diffuse(Vec3d(0.5)));

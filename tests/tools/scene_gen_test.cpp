@@ -66,7 +66,9 @@ TEST_F(Unit_SceneGen, WhatIsRefusedLeavesNoFolder) {
                "0", "--out", folder},
               ErrorStream::File)
           .finish();
-  EXPECT_NE(refused.exit_code, 0);
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_NE(refused.error.find("lamps"), std::string::npos) << refused.error;
+  EXPECT_EQ(refused.error.find("Traceback"), std::string::npos) << refused.error;
   EXPECT_FALSE(std::filesystem::exists(folder));
 }
 

@@ -7,7 +7,7 @@ from renders import CandelaFailed
 from scenes import (ROOT, absent_scenes, pbrt_scenes, scenes_by_name, shared_folder,
                     shipped_pbrt_scenes)
 
-# Of closed forms (cycles.py): measured where they are asked for. So are the shipped pbrt files.
+# Of closed forms (cycles.py). Which measurement takes which: docs/benchmarks.md.
 ANALYTIC = {name: ROOT / f"tools/benchmarks/blender/scenes/{name}.yaml"
             for name in ("point_lit", "sun_lit", "environment_lit")}
 GENERATED = ("attic", "door_ajar", "forest", "glass_and_mirrors", "lamps", "mis_plates",

@@ -92,6 +92,9 @@ TEST(Errors_YamlTree, MalformedTexts) {
   EXPECT_EQ(error_in("Lights:\n- Type: Point\n Intensity: 3\n"),
             "3:2: malformed YAML: end of sequence not found, expected '-' or a key as far in as "
             "those above");
+  EXPECT_EQ(error_in("Materials:\n  - Name: 'it's'\n"),
+            "2:15: malformed YAML: end of map not found: expected the line's end behind a value "
+            "(quotes within quotes are written twice)");
   EXPECT_EQ(error_in("Lights: *sun\n"),
             "1:9: malformed YAML: the referenced anchor is not defined");
   EXPECT_EQ(error_in("[a, b]: 1\n"), "1:1: found a value where the name of a key was expected");

@@ -297,6 +297,7 @@ TEST(Errors_PbrtTransforms, ThatStretchCamerasAndPicturesOfLights) {
   EXPECT_EQ(test::pbrt_world_warning(
                 "Scale .5 1 1 LightSource \"projection\" \"string filename\" \"picture.png\""),
             "2:26: the light's transform stretches its picture, which is left out");
+  EXPECT_EQ(pbrt_warning("WorldBegin Scale .5 1 1 LightSource \"goniometric\""), "0 of them: ");
 }
 
 }  // namespace

@@ -284,7 +284,7 @@ TEST(Errors_PbrtParse, DefaultsOfManyNames) {
   EXPECT_EQ(pbrt_world_error(text), "1002:11: Attribute: more than 1000 parameters of one target");
 }
 
-// Each ends in an error within a second (ten where sanitizers look on), with little memory.
+// Each ends in an error within some two seconds (ten where sanitizers look on), with little memory.
 TEST(Errors_PbrtParse, WhatIsMadeToExhaustEndsSoon) {
   std::string blocks = "WorldBegin\n";
   for (int i = 0; i < 1000000; ++i) blocks += "AttributeBegin\n";

@@ -145,7 +145,7 @@ TEST(Unit_Ply, FacesOfFewerThanThreeCornersAreLeftOut) {
   EXPECT_EQ(outcome.mesh->triangles.size(), 1u);
   ASSERT_EQ(outcome.diagnostics.list().size(), 1u);
   EXPECT_EQ(to_string(outcome.diagnostics.list()[0]),
-            "a.ply: warning: 2 faces have fewer than 3 corners and are left out");
+            "a.ply: warning: faces of fewer than 3 corners are left out: 2");
 }
 
 TEST(Unit_Ply, StripsTurnEveryOtherTriangle) {

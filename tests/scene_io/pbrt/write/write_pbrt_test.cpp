@@ -27,6 +27,9 @@ TEST(Errors_WritePbrt, CamerasThatThereAreNot) {
   ASSERT_FALSE(written);
   EXPECT_EQ(written.diagnostics.list().at(0).message, "camera 7 of a scene that has 1");
   EXPECT_TRUE(write_pbrt(scene, {.camera = 0}));
+  SceneDescription without = scene;
+  without.cameras.clear();
+  EXPECT_FALSE(write_pbrt(without, {.camera = 1}));
 }
 
 TEST(Unit_WritePbrt, ImagesThatNobodyLooksAtAreMagenta) {
