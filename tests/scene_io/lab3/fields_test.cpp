@@ -70,6 +70,7 @@ TEST(Errors_Fields, WhatIsNoVector) {
 TEST(Errors_Fields, NoExampleOutsideOfTheRange) {
   EXPECT_EQ(error_in("AmbientIntensity: -1\n"),
             "1:19: AmbientIntensity: found '-1', expected a list of 3 numbers");
+  EXPECT_EQ(error_in(eye("0")), "1:17: Eye: found '0', expected a list of 3 numbers");
 }
 
 TEST(Errors_Fields, WhatLacksBlanksAndColons) {
