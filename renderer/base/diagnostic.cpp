@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/one_of.h"
 #include "renderer/base/printable.h"
 
 namespace candela {
@@ -131,10 +132,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string_vi
 std::string nearest_or_all(std::string_view word, const std::vector<std::string_view>& candidates) {
   const std::string nearest = did_you_mean(word, candidates);
   if (!nearest.empty() || candidates.empty()) return nearest;
-  std::string all(candidates[0]);
-  for (std::size_t i = 1; i < candidates.size(); ++i)
-    all += fmt::format("{}{}", i + 1 < candidates.size() ? ", " : " or ", candidates[i]);
-  return ", expected " + all;
+  return ", expected " + one_of(candidates);
 }
 
 }  // namespace candela

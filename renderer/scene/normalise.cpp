@@ -139,7 +139,7 @@ std::vector<Bounds3d> boxes_of_others(const std::vector<Bounds3d>& boxes) {
 std::optional<std::size_t> far_primitive(const std::vector<Vec3d>& points,
                                          const std::vector<Primitive>& primitives) {
   constexpr double farthest = 1e4;
-  constexpr double widest = 1e11;
+  constexpr double widest = 1e11;  // a plate of a hand's width is 10^-8 of a planet
   constexpr std::size_t few = 64;
   std::vector<Bounds3d> boxes(primitives.size());
   for (std::size_t i = 0; i < primitives.size(); ++i)

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/one_of.h"
 #include "scene_io/text/cursor.h"
 #include "scene_io/text/number.h"
 
@@ -271,11 +272,9 @@ std::optional<std::size_t> Fields::choice(std::string_view key, Names words) con
   const Node& node = *entry->value;
   for (std::size_t i = 0; i < words.size(); ++i)
     if (node.is_scalar() && is_same_name(node.text, words[i])) return i;
-  std::string expected = fmt::format("{}", fmt::join(words.begin(), words.end() - 1, ", "));
-  expected += fmt::format(" or {}", words.back());
   reader_.error(
       node.offset,
-      found_expected(key, node, expected) +
+      found_expected(key, node, one_of(words)) +
           (node.is_scalar() ? did_you_mean(node.text, {words.begin(), words.end()}) : ""));
   return std::nullopt;
 }

@@ -29,6 +29,8 @@ const Case cases[] = {
     {[](RenderOptions& o) { o.samples_per_pixel = -1; },
      "the number of samples a pixel is -1, expected 1 to 1073741824"},
     {[](RenderOptions& o) { o.camera = 1; }, "camera 1 of a scene that has 1"},
+    {[](RenderOptions& o) { o.integrator = IntegratorKind(77); },
+     "the integrator is none that there is"},
     {[](RenderOptions& o) {
        o.crop = PixelRect{4, 4, 17, 8};
      },

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/math/reflectance.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
 
@@ -32,6 +33,21 @@ TEST(Unit_CompileMaterials, EqualCoatsAndMetalsShareTheirTables) {
     const Material& other = made.materials[first + i];
     EXPECT_EQ(other.coat, made.materials[first].coat) << i;
     EXPECT_EQ(other.metal == made.materials[first].metal, i == 1) << i;
+  }
+}
+
+// Beyond some size squares are no numbers, and nothing is left to reflect.
+TEST(Unit_CompileMaterials, MetalsOfAnyIndexReflectANumber) {
+  description::SceneDescription scene = small_room();
+  for (const double index : {1e20, 1e300}) {
+    description::ConductorMaterial metal;
+    metal.eta = metal.k = Vec3d(index);
+    scene.materials[0].model = metal;
+    const Material& made = compiled(scene, settings_of(8, 1).options).materials[0];
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(made.f0[c], 1, 1e-5f) << index;
+      EXPECT_NEAR(normal_reflectance(made.eta, made.k)[c], 1, 1e-5f) << index;
+    }
   }
 }
 
