@@ -16,11 +16,6 @@ std::string list_of(std::initializer_list<ParameterType> types) {
   return list;
 }
 
-std::string describe_count(const Parameter& parameter) {
-  const std::size_t count = std::max(parameter.numbers.size(), parameter.strings.size());
-  return fmt::format("{} value{}", count, count == 1 ? "" : "s");
-}
-
 bool is_index(double value) {
   return value >= 0 && value <= std::numeric_limits<std::uint32_t>::max() - 1.0 &&
          value == std::floor(value);
@@ -57,7 +52,7 @@ bool Arguments::has(std::string_view name) const {
 }
 
 bool Arguments::has_count(const Parameter& parameter, std::size_t count) const {
-  if (std::max(parameter.numbers.size(), parameter.strings.size()) == count) return true;
+  if (value_count(parameter) == count) return true;
   error(parameter, fmt::format("has {}, expected {}", describe_count(parameter), count));
   return false;
 }

@@ -76,10 +76,10 @@ class Arguments {
   [[nodiscard]] const Report& report() const { return report_; }
   void error(const Parameter& parameter, std::string_view message) const;
   void warning(const Parameter& parameter, std::string_view message) const;
+  // Whether it has so many values; else an error.
+  [[nodiscard]] bool has_count(const Parameter& parameter, std::size_t count) const;
 
  private:
-  bool has_count(const Parameter& parameter, std::size_t count) const;
-
   Statement& statement_;
   const Report& report_;
   std::size_t errors_before_;

@@ -35,10 +35,11 @@ std::optional<ScreenWindow> screen_window(Arguments& arguments) {
     const double y = std::max(1 / *aspect, 1.0);
     return ScreenWindow{-x, x, -y, y};
   }
-  if (!parameter) return std::nullopt;
+  if (!parameter || !arguments.has_count(*parameter, 4)) return std::nullopt;
   const auto& n = parameter->numbers;
-  if (n.size() == 4 && n[0] < n[1] && n[2] < n[3]) return ScreenWindow{n[0], n[1], n[2], n[3]};
-  arguments.error(*parameter, "expected 4 numbers, left < right and bottom < top");
+  if (n[0] < n[1] && n[2] < n[3]) return ScreenWindow{n[0], n[1], n[2], n[3]};
+  arguments.error(*parameter, fmt::format("is {}, expected left < right and bottom < top",
+                                          describe_numbers(*parameter)));
   return std::nullopt;
 }
 

@@ -84,8 +84,7 @@ void read_crop(Context& context, Arguments& film) {
   const Parameter* bounds = film.find("pixelbounds", {ParameterType::Integer});
   if (window && bounds) film.warning(*bounds, "is ignored beside \"cropwindow\"");
   const Parameter* given = window ? window : bounds;
-  if (!given) return;
-  if (given->numbers.size() != 4) return film.error(*given, "expected 4 numbers: x0, x1, y0, y1");
+  if (!given || !film.has_count(*given, 4)) return;
   std::array<double, 4> shares{};
   bool is_cut = false;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -98,7 +97,9 @@ void read_crop(Context& context, Arguments& film) {
   if (shares[1] < shares[0]) std::swap(shares[0], shares[1]);
   if (shares[3] < shares[2]) std::swap(shares[2], shares[3]);
   if (!(shares[0] < shares[1] && shares[2] < shares[3]))
-    return film.error(*given, "holds no pixel, expected x0 < x1 and y0 < y1");
+    return film.error(*given, fmt::format("is {}, which holds no pixel: expected x0 < x1 and "
+                                          "y0 < y1",
+                                          describe_numbers(*given)));
   context.scene.defaults.crop = description::CropWindow{shares[0], shares[1], shares[2], shares[3]};
 }
 

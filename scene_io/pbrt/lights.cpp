@@ -213,7 +213,9 @@ class LightReader {
 
   // candela's own: lab3's six faces, in the world's space.
   void add_cube(const Parameter& faces) {
-    if (faces.strings.size() != 6) return arguments_.error(faces, "expected 6 image files");
+    if (faces.strings.size() != 6)
+      return arguments_.error(faces,
+                              fmt::format("has {}, expected 6 image files", describe_count(faces)));
     description::CubeEnvironment environment;
     const description::Encoding encoding = encoding_of_light(faces);
     for (std::size_t i = 0; i < 6; ++i) {

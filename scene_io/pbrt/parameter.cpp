@@ -229,6 +229,19 @@ std::string_view name_of(ParameterType type) {
       ->name;
 }
 
+std::size_t value_count(const Parameter& parameter) {
+  return std::max(parameter.numbers.size(), parameter.strings.size());
+}
+
+std::string describe_count(const Parameter& parameter) {
+  const std::size_t count = value_count(parameter);
+  return fmt::format("{} value{}", count, count == 1 ? "" : "s");
+}
+
+std::string describe_numbers(const Parameter& parameter) {
+  return fmt::format("[{}]", fmt::join(parameter.numbers, ", "));
+}
+
 void append_missing(const ParameterList& defaults, ParameterList& list) {
   std::unordered_set<std::string> names;
   for (const Parameter& own : list) names.insert(own.name);

@@ -45,6 +45,13 @@ struct Parameter {
 
 using ParameterList = std::vector<Parameter>;
 
+// Numbers or strings.
+[[nodiscard]] std::size_t value_count(const Parameter& parameter);
+// For messages: "2 values".
+[[nodiscard]] std::string describe_count(const Parameter& parameter);
+// For messages: "[0.5, 2]".
+[[nodiscard]] std::string describe_numbers(const Parameter& parameter);
+
 // Those whose names `list` does not have.
 void append_missing(const ParameterList& defaults, ParameterList& list);
 

@@ -72,7 +72,8 @@ enum class Need : std::uint8_t { MayBeMissing, MustExist };
 ImageHandle add_image(Context& context, const Parameter& file, Encoding encoding, Wrap wrap,
                       Need need) {
   if (file.strings.size() != 1) {
-    context.report.error(file.place, "expected the name of one image file");
+    context.report.error(file.place, fmt::format("{} has {}, expected the name of one image file",
+                                                 text::quoted(file.name), describe_count(file)));
     return {};
   }
   const std::string path =

@@ -138,7 +138,9 @@ void Textures::check_unused() const {
 
 Textures::Value Textures::named(Kind kind, const Parameter& parameter) {
   if (parameter.strings.size() != 1) {
-    context_.report.error(parameter.place, "expected the name of one texture");
+    context_.report.error(parameter.place,
+                          fmt::format("{} has {}, expected the name of one texture",
+                                      text::quoted(parameter.name), describe_count(parameter)));
     return std::nullopt;
   }
   const std::string& name = parameter.strings[0];
@@ -288,7 +290,9 @@ Textures::Value Textures::direction_mix(Kind kind, const TextureStatement& state
   const Vec3d direction = statement.world_from_texture.vector(along);
   const double size = max_component(glm::abs(direction));
   if (!(size > 0 && std::isfinite(size))) {
-    context_.report.error(arguments.statement().place, "\"dir\" is no direction");
+    context_.report.error(
+        arguments.statement().place,
+        fmt::format("\"dir\" is [{}, {}, {}], expected a direction", along.x, along.y, along.z));
     return std::nullopt;
   }
   texture.direction = normalize(direction / size);

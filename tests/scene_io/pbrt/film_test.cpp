@@ -167,16 +167,17 @@ TEST(Errors_PbrtFilm, WhatCannotBeHonouredIsNamed) {
             "1:12: the integrator 'bdpt' is rendered by 'path'");
   EXPECT_EQ(pbrt_warning("Camera \"realistic\" \"string lensfile\" \"x\"\nWorldBegin"),
             "1:8: cameras of type 'realistic' are not supported: 'perspective' is used");
-  EXPECT_EQ(pbrt_error("Film \"rgb\" \"float cropwindow\" [ .5 .5 0 1 ]\nWorldBegin"),
-            "1:12: 'cropwindow' holds no pixel, expected x0 < x1 and y0 < y1");
+  EXPECT_EQ(
+      pbrt_error("Film \"rgb\" \"float cropwindow\" [ .5 .5 0 1 ]\nWorldBegin"),
+      "1:12: 'cropwindow' is [0.5, 0.5, 0, 1], which holds no pixel: expected x0 < x1 and y0 < y1");
   EXPECT_EQ(pbrt_error("Film \"rgb\" \"integer pixelbounds\" [ 0 10 ]\nWorldBegin"),
-            "1:12: 'pixelbounds' expected 4 numbers: x0, x1, y0, y1");
+            "1:12: 'pixelbounds' has 2 values, expected 4");
   EXPECT_EQ(pbrt_warning("PixelFilter \"mitchell\" \"float B\" 0 \"float C\" .3333\nWorldBegin"),
             "1:13: the mitchell filter's B is 0.333 here");
   EXPECT_EQ(pbrt_error("Film \"rgb\" \"integer xresolution\" 0\nWorldBegin"),
             "1:12: 'xresolution' is 0, expected 1 to 65536");
   EXPECT_EQ(pbrt_error("Camera \"perspective\" \"float screenwindow\" [ 1 -1 -1 1 ]\nWorldBegin"),
-            "1:22: 'screenwindow' expected 4 numbers, left < right and bottom < top");
+            "1:22: 'screenwindow' is [1, -1, -1, 1], expected left < right and bottom < top");
   EXPECT_EQ(pbrt_error("Scale 1 1 0\nCamera \"perspective\"\nWorldBegin"),
             "2:8: the camera's transform is singular");
   EXPECT_EQ(pbrt_error("Film \"rgb\" \"float iso\" 1e300\nWorldBegin"),

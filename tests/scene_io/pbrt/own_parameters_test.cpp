@@ -72,7 +72,7 @@ TEST(Errors_PbrtOwnParameters, NameWhatTheyExpect) {
   EXPECT_EQ(pbrt_world_error(rough + "\"bool energycompensation\" true\n"),
             "2:60: 'energycompensation' needs \"string cooktorrance.geometry\" \"smith\"");
   EXPECT_EQ(pbrt_world_error("LightSource \"infinite\" #candela: \"string cube\" \"a.png\"\n"),
-            "2:34: 'cube' expected 6 image files");
+            "2:34: 'cube' has 1 value, expected 6 image files");
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ TEST(Errors_PbrtTextures, Mappings) {
   EXPECT_EQ(
       pbrt_world_error("Texture \"t\" \"spectrum\" \"directionmix\" \"vector3 dir\" [ 0 0 0 ] "
                        "Material \"diffuse\" \"texture reflectance\" \"t\""),
-      "2:24: \"dir\" is no direction");
+      "2:24: \"dir\" is [0, 0, 0], expected a direction");
 }
 
 TEST(Errors_PbrtTextures, NamesThatAreNotThere) {
