@@ -145,8 +145,10 @@ NeighbourLevel level_of(const AlikeSums& sums, std::size_t at, const Wide& wide,
   level.rare = wide.rare;
   level.rare_noise = wide.rare_noise;
   constexpr double nobody = 1e-6;
+  constexpr double company = 0.25;
   const double weight = sums.weights[at];
   const bool is_alone = !(weight > nobody);
+  level.company = std::min(weight / company, 1.0);
   level.mean = is_alone ? wide.mean : of_pixel(sums.means, at) / weight;
   const Vec3d apart = own - level.mean;
   level.structure = std::max(1 - weight, 0.0) * apart * apart;

@@ -19,6 +19,7 @@ struct NeighbourLevel {
   Vec3d own_variance{0.0};  // of the pixel's own mean: at least that of those next to it
   Vec3d rare{0.0};          // rare light, over all near by: to be added
   Vec3d rare_noise{0.0};    // variance of that
+  double company = 0;       // 0 where none of them looks alike, to 1 where some do
 };
 
 // Of the pixels of `block`, in rows from the top.

@@ -42,7 +42,8 @@ inline Vec3d beyond(const Vec3d& value, const Vec3d& floor) {
 }
 
 // Between the neighbours that look alike and `own`, the pixel's mean over a share of its samples;
-// never far below them, since a pixel whose light comes in rare samples is black without those.
+// never far below them, since a pixel whose light comes in rare samples is black without those, but
+// where none of them does: a dark pixel among bright ones is dark.
 // Where too much noise is left, all that is near by. Rare light comes on top: the pixel's own says
 // little of how rare it is.
 inline PixelLevel level_of(const NeighbourLevel& near, const Vec3d& own, double own_share,
@@ -51,13 +52,13 @@ inline PixelLevel level_of(const NeighbourLevel& near, const Vec3d& own, double 
   const Vec3d trust(trust_in(near.structure.x, own_noise.x),
                     trust_in(near.structure.y, own_noise.y),
                     trust_in(near.structure.z, own_noise.z));
-  constexpr double lowest = 1.0 / 3;
-  const Vec3d mean = beyond(near.mean + trust * (own - near.mean), lowest * near.mean);
+  const Vec3d lowest = near.company / 3 * near.mean;
+  const Vec3d mean = beyond(near.mean + trust * (own - near.mean), lowest);
   const Vec3d variance = (1.0 - trust) * (1.0 - trust) * near.noise;
   constexpr double much = 0.3;  // variance over level: at twice that nothing else counts
   const double noise = sum_of_components(variance / (mean * mean + epsilon)) / 3;
   const double blend = std::clamp(noise / much - 1, 0.0, 1.0);
-  return {beyond(mix(mean, near.wide_mean, blend) + near.rare, lowest * near.mean),
+  return {beyond(mix(mean, near.wide_mean, blend) + near.rare, lowest),
           variance * (1 - blend) * (1 - blend) + near.rare_noise};
 }
 

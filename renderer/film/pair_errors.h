@@ -10,9 +10,11 @@ namespace candela {
 
 struct LevelLanes {
   Vec3dLanes mean, noise, structure, wide_mean, own_variance, rare, rare_noise;
+  Lanes<double> company;
 
   [[nodiscard]] NeighbourLevel operator[](std::size_t i) const {
-    return {mean[i], noise[i], structure[i], wide_mean[i], own_variance[i], rare[i], rare_noise[i]};
+    return {mean[i],         noise[i], structure[i],  wide_mean[i],
+            own_variance[i], rare[i],  rare_noise[i], company[i]};
   }
   void set(std::size_t i, const NeighbourLevel& level) {
     mean.set(i, level.mean);
@@ -22,6 +24,7 @@ struct LevelLanes {
     own_variance.set(i, level.own_variance);
     rare.set(i, level.rare);
     rare_noise.set(i, level.rare_noise);
+    company[i] = level.company;
   }
 };
 

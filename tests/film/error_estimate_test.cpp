@@ -136,6 +136,28 @@ TEST(Statistical_ErrorEstimate, PixelsLikeNoOthersAreHeldAgainstThemselves) {
     }
 }
 
+// Likewise where the neighbours are the bright ones, and have no noise: edges of lamps, in the
+// tails of a filter.
+TEST(Statistical_ErrorEstimate, DarkPixelsAmongBrightOnesAreHeldAgainstThemselves) {
+  for (const double dark : {0.2, 0.05, 0.01})
+    for (const Noise& noise : {noises[0], noises[1]}) {
+      const auto is_dark = [](int x, int y) { return x % 8 == 4 && y % 8 == 4; };
+      const auto level = [&](int x, int y) { return is_dark(x, y) ? dark : 1.0; };
+      double stated = 0;
+      double truth = 0;
+      for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+        const Film film =
+            test::synthetic_film(size, 16, 4, seed, [&](std::mt19937_64& random, int x, int y) {
+              return is_dark(x, y) ? dark * noise.draw(random) : 1.0;
+            });
+        stated += estimate_error(film)->relmse;
+        truth += test::relmse_to(level, film);
+      }
+      EXPECT_GT(stated / truth, 0.8) << noise.name << ", " << dark;
+      EXPECT_LT(stated / truth, 1.25) << noise.name << ", " << dark;
+    }
+}
+
 // Of so few pixels that chance has most of it, and of many.
 TEST(Statistical_ErrorEstimate, ItsIntervalHoldsTheTrueError) {
   for (const int side : {8, size}) {
