@@ -8,6 +8,7 @@ import contextlib
 import dataclasses
 import json
 import pathlib
+import struct
 import types
 
 from answers import print_answer  # first: it tells where the modules below are
@@ -107,8 +108,22 @@ def ended_by_cycles(folder):
     return made.parts[-1]
 
 
-def remade_with_another_program(folder):
-    """Whether a picture that is kept is rendered again, first by the same program."""
+def black_pixel():
+    """The bytes of an EXR file."""
+    def attribute(name, kind, value):
+        return b"".join((name, b"\0", kind, b"\0", struct.pack("<i", len(value)), value))
+
+    channels = b"".join(name + b"\0" + struct.pack("<4i", 2, 0, 1, 1) for name in (b"B", b"G", b"R"))
+    header = (b"\x76\x2f\x31\x01" + struct.pack("<i", 2)
+              + attribute(b"channels", b"chlist", channels + b"\0")
+              + attribute(b"compression", b"compression", b"\0")
+              + attribute(b"dataWindow", b"box2i", struct.pack("<4i", 0, 0, 0, 0)) + b"\0")
+    return header + struct.pack("<Q", len(header) + 8) + struct.pack("<2i3f", 0, 12, 0, 0, 0)
+
+
+def remade(folder, *damages):
+    """Whether a picture that is kept is rendered again: at first, by the same program, and after
+    each of the damages to what there is."""
     program, made = pathlib.Path(folder) / "candela", []
 
     class Renders(renders.Candela):
@@ -117,13 +132,19 @@ def remade_with_another_program(folder):
 
         def render(self, name, scene, png, **options):
             made.append(name)
-            (self.folder / f"{name}.exr").write_text("")
+            (self.folder / f"{name}.exr").write_bytes(black_pixel())
             (self.folder / f"{name}.json").write_text("{}")
 
-    for text in ("one", "one", "another"):
-        program.write_text(text)
+    def ask():
         Renders(program, folder).cached("r", "scene")
         made.append("|")
+
+    program.write_text("one")
+    ask()
+    ask()
+    for file, text in (damage.split("=") for damage in damages):
+        (pathlib.Path(folder) / file).write_text(text)
+        ask()
     return "".join(made)
 
 

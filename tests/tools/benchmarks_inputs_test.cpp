@@ -29,7 +29,12 @@ TEST_F(Unit_BenchmarksInputs, ReferencesAreMadeInThePlainestWay) {
 }
 
 TEST_F(Unit_BenchmarksInputs, ReferencesAreRemadeByAnotherProgram) {
-  EXPECT_EQ(ask({"remade_with_another_program", fresh_folder("another_program")}), "r||r|");
+  EXPECT_EQ(ask({"remade", fresh_folder("another_program"), "candela=another"}), "r||r|");
+  EXPECT_EQ(ask({"remade", fresh_folder("other_codecs"), "candela_codecs.so=another"}), "r||r|");
+}
+
+TEST_F(Unit_BenchmarksInputs, ReferencesAreRemadeWhereTheyAreDamaged) {
+  EXPECT_EQ(ask({"remade", fresh_folder("damaged"), "r.exr=cut", "r.json={"}), "r||r|r|");
 }
 
 // One replicate by itself does not adapt, and trials to share paths ask for many samples.

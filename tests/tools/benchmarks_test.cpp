@@ -119,6 +119,8 @@ TEST_F(Unit_Benchmarks, ProgramsThatFailAreToldInTheirOwnWords) {
   };
   EXPECT_EQ(told("echo in vain >&2; exit 3"), "in vain");
   EXPECT_EQ(told("exit 3"), "a script ended with 3");
+  EXPECT_EQ(told("echo 'a: warning: w' >&2; echo 'a: error: e' >&2; exit 3"), "a: error: e");
+  EXPECT_EQ(told("echo 'a: warning: w' >&2; kill -9 $$"), "a script ended with -9\na: warning: w");
   EXPECT_EQ(told("exit 0"), "a script ended with 0") << "without the file that it is to write";
   EXPECT_EQ(ask({"told_of_script", folder, "echo in vain; exit 3", "log"}),
             "a script ended with 3; see " + folder + "/log");

@@ -21,7 +21,7 @@ from fits import (at_level, geometric_mean, mean_with_factor, ratio_of_errors, s
                   with_factor)
 from processes import ProgramFailed, first_line
 from renders import CandelaFailed, square
-from results import begin
+from results import begin, status_of_rows
 
 ABOUT = "each technique off in turn: time to the same error"
 
@@ -172,6 +172,7 @@ def run(options):
                   verdicts(rows, plan.pairs, results.note),
                   "with_making: mean of CPU time with what the scene and its trees took to make.")
     results.finish()
+    return status_of_rows(rows)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -195,7 +196,7 @@ def rows_of(candela, name, scene, techniques, plan, note):
     info = candela.info(scene)
     if not all(technique.same_picture for technique in techniques):
         right = truth.reference_for(candela, name, scene, plan.size, 16 * plan.spp,
-                                    spp=plan.spp, threads=plan.threads)
+                                    spp=2 * plan.spp, threads=plan.threads)
     rows, ladders = [], {}  # by what holds on both sides
     for technique in techniques:
         try:
@@ -206,9 +207,10 @@ def rows_of(candela, name, scene, techniques, plan, note):
         except ProgramFailed as reason:
             note(f"{name}, {technique.name}: left out. {first_line(reason)}")
             continue
+        own_ladder = None if technique.same_picture else ladders[both]
         rows.append({"technique": technique.name, "scene": name}
-                    | compared(on, off, None if technique.same_picture else ladders[both])
-                    | {"reference": reference_word(right, technique, on, off),
+                    | compared(on, off, own_ladder)
+                    | {"reference": own_ladder and reference_word(right, on, off, *own_ladder),
                        "used": used_word(technique, on, off, info)})
     return rows
 
@@ -240,10 +242,8 @@ def pictures(candela, scene, right, technique, plan):
     return on, off
 
 
-def reference_word(right, technique, on, off):
-    if technique.same_picture:
-        return None
-    return truth.judged(right, *([run.relmse for run in runs] for runs in (on, off)))
+def reference_word(right, *pictures):
+    return truth.judged(right, *([run.relmse for run in runs] for runs in pictures))
 
 
 def used_word(technique, on, off, info):

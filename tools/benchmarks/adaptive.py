@@ -15,7 +15,7 @@ import truth
 from arguments import at_least, numbers
 from fits import geometric_mean, ratio_of_errors, with_factor
 from renders import square
-from results import begin
+from results import begin, status_of_rows
 from turns import in_turn
 
 ABOUT = "what adaptive sampling gains: error and CPU time with it and without"
@@ -94,3 +94,4 @@ def run(options):
         results.note(f"geometric mean of the efficiency of {len(found)} rows: "
                      f"{geometric_mean(row['efficiency'] for row in found):.2f}")
     results.finish()
+    return status_of_rows(rows)

@@ -22,7 +22,7 @@ from fits import geometric_mean, ratio_columns, ratio_of_errors, spread, times_t
 from page_parts import shown
 from processes import cpu_seconds_of
 from renders import rendering_cpu_seconds, square
-from results import begin
+from results import begin, status_of_rows
 
 ABOUT = "against another build of candela: time to the same error"
 SAME_MEANS = .03  # by how much the two pictures' means may differ before the mean is without them
@@ -60,6 +60,7 @@ def run(options):
     results.table("before", f"Before over now, {square(size)}, {spp} spp, {pairs} pairs", rows)
     tell_all(results, rows)
     results.finish()
+    return status_of_rows(rows)
 
 
 def tell_all(results, rows):
@@ -88,9 +89,10 @@ def row(programs, right, spp, seeds):
         return [programs[1].measured(count, seed, right, told, "--adaptive", "off")
                 for seed in seeds]
 
-    return (compared(pairs, truth.ladder(runs_of, (spp // 2, spp), (spp, 2 * spp)))
+    ladder = truth.ladder(runs_of, (spp // 2, spp), (spp, 2 * spp))
+    return (compared(pairs, ladder)
             | {"reference": truth.judged(right, *([run.relmse for run in runs]
-                                                  for runs in zip(*pairs)))})
+                                                  for runs in (*zip(*pairs), *ladder)))})
 
 
 class Program:
@@ -105,7 +107,7 @@ class Program:
     def process_cpu_seconds(self, spp, seed, *words):
         return cpu_seconds_of([self.path, "render", *self.words, "--spp", spp, "--seed", seed,
                                "--filter", "box", "-o", self.exr, "--stats", self.stats, "--quiet",
-                               *words])
+                               *words], writes=[self.exr, self.stats])
 
     def read_stats(self):
         return json.loads(self.stats.read_text())

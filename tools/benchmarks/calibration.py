@@ -225,6 +225,7 @@ def cases(results, candela, options, counts):
                 most = max(n for n in counts if size_of(n) == size_of(spp))
                 pictures, truth, doubt = measured(candela, scene, spp, most, options)
                 if is_exact(pictures):
+                    results.note(f"{scene.name} at {spp} samples has no noise, and none is stated")
                     continue
                 rows.append(case_row(scene, spp, pictures, truth) | {"reference_unsure": doubt})
                 results.keep("calibration", rows)

@@ -13,7 +13,7 @@ from arguments import at_least
 from fits import fit_power, x_where
 from processes import first_line
 from renders import CandelaFailed, square
-from results import begin
+from results import begin, status_of_rows
 from turns import in_turn
 
 ABOUT = "relMSE against seconds and samples, by sampling and option"
@@ -88,6 +88,7 @@ def run(options):
                   "relMSE over samples, with its standard error", ends,
                   "-1 for independent samples. beside: the curve to compare with.")
     results.finish()
+    return status_of_rows(rows)
 
 
 def counts_to(most):
@@ -129,7 +130,7 @@ def end_of(name, curve, rows, right):
     positive = [(row["spp"], row["relmse"]) for row in rows if row["relmse"] > 0]
     fit = fit_power(*zip(*positive)) if len(positive) > 1 else None
     line = {"scene": name, "curve": curve, "beside": compared_with(curve),
-            "exponent": fit and fit.exponent, "exponent_error": fit and fit.error}
+            "points": len(positive), "exponent": fit and fit.exponent, "exponent_error": fit and fit.error}
     for goal in GOALS:
         line |= {f"s_to_{goal:g}": x_where(goal, seconds, relmse),
                  f"reference_{goal:g}": truth.judged(right, [goal])}
@@ -141,11 +142,14 @@ def plotted(out, name, curves, rows):
     for key, label in (("cpu_s", "CPU seconds"), ("spp", "samples a pixel")):
         lines = []
         for curve in curves:
-            own = [row for row in rows if row["curve"] == curve and row["relmse_low"] > 0]
+            own = [row for row in rows if row["curve"] == curve and row["relmse"] > 0]
             y = [row["relmse"] for row in own]
+            # A seed that is lost in the reference's noise reaches down to the plot's edge.
             lines.append((curve, [row[key] for row in own], y, {},
-                          [[a - row["relmse_low"] for a, row in zip(y, own)],
+                          [[a - max(row["relmse_low"], a / 100) for a, row in zip(y, own)],
                            [row["relmse_high"] - a for a, row in zip(y, own)]]))
+        if not any(y for _, _, y, *_ in lines):
+            continue
         file = f"{chosen_scenes.safe(name)}_{key}.png"
         plots.power_plot(out / file, lines, label, "relMSE")
         yield file, f"{name}: relMSE against {label}"

@@ -68,12 +68,16 @@ def times_to_same_error(cpu_ratio, error_ratio, rate):
     return cpu_ratio * error_ratio ** (1 / rate)
 
 
+LEAST_GROWTH = 1.4  # of the time of twice the samples: else it is that of something else
+
+
 def error_rate(error_ratio, time_ratio):
     """The exponent with which error falls over time, where it is divided by `error_ratio` in
-    `time_ratio` times the time; at least 1, that of plain random numbers. nan where that is."""
-    if math.isnan(error_ratio):
+    `time_ratio` times the time; at least 1, that of plain random numbers. nan where that is, and
+    where most of the time is not that of samples."""
+    if math.isnan(error_ratio) or time_ratio < LEAST_GROWTH:
         return math.nan
-    if not error_ratio > 1 < time_ratio:
+    if not error_ratio > 1:
         return 1
     return max(math.log(error_ratio) / math.log(time_ratio), 1)
 

@@ -86,16 +86,18 @@ def of_a_triangle(results, candela, quick):
     plain = baseline(results, candela)
     rows = []
     for name, path in many_triangles(results.out, quick).items():
-        info = candela.info(path, accel="embree")
-        triangles, held = info["triangles"], info["memory_bytes"]
-        if info["textures"] or triangles < MANY:
-            continue
-        both = (held["meshes"] + held["embree"]) / triangles
-        peak = (peak_megabytes(candela, name, path, SMALL) - plain) * 1e6 / triangles
-        rows.append({"scene": name, "triangles": triangles, "meshes": held["meshes"] / triangles,
-                     "embree": held["embree"] / triangles, "both": both,
-                     "peak": peak, "verdict": TOO_SMALL if quick
-                     else verdict(max(both, peak) < GOAL_BYTES)})
+        with results.attempt(name):
+            info = candela.info(path, accel="embree")
+            triangles, held = info["triangles"], info["memory_bytes"]
+            if info["textures"] or triangles < MANY:
+                continue
+            both = (held["meshes"] + held["embree"]) / triangles
+            peak = (peak_megabytes(candela, name, path, SMALL) - plain) * 1e6 / triangles
+            rows.append({"scene": name, "triangles": triangles,
+                         "meshes": held["meshes"] / triangles,
+                         "embree": held["embree"] / triangles, "both": both,
+                         "peak": peak, "verdict": TOO_SMALL if quick
+                         else verdict(max(both, peak) < GOAL_BYTES)})
     results.table("triangles", "Bytes a triangle, untextured", rows,
                   f"Wanted is less than {GOAL_BYTES} at the peak: that of a render of {SMALL} "
                   "pixels, less that of one triangle.")

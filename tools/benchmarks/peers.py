@@ -38,7 +38,7 @@ from cycles import SCALES
 from fits import geometric_mean, ratio_columns, ratio_of_errors, x_where
 from page_parts import shown
 from renders import Candela, CandelaFailed, square
-from results import Results
+from results import Results, status_of_rows
 
 ABOUT = "the same scenes by Blender's Cycles: time to the same error; Embree's path tracer's speed"
 GOALS = (1e-2, 1e-3)
@@ -123,6 +123,7 @@ def run(options):
         embree_path_tracer.compare(results, candela, out / "embree", bench.size, bench.pairs,
                                    options.threads)
     results.finish()
+    return status_of_rows(ratios)
 
 
 def show_references(results, seen):
@@ -224,7 +225,8 @@ class Bench:
     def their_ladders(self, name, scene, right, seed):
         """One process: a picture to warm up, one of one sample to take off, and those that count.
         By setting. Every picture begins at a multiple of its samples: if it straddled two of the
-        blocks over which Cycles spreads samples evenly, it would have more noise than a user's."""
+        blocks over which Cycles spreads samples evenly, it would have more noise than a user's.
+        The adaptive ones begin at 0."""
         first = 16 * self.counts[-1]
         start = [self.job(name, 1, seed + 1000, first), self.job(name, 1, seed, first)]
         ladders = {"Cycles": [self.job(name, spp, seed, 2 * first) for spp in self.counts]}

@@ -69,7 +69,7 @@ class Results:
 
     def finish(self):
         self.files.add("index.html").write_text(
-            page_of(self.title, self.title, self.facts, self.parts))
+            page_of(self.title, self.title, self.facts, self.parts), encoding="utf-8")
         print(f"\n{self.out / 'index.html'}")
 
     def finish_stopped(self):
@@ -106,8 +106,13 @@ def status(verdicts):
     return FAILED if MISSED & found or not found else 0
 
 
+def status_of_rows(rows):
+    """The same of what has no verdicts."""
+    return 0 if rows else FAILED
+
+
 def write_csv(path, rows):
-    with path.open("w", newline="") as file:
+    with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(rows[0])
         for row in rows:

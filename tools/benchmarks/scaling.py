@@ -34,9 +34,11 @@ def run(options):
     out, candela, results = begin(options, "Scaling", __doc__)
     seeds = range(1, 1 + (options.runs or (2 if options.quick else 5)))
     series = []
-    for measure in (threads, pixels, *(functools.partial(triangles, shape) for shape in SHAPES),
-                    lights):
-        with results.attempt("a series"):
+    for name, measure in {
+            "threads": threads, "pixels": pixels, "lights": lights,
+            **{f"triangles of a {shape}": functools.partial(triangles, shape) for shape in SHAPES}
+    }.items():
+        with results.attempt(f"the series over {name}"):
             series.append(measure(candela, out, seeds, options.quick))
             results.table(*series[-1][:3])
     exponents = {cost: fit for *_, fits in series for cost, fit in fits.items()}

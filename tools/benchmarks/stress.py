@@ -57,11 +57,11 @@ def outcomes(report):
 
 
 def write_csv(path, rows, verdicts):
-    with path.open("w", newline="") as file:
+    with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(["suite", "test", "case", "figure", "value", "verdict"])
         for row in rows:
-            verdict = verdicts.get((row["suite"], row["test"]), "crashed")
+            verdict = verdicts[row["suite"], row["test"]]
             for figure, value in row["figures"].items():
                 writer.writerow([row["suite"], row["test"], row["case"], figure, value, verdict])
 
@@ -105,17 +105,17 @@ def tell(results, rows, verdicts):
 
 
 def run(options):
-    options.out.mkdir(parents=True, exist_ok=True)
+    results = Results(options.out, "The stress bench", __doc__,
+                      Candela(options.program, options.out).version())
     rows_file, report = options.out / "rows.jsonl", options.out / "tests.json"
     report.unlink(missing_ok=True)
     passed = run_tests(options, rows_file, report)
     rows = [json.loads(line) for line in rows_file.read_text().splitlines()] \
         if rows_file.exists() else []
-    verdicts = outcomes(report) if report.exists() else {}
-    write_csv(options.out / "stress.csv", rows, verdicts)
-    (options.out / "stress.md").write_text(markdown(rows, verdicts))
-    results = Results(options.out, "The stress bench", __doc__,
-                      Candela(options.program, options.out).version())
+    verdicts = outcomes(report) if report.exists() else {
+        (row["suite"], row["test"]): "crashed" for row in rows}
+    write_csv(results.files.add("stress.csv"), rows, verdicts)
+    results.files.add("stress.md").write_text(markdown(rows, verdicts), encoding="utf-8")
     tell(results, rows, verdicts)
     if not verdicts:
         results.note(f"no case ran; expected one that '{options.filter or all_cases()}' matches")

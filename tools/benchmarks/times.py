@@ -14,7 +14,7 @@ from arguments import at_least
 from fits import geometric_mean, spread
 from processes import run_checked
 from renders import CandelaFailed, rendering_cpu_seconds, square
-from results import begin
+from results import begin, status_of_rows
 
 ABOUT = "against another build of candela: CPU time of the same samples"
 
@@ -51,6 +51,7 @@ def run(options):
     if rows:
         results.note(f"geometric mean {geometric_mean(r['cpu_ratio'] for r in rows):.3f}")
     results.finish()
+    return status_of_rows(rows)
 
 
 def rendered(program, exr, words, seed):
@@ -58,7 +59,7 @@ def rendered(program, exr, words, seed):
     stats = exr.with_suffix(".json")
     run_checked([program, "render", *words, "--seed", seed, "-o", exr, "--stats", stats,
                  "--adaptive", "off", "--replicates", 1, "--threads", 1, "--quiet"],
-                failed=CandelaFailed)
+                failed=CandelaFailed, writes=[exr, stats])
     return json.loads(stats.read_text())["cpu_seconds"]
 
 

@@ -132,7 +132,7 @@ def counted(rows, keys, note, mean="the mean"):
 
 def tell_bias(kept, left, note, mean):
     """Where what is left out lies on one side of all that is counted."""
-    if len(kept) < 2 or not left:
+    if not kept or not left:
         return
     side = ("above" if min(left) > max(kept) else "below" if max(left) < min(kept) else None)
     if side:
@@ -148,7 +148,7 @@ def why_not(row, keys):
     if row.get("reference") not in ("good", None):
         return "the reference is too noisy"
     if not all(is_told(row[key]) for key in keys):
-        return "an error or a time is lost in noise"
+        return "an error or a time is lost in noise, or most of the time is not that of samples"
     return None
 
 

@@ -39,7 +39,8 @@ def absorption(tree, of_length):
     """Cycles absorbs (1 - colour) * density of a length."""
     node = tree.nodes.new("ShaderNodeVolumeAbsorption")
     density = max(of_length)
-    node.inputs["Color"].default_value = (*(1 - x / density for x in of_length), 1)
+    if density > 0:
+        node.inputs["Color"].default_value = (*(1 - x / density for x in of_length), 1)
     node.inputs["Density"].default_value = density
     return node
 

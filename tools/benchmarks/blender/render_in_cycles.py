@@ -149,7 +149,8 @@ def add_light(description):
         strength = description["irradiance"]
         data.angle = 0
     data.energy = max(strength)
-    data.color = [x / data.energy for x in strength]
+    if data.energy > 0:
+        data.color = [x / data.energy for x in strength]
     if hasattr(data.cycles, "max_bounces"):
         data.cycles.max_bounces = 1024
     thing = linked("light", data)

@@ -60,6 +60,17 @@ def _words_of(options):
     return words
 
 
+def is_sound(exr, stats):
+    """Whether a kept picture can be read."""
+    from exr import read_exr
+    try:
+        json.loads(stats.read_text())
+        read_exr(exr)
+        return True
+    except Exception:  # whatever damaged bytes lead to
+        return False
+
+
 class Candela:
     """The program, and the folder that its pictures go to as NAME.exr, .png and .json."""
 
@@ -68,8 +79,8 @@ class Candela:
         self.folder = pathlib.Path(folder)
         self.folder.mkdir(parents=True, exist_ok=True)
 
-    def _output_of(self, *words):
-        return run_checked([self.program, *words], "candela", CandelaFailed).stdout
+    def _output_of(self, *words, writes=()):
+        return run_checked([self.program, *words], "candela", CandelaFailed, writes).stdout
 
     def version(self):
         return self._output_of("--version").strip()
@@ -81,7 +92,7 @@ class Candela:
         stats = base.parent / (base.name + ".json")
         words = ["render", scene, "-o", files.exr, "--stats", stats, "--quiet"]
         words += ["-o", files.png] if png else []
-        self._output_of(*words, *_words_of(options))
+        self._output_of(*words, *_words_of(options), writes=[files.exr, stats])
         return dataclasses.replace(files, stats=json.loads(stats.read_text()))
 
     def cached(self, name, scene, **options):
@@ -91,7 +102,7 @@ class Candela:
         key = json.dumps([self.made_by, self.info(scene)["scene_hash"],
                           {k: str(v) for k, v in options.items()}])
         exr, stats = self.folder / f"{name}.exr", self.folder / f"{name}.json"
-        if asked.exists() and asked.read_text() == key and exr.exists():
+        if asked.exists() and asked.read_text() == key and is_sound(exr, stats):
             return Render(name, exr, None, json.loads(stats.read_text()))
         asked.unlink(missing_ok=True)  # it would vouch for the picture of a render that is stopped
         render = self.render(name, scene, png=False, **options)
@@ -100,8 +111,10 @@ class Candela:
 
     @functools.cached_property
     def made_by(self):
-        """Of the program's file: commits share a version."""
-        return hashlib.sha256(self.program.read_bytes()).hexdigest()
+        """Of the program's file, and of the codecs beside it: commits share a version."""
+        codecs = self.program.resolve().parent / "candela_codecs.so"
+        return hashlib.sha256(self.program.read_bytes() + (
+            codecs.read_bytes() if codecs.exists() else b"")).hexdigest()
 
     def info(self, scene, **options):
         """What `candela info --json` says; `options` as for render()."""
