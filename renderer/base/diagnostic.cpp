@@ -32,6 +32,11 @@ std::string place_of(const SourceSpan& span) {
   return fmt::format("{}:{}:{}: ", file, span.line, span.column);
 }
 
+bool is_same_place(const SourceSpan& a, const SourceSpan& b) {
+  if (a.line != b.line || a.column != b.column) return false;
+  return a.file == b.file || (a.file && b.file && *a.file == *b.file);
+}
+
 char lower(char c) {
   return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 }
@@ -77,9 +82,11 @@ void Diagnostics::add(Diagnostic diagnostic) {
 }
 
 void Diagnostics::add_once(Diagnostic diagnostic) {
-  const std::string text = to_string(diagnostic);
-  const bool is_told = std::any_of(list_.begin(), list_.end(),
-                                   [&](const Diagnostic& told) { return to_string(told) == text; });
+  diagnostic.message = printable(diagnostic.message);
+  const bool is_told = std::any_of(list_.begin(), list_.end(), [&](const Diagnostic& told) {
+    return told.severity == diagnostic.severity && told.message == diagnostic.message &&
+           is_same_place(told.span, diagnostic.span);
+  });
   if (!is_told) add(std::move(diagnostic));
 }
 

@@ -1,10 +1,10 @@
 #include "scene_io/lab3/ground.h"
 
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 
-#include "renderer/description/world_bounds.h"
 #include "scene_io/lab3/assets.h"
 #include "scene_io/lab3/fields.h"
 #include "scene_io/text/file.h"
@@ -19,11 +19,21 @@ using description::MeshHandle;
 constexpr double white_oak_height = -10;
 constexpr float repeats_each_way = 15;
 
+// Of the models' vertices.
+std::optional<double> lowest_y(const description::SceneDescription& scene) {
+  std::optional<double> lowest;
+  for (const description::Instance& instance : scene.instances)
+    for (const Vec3d& position : scene.meshes[instance.mesh.index].positions) {
+      const double y = instance.object_to_world.point(position).y;
+      if (!lowest || y < *lowest) lowest = y;
+    }
+  return lowest;
+}
+
 double height_of(const Reader& reader) {
   const std::filesystem::path path = text::without_gzip_extension(reader.scene.path);
   if (is_same_name(path.stem().string(), "white_oak")) return white_oak_height;
-  const Bounds3d bounds = description::world_bounds(reader.scene);
-  return bounds.is_empty() ? 0 : bounds.lower.y;
+  return lowest_y(reader.scene).value_or(0);
 }
 
 // v counts from the picture's bottom row here and from its top row there: hence -z.

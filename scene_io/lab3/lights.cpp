@@ -85,6 +85,10 @@ std::optional<std::array<Vec3d, 3>> read_triangle(Reader& reader, const Fields& 
     reader.warning(
         fields.offset(),
         "both p0, p1, p2 and Position, Position2, Position3 are given: p0, p1, p2 count");
+  if (!is_short && !fields.has_any(long_names)) {
+    reader.error(fields.offset(), "an Area light needs p0, p1 and p2, the corners of its triangle");
+    return std::nullopt;
+  }
   std::array<Vec3d, 3> vertices{};
   bool is_complete = true;
   for (std::size_t i = 0; i < 3; ++i) {

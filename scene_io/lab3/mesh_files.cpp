@@ -1,6 +1,7 @@
 #include "scene_io/lab3/mesh_files.h"
 
 #include <map>
+#include <set>
 #include <utility>
 
 #include "renderer/base/parallel.h"
@@ -74,9 +75,14 @@ void MeshFiles::load_and_place(const LoadOptions& options, SceneDescription& sce
     file_of_request.push_back(at->second);
   }
   parallel_for(files.size(), [&](std::size_t i) { read_file(files[i], options); });
+  ImageIndex images;
+  std::set<std::string> told;  // two of them may be one OBJ
   for (LoadedFile& file : files) {
-    diagnostics.append(file.diagnostics);
-    file.meshes = obj::append_model(std::move(file.model), file.first->material, scene);
+    if (told.insert(file.first->path).second)
+      diagnostics.append(file.diagnostics);
+    else
+      for (const Diagnostic& found : file.diagnostics.list()) diagnostics.add_once(found);
+    file.meshes = obj::append_model(std::move(file.model), file.first->material, images, scene);
   }
   for (std::size_t i = 0; i < requests_.size(); ++i)
     place(files[file_of_request[i]], requests_[i], scene);

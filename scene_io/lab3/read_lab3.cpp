@@ -16,6 +16,7 @@
 #include "scene_io/lab3/models.h"
 #include "scene_io/lab3/render_defaults.h"
 #include "scene_io/text/file.h"
+#include "scene_io/text/plain_text.h"
 #include "scene_io/text/source.h"
 
 namespace candela::lab3 {
@@ -88,9 +89,10 @@ std::string_view without_byte_order_mark(std::string_view text) {
 
 Result<description::SceneDescription> read_lab3(const std::string& path,
                                                 const LoadOptions& options) {
-  const Result<std::string> bytes =
+  Result<std::string> bytes =
       text::read_file(path, {.bytes = max_yaml_bytes, .inflated_bytes = max_yaml_bytes});
   if (!bytes) return bytes.diagnostics;
+  text::use_line_feeds(*bytes);
   return parse_lab3(path, *bytes, options);
 }
 

@@ -37,7 +37,9 @@ void Reader::add(Severity severity, std::size_t offset, std::string message) {
     diagnostics.add({severity, {}, {}, {}});  // only counted
     return;
   }
-  diagnostics.add({severity, span(offset), std::move(message), text::excerpt_at(source, offset)});
+  // Aliases may stand for one node many times.
+  diagnostics.add_once(
+      {severity, span(offset), std::move(message), text::excerpt_at(source, offset)});
 }
 
 void Reader::error(std::size_t offset, std::string message) {

@@ -256,10 +256,22 @@ bool begins_line(std::string_view text, std::size_t offset) {
   return line_before(text, offset).find_first_not_of(" \t") == std::string_view::npos;
 }
 
-// Whether a tab stands before the first word of the line around `offset`.
+// Whether a tab stands before the first word of the line around `offset`, or behind a '-' there.
 bool has_tab_in_indentation(std::string_view text, std::size_t offset) {
   const std::string_view line = line_before(text, offset);
-  return line.substr(0, line.find_first_not_of(" \t")).find('\t') != std::string_view::npos;
+  return line.substr(0, line.find_first_not_of(" \t-")).find('\t') != std::string_view::npos;
+}
+
+// Of text that is none without quotes.
+std::string_view hint_of_quotes(const std::string& reason, std::string_view text,
+                                std::size_t offset) {
+  const char found = offset < text.size() ? text[offset] : '\0';
+  if (reason == YAML::ErrorMsg::UNKNOWN_TOKEN && (found == '@' || found == '`'))
+    return "; what begins with '@' or '`' is written in quotes";
+  const bool is_second_colon = line_before(text, offset).find(": ") != std::string_view::npos;
+  if (reason == YAML::ErrorMsg::MAP_VALUE && is_second_colon)
+    return "; what holds ': ' is written in quotes";
+  return "";
 }
 
 // yaml-cpp looks at the words behind a tab before it sees that they are badly indented.
@@ -272,7 +284,8 @@ std::string hint_for(const std::string& reason, std::string_view text, std::size
     return ": expected the line's end behind a value (quotes within quotes are written twice)";
   if (is_seq) return ", expected '-' or a key as far in as those above";
   if (reason == YAML::ErrorMsg::END_OF_MAP) return ", expected a key as far in as those above";
-  return has_tab_in_indentation(text, offset) ? " behind a tab; indent with blanks" : "";
+  if (has_tab_in_indentation(text, offset)) return " behind a tab; indent with blanks";
+  return std::string(hint_of_quotes(reason, text, offset));
 }
 
 void build(std::string_view text, const LineTable& lines, Document& document) {

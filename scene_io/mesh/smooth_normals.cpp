@@ -18,10 +18,21 @@ double edge_scale(const std::vector<Vec3d>& positions) {
   return half_extent > 0.0 ? std::min(0.5 / half_extent, 1e300) : 1.0;
 }
 
-Vec3f unit_or_zero(const Vec3d& sum) {
-  const double size = std::sqrt(length_squared(sum));
-  return size > 0.0 ? Vec3f(sum / size) : Vec3f(0.0f);
-}
+// Sums of what opposite faces bring, and how large they may be by rounding alone.
+struct NormalSum {
+  void add(const Vec3d& area_twice, double edges) {
+    normal += area_twice;
+    rounding += static_cast<float>(1e-14 * edges);
+  }
+  // Zero where nothing but rounding is left.
+  [[nodiscard]] Vec3f unit_or_zero() const {
+    const double size = std::sqrt(length_squared(normal));
+    return size > static_cast<double>(rounding) ? Vec3f(normal / size) : Vec3f(0.0f);
+  }
+
+  Vec3d normal{0.0};
+  float rounding = 0.0f;
+};
 
 }  // namespace
 
@@ -39,18 +50,19 @@ void compute_smooth_normals(description::Mesh& mesh) {
   mesh.normals.clear();
   if (mesh.positions.empty()) return;
   const double scale = edge_scale(mesh.positions);
-  std::vector<Vec3d> sums(mesh.positions.size(), Vec3d{0.0});
+  std::vector<NormalSum> sums(mesh.positions.size());
   for (const auto& [a, b, c] : mesh.triangles) {
     // Scaled before subtracting: the difference itself may be beyond the largest double.
     const Vec3d corner = mesh.positions[a] * scale;
-    const Vec3d area_twice =
-        cross(mesh.positions[b] * scale - corner, mesh.positions[c] * scale - corner);
-    sums[a] += area_twice;
-    sums[b] += area_twice;
-    sums[c] += area_twice;
+    const Vec3d first = mesh.positions[b] * scale - corner;
+    const Vec3d second = mesh.positions[c] * scale - corner;
+    const Vec3d area_twice = cross(first, second);
+    const double edges = max_component(glm::abs(first)) * max_component(glm::abs(second));
+    for (const std::uint32_t vertex : {a, b, c}) sums[vertex].add(area_twice, edges);
   }
   mesh.normals.resize(sums.size());
-  std::transform(sums.begin(), sums.end(), mesh.normals.begin(), unit_or_zero);
+  std::transform(sums.begin(), sums.end(), mesh.normals.begin(),
+                 [](const NormalSum& sum) { return sum.unit_or_zero(); });
 }
 
 }  // namespace candela::mesh

@@ -1,6 +1,4 @@
 #include <iterator>
-#include <map>
-#include <tuple>
 
 #include "scene_io/obj/map_images.h"
 #include "scene_io/obj/read_obj.h"
@@ -10,30 +8,9 @@ namespace {
 
 using namespace description;
 
-using ImageKey = std::tuple<std::string, Encoding, Wrap>;
-
-ImageKey key_of(const Image& image) {
-  return {image.path, image.encoding, image.wrap};
-}
-
-// Where each of the model's images stands in the scene.
-std::vector<ImageHandle> append_images(std::vector<Image>&& images, SceneDescription& scene) {
-  std::vector<ImageHandle> handles;
-  if (images.empty()) return handles;
-  std::map<ImageKey, ImageHandle> known;
-  for (std::size_t i = 0; i < scene.images.size(); ++i) {
-    known.emplace(key_of(scene.images[i]), ImageHandle(i));
-  }
-  for (Image& image : images) {
-    const auto [entry, is_new] = known.emplace(key_of(image), ImageHandle(scene.images.size()));
-    if (is_new) scene.images.push_back(std::move(image));
-    handles.push_back(entry->second);
-  }
-  return handles;
-}
-
-void append_materials(ObjModel& model, SceneDescription& scene) {
-  const std::vector<ImageHandle> images = append_images(std::move(model.images), scene);
+void append_materials(ObjModel& model, ImageIndex& index, SceneDescription& scene) {
+  std::vector<ImageHandle> images;  // where each of the model's stands in the scene
+  for (Image& image : model.images) images.push_back(index.add(std::move(image), scene));
   for (Material& material : model.materials) {
     for_each_image(material, [&](ImageHandle& image) {
       if (image) image = images[image.index];
@@ -44,10 +21,10 @@ void append_materials(ObjModel& model, SceneDescription& scene) {
 
 }  // namespace
 
-std::vector<MeshHandle> append_model(ObjModel&& model, MaterialHandle material,
+std::vector<MeshHandle> append_model(ObjModel&& model, MaterialHandle material, ImageIndex& images,
                                      SceneDescription& scene) {
   const std::size_t first_material = scene.materials.size();
-  append_materials(model, scene);
+  append_materials(model, images, scene);
   std::vector<MeshHandle> handles;
   for (Mesh& mesh : model.meshes) {
     for (MaterialHandle& own : mesh.materials) own = MaterialHandle(own.index + first_material);
@@ -61,7 +38,8 @@ std::vector<MeshHandle> append_model(ObjModel&& model, MaterialHandle material,
 
 std::vector<MeshHandle> append_obj(const std::string& path, const ObjOptions& options,
                                    SceneDescription& scene, Diagnostics& diagnostics) {
-  return append_model(read_obj(path, options, diagnostics), options.material, scene);
+  ImageIndex images;
+  return append_model(read_obj(path, options, diagnostics), options.material, images, scene);
 }
 
 }  // namespace candela::obj

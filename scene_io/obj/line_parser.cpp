@@ -46,7 +46,7 @@ class ChunkParser {
       case Statement::Material:
         return parse_material(line);
       case Statement::Library:
-        chunk_.libraries.push_back({text::trimmed(line.rest()), offset_of(keyword.data())});
+        chunk_.libraries.push_back({rest_of(line), offset_of(keyword.data())});
         return;
       case Statement::LeftOut:
         return note_left_out(keyword);
@@ -54,6 +54,12 @@ class ChunkParser {
       case Statement::Silent:
         return;
     }
+  }
+
+  // A name, which may hold blanks.
+  [[nodiscard]] static std::string_view rest_of(Cursor& line) {
+    line.skip_blanks();
+    return text::trimmed(line.rest());
   }
 
   [[nodiscard]] std::size_t offset_of(const char* at) const {
@@ -72,7 +78,7 @@ class ChunkParser {
                      std::array<double, Count>& numbers) {
     for (std::size_t i = 0; i < Count; ++i) {
       const std::string_view word = line.next_word();
-      if (word.empty() || (word[0] == '#' && i >= least)) {
+      if (word.empty() || word[0] == '#') {
         if (i >= least) return true;
         error(word.data(),
               text::too_few_numbers(statement, i,
@@ -137,9 +143,7 @@ class ChunkParser {
                             static_cast<std::uint32_t>(keyword.data() - text_.data())});
   }
 
-  void parse_material(Cursor& line) {
-    add_switch(Switch::Kind::Material, text::trimmed(line.rest()));
-  }
+  void parse_material(Cursor& line) { add_switch(Switch::Kind::Material, rest_of(line)); }
 
   void add_switch(Switch::Kind kind, std::string_view name) {
     chunk_.switches.push_back({kind, static_cast<std::uint32_t>(chunk_.faces.size()),

@@ -1,8 +1,11 @@
 #include "scene_io/obj/mtl_files.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -40,57 +43,70 @@ void add_library(MtlLibrary&& library, ObjModel& model) {
   std::move(library.images.begin(), library.images.end(), std::back_inserter(model.images));
 }
 
-void read_library(const Source& source, std::string_view name, const ResolvedPath& resolved,
+// Whether what a 'mtllib' names could be read.
+bool read_library(const Source& source, std::string_view name, const ResolvedPath& resolved,
                   MtlUse use, ObjModel& model, Diagnostics& diagnostics) {
-  if (std::find(model.files.begin(), model.files.end(), resolved.path) != model.files.end()) return;
-  const auto warn = [&](std::string_view reason) {
+  const std::string path = std::filesystem::path(resolved.path).lexically_normal().string();
+  if (std::find(model.files.begin(), model.files.end(), path) != model.files.end()) return true;
+  const auto refuse = [&](std::string_view reason) {
     say(source, name, Severity::Warning,
         fmt::format("MTL file {} {}; faces that use its materials have none",
-                    text::quoted(resolved.path), reason),
+                    text::quoted_path(resolved.path), reason),
         diagnostics);
+    return false;
   };
-  Result<std::string> text = text::read_file(resolved.path, limits);
+  Result<std::string> text = text::read_file(path, limits);
   if (!text)
-    return warn(text.diagnostics.list().empty() ? "" : text.diagnostics.list().front().message);
-  if (text::is_utf16(*text)) return warn("is in UTF-16, expected ASCII or UTF-8");
+    return refuse(text.diagnostics.list().empty() ? "" : text.diagnostics.list().front().message);
+  if (text::is_utf16(*text)) return refuse("is in UTF-16, expected ASCII or UTF-8");
   text::drop_byte_order_mark(*text);
   text::use_line_feeds(*text);
   if (resolved.is_substitute())
     say(source, name, Severity::Note, text::describe_substitute(resolved, name), diagnostics);
-  model.files.push_back(resolved.path);
-  add_library(parse_mtl(resolved.path, *text, use, diagnostics), model);
+  model.files.push_back(path);
+  add_library(parse_mtl(path, *text, use, diagnostics), model);
+  return true;
+}
+
+// The files that one 'mtllib' names: one with blanks in its name, or several. Of what is nowhere
+// the whole.
+std::vector<std::pair<std::string_view, ResolvedPath>> files_of(const std::string& referrer,
+                                                                std::string_view listed) {
+  ResolvedPath whole = text::resolve_path(referrer, listed);
+  if (!whole.is_found) {
+    listed = text::without_comment(listed);
+    whole = text::resolve_path(referrer, listed);
+  }
+  std::vector<std::pair<std::string_view, ResolvedPath>> parts;
+  bool is_any_found = false;
+  text::Cursor names(listed);
+  for (std::string_view name = names.next_word(); !name.empty() && name[0] != '#';
+       name = names.next_word()) {
+    parts.emplace_back(name, text::resolve_path(referrer, name));
+    is_any_found = is_any_found || parts.back().second.is_found;
+  }
+  if (parts.empty() || (is_any_found && !whole.is_found)) return parts;
+  return {{listed, whole}};
 }
 
 }  // namespace
 
-void read_libraries(const std::string& path, const Source& source, const ObjData& data, MtlUse use,
+bool read_libraries(const std::string& path, const Source& source, const ObjData& data, MtlUse use,
                     ObjModel& model, Diagnostics& diagnostics) {
+  bool all_are_there = true;
   std::set<std::string_view> seen;  // some exporters repeat the line for each object
   for (const Chunk& chunk : data.chunks) {
     for (const MtlReference& reference : chunk.libraries) {
       if (!seen.insert(reference.names).second) continue;
-      std::string_view listed = reference.names;
-      ResolvedPath whole = text::resolve_path(path, listed);
-      if (!whole.is_found) {
-        listed = text::without_comment(listed);
-        whole = text::resolve_path(path, listed);
-      }
-      if (listed.empty()) {
+      const auto files = files_of(path, reference.names);
+      if (files.empty())
         text::report(diagnostics, source, reference.offset, Severity::Warning,
                      "no file is named; expected the name of an MTL file");
-        continue;
-      }
-      if (whole.is_found || listed.find_first_of(" \t") == std::string_view::npos) {
-        read_library(source, listed, whole, use, model, diagnostics);
-        continue;
-      }
-      text::Cursor names(listed);
-      for (std::string_view name = names.next_word(); !name.empty() && name[0] != '#';
-           name = names.next_word()) {
-        read_library(source, name, text::resolve_path(path, name), use, model, diagnostics);
-      }
+      for (const auto& [name, resolved] : files)
+        all_are_there &= read_library(source, name, resolved, use, model, diagnostics);
     }
   }
+  return all_are_there;
 }
 
 }  // namespace candela::obj

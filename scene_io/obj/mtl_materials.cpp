@@ -113,6 +113,8 @@ CookTorranceMaterial metal_workflow(const MtlStatements& s, ImageTable& images) 
   return m;
 }
 
+constexpr int own_alpha = 3;  // 1 where the file has none
+
 int channel_of(const MtlTexture& texture) {
   switch (texture.channel.value_or('\0')) {
     case 'r':
@@ -124,7 +126,7 @@ int channel_of(const MtlTexture& texture) {
     case 'b':
       return 2;
     case 'm':
-      return 3;
+      return own_alpha;
     default:
       return alpha_or_first;
   }
@@ -141,6 +143,8 @@ ScalarInput opacity(const MtlStatements& s, const Material& material, ImageTable
   if (s.map_d && !(lab && is_same_file(s.map_d, s.map_kd))) {
     return {1.0, images.add(s.map_d, Encoding::Linear), channel_of(*s.map_d)};
   }
+  if (!lab && s.map_kd && dissolve(s) == 1.0)
+    return {1.0, images.add(s.map_kd, Encoding::LabGamma), own_alpha};
   const bool is_taken =
       std::holds_alternative<DielectricMaterial>(material.model) || (lab && !s.map_kd);
   return {is_taken ? 1.0 : dissolve(s), {}, 0};

@@ -83,7 +83,7 @@ class TextureParser {
       if (needs_numbers && !number) {
         say(Severity::Error, argument.data(),
             fmt::format("{} {}; expected a number after '{}'", text::quoted(argument),
-                        text::describe(text::NumberFault::Malformed), word));
+                        text::describe(number.fault), word));
         return false;
       }
       at_ = ahead;

@@ -23,8 +23,9 @@
 //   else                               LabMaterial as above; Ns is not clamped above
 // For each: Ke = radiance emitted on both sides (MTL does not say on which), map_d = opacity
 // (-imfchan names the channel; absent: alpha where the file has it), or d where the model has no
-// use for it; bump's -bm = height_scale in units of `bump_height`; norm = normal map; -clamp on. Kd
-// decodes by pow 2.2 as its maps do; Ks, Ke, Tf, Pr, Pm and d are linear as they stand.
+// use for it, or, where that is 1, map_Kd's alpha; bump's -bm = height_scale in units of
+// `bump_height`; norm = normal map; -clamp on. Kd decodes by pow 2.2 as its maps do; Ks, Ke, Tf,
+// Pr, Pm and d are linear as they stand.
 #pragma once
 
 #include <string>

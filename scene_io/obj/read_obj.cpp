@@ -68,14 +68,16 @@ void warn_of_left_out(const Source& source, const ObjData& data, Diagnostics& di
   }
 }
 
-// Names to indices of materials. Each unknown name is said once.
+// Names to indices of materials. Each unknown name is said once; without any material the first.
 class MaterialNames {
  public:
+  // `lacks_library`: an MTL is missing, which has been said.
   MaterialNames(const Source& source, const std::vector<description::Material>& materials,
-                Diagnostics& diagnostics)
-      : source_(source), diagnostics_(diagnostics) {
+                bool lacks_library, Diagnostics& diagnostics)
+      : source_(source), is_said_(materials.empty() && lacks_library), diagnostics_(diagnostics) {
     for (std::uint32_t i = 0; i < materials.size(); ++i) {
-      indices_.emplace(materials[i].name, i);  // the first of a name stays
+      const auto [first, is_new] = indices_.emplace(materials[i].name, i);
+      if (!is_new) warn_of_second(materials[first->second], materials[i]);
       names_.emplace_back(materials[i].name);
     }
     for (std::uint32_t i = 0; i < materials.size(); ++i)
@@ -85,23 +87,37 @@ class MaterialNames {
   std::optional<std::uint32_t> operator()(std::string_view name) {
     for (const std::string_view word : {name, text::without_comment(name)})
       if (const auto found = indices_.find(word); found != indices_.end()) return found->second;
-    // Without any material the missing MTL has been said already.
-    if (!names_.empty() && !name.empty() && unknown_.insert(name).second) {
+    if (!is_said_ && !name.empty() && unknown_.insert(name).second) {
       warn_of_unknown(name);
+      is_said_ = names_.empty();
     }
     return std::nullopt;
   }
 
  private:
+  // Within one file the MTL's reader has said it.
+  void warn_of_second(const description::Material& first, const description::Material& second) {
+    if (first.span.file == second.span.file || !text::is_kept(diagnostics_, Severity::Warning))
+      return;
+    diagnostics_.warning(second.span,
+                         fmt::format("material {} is defined in {} as well; the first definition "
+                                     "counts",
+                                     text::quoted(second.name), *first.span.file));
+  }
+
   void warn_of_unknown(std::string_view name) {
     // Comparing with all names would take long for many names.
     const bool is_kept = text::is_kept(diagnostics_, Severity::Warning);
     const std::string advice = is_kept ? did_you_mean(name, names_) : "";
     warn(source_, static_cast<std::size_t>(name.data() - source_.text.data()),
-         fmt::format("material {} is not in the MTL{}", text::quoted(name), advice), diagnostics_);
+         fmt::format("material {} is not in the MTL{}", text::quoted(name),
+                     names_.empty() ? ", which has no materials; expected 'mtllib' with one before"
+                                    : advice),
+         diagnostics_);
   }
 
   const Source& source_;
+  bool is_said_;
   Diagnostics& diagnostics_;
   std::unordered_map<std::string_view, std::uint32_t> indices_;
   std::vector<std::string_view> names_;
@@ -157,13 +173,15 @@ void build_meshes(const std::string& path, const Source& source, const ObjData& 
   }
 }
 
-void warn_of_dropped(const Source& source, const MeshPlan& plan, Diagnostics& diagnostics) {
+void warn_of_dropped(const Source& source, const ObjModel& model, const MeshPlan& plan,
+                     Diagnostics& diagnostics) {
   if (plan.face_count == 0) return;
   warn(source, first_offset(plan),
-       fmt::format("{} face{} without a material {} dropped, from here on; expected 'usemtl' with "
-                   "a material of the MTL before",
+       fmt::format("{} face{} without a material {} dropped, from here on; expected {} before",
                    plan.face_count, plan.face_count == 1 ? "" : "s",
-                   plan.face_count == 1 ? "is" : "are"),
+                   plan.face_count == 1 ? "is" : "are",
+                   model.materials.empty() ? "'mtllib' with an MTL that has materials"
+                                           : "'usemtl' with a material of the MTL"),
        diagnostics);
 }
 
@@ -181,10 +199,12 @@ std::vector<MeshPlan> plan_meshes(const Source& source, const ObjData& data,
                                   const ObjOptions& options, ObjModel& model,
                                   Diagnostics& diagnostics) {
   if (options.materials == MtlUse::Ignore) return {plan_whole(data)};
-  MaterialNames names(source, model.materials, diagnostics);
+  const bool lacks_library =
+      !read_libraries(*source.name, source, data, options.materials, model, diagnostics);
+  MaterialNames names(source, model.materials, lacks_library, diagnostics);
   std::vector<MeshPlan> plans = plan_by_material(data, model.materials.size(), std::ref(names));
   if (options.materials == MtlUse::Lab) {
-    warn_of_dropped(source, plans.back(), diagnostics);
+    if (!diagnostics.has_errors()) warn_of_dropped(source, model, plans.back(), diagnostics);
     plans.pop_back();
   } else if (plans.back().face_count > 0 && !options.material) {
     add_grey(source, model, plans.back());
@@ -214,9 +234,6 @@ ObjModel parse_sound_text(const std::string& path, std::string text, const ObjOp
   warn_of_left_out(source, data, diagnostics);
   if (!has_faces(data) && diagnostics.error_count() == errors_before) {
     diagnostics.error({source.name, 0, 0}, "holds no faces ('f')");
-  }
-  if (options.materials != MtlUse::Ignore) {
-    read_libraries(path, source, data, options.materials, model, diagnostics);
   }
   std::vector<MeshPlan> plans = plan_meshes(source, data, options, model, diagnostics);
   std::erase_if(plans, [](const MeshPlan& plan) { return plan.face_count == 0; });

@@ -18,6 +18,7 @@
 
 #include "renderer/base/diagnostic.h"
 #include "renderer/description/scene_description.h"
+#include "scene_io/image_index.h"
 
 namespace candela::obj {
 
@@ -56,6 +57,7 @@ struct ObjModel {
 // scene has already (same path, encoding and wrap) are shared; nothing is instanced.
 std::vector<description::MeshHandle> append_model(ObjModel&& model,
                                                   description::MaterialHandle material,
+                                                  ImageIndex& images,
                                                   description::SceneDescription& scene);
 
 // read_obj and append_model in one.

@@ -106,8 +106,12 @@ bool set_own_model(MaterialReader& reader, Material& material) {
 
 void add_own_parameters(MaterialReader& reader, Material& material) {
   Arguments& arguments = reader.arguments;
-  if (auto* metal = std::get_if<description::ConductorMaterial>(&material.model))
+  if (auto* metal = std::get_if<description::ConductorMaterial>(&material.model)) {
     metal->energy_compensation = arguments.flag("energycompensation", false);
+    if (metal->energy_compensation && metal->roughness_across)
+      arguments.error(*arguments.find("energycompensation"),
+                      "needs one roughness, found uroughness and vroughness that differ");
+  }
   auto* glass = std::get_if<description::DielectricMaterial>(&material.model);
   if (!glass) return;
   if (const Parameter* colour = arguments.find("transmittance", {ParameterType::Rgb}))

@@ -5,9 +5,9 @@
 namespace candela::text {
 namespace {
 
-bool is_comment(const char* line, const char* end) {
-  while (line != end && is_blank(*line)) ++line;
-  return line != end && *line == '#';
+bool ends_in_comment(std::string_view line) {
+  const std::string_view said = trimmed(line);
+  return said.starts_with('#') || without_comment(said).size() != said.size();
 }
 
 // Whether the '\n' at `end` of the line from `begin` is behind a back-slash.
@@ -51,7 +51,8 @@ std::string_view Cursor::next_logical_line() {
       at_ = end_;
       return {begin, static_cast<std::size_t>(end_ - begin)};
     }
-    if (!is_continued(part, newline) || is_comment(begin, newline)) {
+    if (!is_continued(part, newline) ||
+        ends_in_comment({part, static_cast<std::size_t>(newline - part)})) {
       at_ = newline + 1;
       return {begin, static_cast<std::size_t>(newline - begin)};
     }

@@ -69,8 +69,9 @@ class Cursor {
     return {begin, static_cast<std::size_t>(at_ - begin)};
   }
 
-  // From here to the line's end, continued lines with it, and past its '\n'. Comments, lines that
-  // begin with '#', do not continue: their last character may be the end of a folder's name.
+  // From here to the line's end, continued lines with it, and past its '\n'. Comments, from a '#'
+  // that begins the line or stands between blanks, do not continue: their last character may be the
+  // end of a folder's name.
   [[nodiscard]] std::string_view next_logical_line();
 
  private:

@@ -1,7 +1,5 @@
 #include "scene_io/text/plain_text.h"
 
-#include <algorithm>
-
 namespace candela::text {
 
 bool is_utf16(std::string_view text) {
@@ -13,7 +11,10 @@ void drop_byte_order_mark(std::string& text) {
 }
 
 void use_line_feeds(std::string& text) {
-  if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
+  const std::size_t first = text.find_first_of("\r\n");
+  if (first == std::string::npos || text[first] == '\n' || text.substr(first, 2) == "\r\n") return;
+  for (std::size_t i = first; i < text.size(); ++i)
+    if (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n')) text[i] = '\n';
 }
 
 }  // namespace candela::text

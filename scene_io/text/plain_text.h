@@ -9,7 +9,7 @@ namespace candela::text {
 [[nodiscard]] bool is_utf16(std::string_view text);
 // Of UTF-8.
 void drop_byte_order_mark(std::string& text);
-// Where lines end as on old Macs, by carriage returns alone, they become line feeds.
+// Where the first line ends as on old Macs, by a carriage return alone, all such become line feeds.
 void use_line_feeds(std::string& text);
 
 }  // namespace candela::text

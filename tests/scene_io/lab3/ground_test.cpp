@@ -11,10 +11,10 @@ using namespace description;
 constexpr std::string_view text =
     "Materials: [{Name: a}]\nModels: [{Mesh: quad.obj}]\nCameras: [{ZFar: 200}]\n";
 
-SceneDescription with_ground(const std::string& scene_name) {
+SceneDescription with_ground(const std::string& scene_name, std::string_view scene_text = text) {
   LoadOptions options;
   options.lab3_ground = test::lab3_folder() + "picture.png";
-  auto scene = lab3::parse_lab3(test::lab3_folder() + scene_name, text, options);
+  auto scene = lab3::parse_lab3(test::lab3_folder() + scene_name, scene_text, options);
   EXPECT_TRUE(scene);
   return scene ? std::move(*scene) : SceneDescription{};
 }
@@ -39,6 +39,25 @@ TEST(Unit_Lab3Ground, IsASquareBelowTheModels) {
   }
   ASSERT_EQ(scene.instances.size(), 2u);
   EXPECT_TRUE(scene.instances[1].object_to_world.is_identity());
+}
+
+// Not at the corner of a turned box about them, nor at a lamp.
+TEST(Unit_Lab3Ground, LiesAtTheLowestVertex) {
+  const std::string turned =
+      "Materials: [{Name: a}]\nCameras: [{ZFar: 200}]\n"
+      "Lights: [{Type: Area, p0: [0, -70, 0], p1: [1, -70, 0], p2: [0, -70, 1]}]\n"
+      "Models:\n"
+      "- {Mesh: triangle.obj, Rotation: [[-.8, .6, 0], [-.6, -.8, 0], [0, 0, 1]]}\n"
+      "- {Mesh: triangle.obj, Rotation: [[-.8, -.6, 0], [.6, -.8, 0], [0, 0, 1]], Translation: [9, "
+      "0, 0]}"
+      "\n";
+  const SceneDescription scene = with_ground("any.yaml", turned);
+  ASSERT_EQ(scene.instances.size(), 3u);
+  double lowest = 1e9;
+  for (std::size_t i = 0; i < 2; ++i)
+    for (const Vec3d& p : scene.meshes[scene.instances[i].mesh.index].positions)
+      lowest = std::min(lowest, scene.instances[i].object_to_world.point(p).y);
+  EXPECT_EQ(scene.meshes[scene.instances[2].mesh.index].positions.at(0).y, lowest);
 }
 
 TEST(Unit_Lab3Ground, CarriesThePictureAndNoHighlight) {

@@ -112,7 +112,14 @@ TEST(Unit_Lab3Lights, DirectionOfAnAreaChoosesItsSide) {
             "the side of (p1 - p0) x (p2 - p0)");
 }
 
+TEST(Errors_Lab3Lights, AreNamedOnceHoweverManyAliasesThereAre) {
+  EXPECT_EQ(error_in("Lights: [&a {Intensity: 5}, *a, *a]\n"),
+            "1:25: Intensity: found '5', expected a list of 3 numbers, such as [5, 5, 5]");
+}
+
 TEST(Errors_Lab3Lights, Areas) {
+  EXPECT_EQ(error_in(lights("Type: Area")),
+            "2:5: an Area light needs p0, p1 and p2, the corners of its triangle");
   EXPECT_EQ(error_in(lights("Type: Area, p0: [0, 0, 0], p1: [1, 0, 0]")),
             "2:5: an Area light needs p2, a corner of its triangle");
   EXPECT_EQ(error_in(lights("Type: Area, Position: [0, 0, 0], Position2: [1, 0, 0]")),

@@ -86,7 +86,12 @@ TEST(Errors_YamlTree, MalformedTexts) {
             "2:1: malformed YAML: illegal tab when looking for indentation; indent with blanks");
   EXPECT_EQ(error_in("Render:\n\tWidth: 3\n"),
             "2:7: malformed YAML: illegal map value behind a tab; indent with blanks");
-  EXPECT_EQ(error_in("Render:\n  Width: 3: 4\t\n"), "2:11: malformed YAML: illegal map value");
+  EXPECT_EQ(error_in("Render:\n  Width: 3: 4\t\n"),
+            "2:11: malformed YAML: illegal map value; what holds ': ' is written in quotes");
+  EXPECT_EQ(error_in("Cameras:\n-\tEye: [0, 0, 1]\n"),
+            "2:6: malformed YAML: illegal map value behind a tab; indent with blanks");
+  EXPECT_EQ(error_in("Materials:\n- Name: @a\n"),
+            "2:9: malformed YAML: unknown token; what begins with '@' or '`' is written in quotes");
   EXPECT_EQ(error_in("Lights:\n  - Type: Point\n Position: [1, 2, 3]\n"),
             "3:2: malformed YAML: end of map not found, expected a key as far in as those above");
   EXPECT_EQ(error_in("Lights:\n- Type: Point\n Intensity: 3\n"),

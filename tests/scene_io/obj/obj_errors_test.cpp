@@ -169,6 +169,57 @@ TEST(Errors_Obj, AMissingMtlIsAWarning) {
   EXPECT_TRUE(diagnostics.list()[1].message.starts_with("1 face without a material is dropped"));
 }
 
+std::vector<std::string> said_of(const TemporaryFolder& folder, const std::string& text,
+                                 MtlUse use) {
+  Diagnostics diagnostics;
+  ObjOptions options;
+  options.materials = use;
+  (void)parse_obj(folder.file("a.obj"), text, options, diagnostics);
+  std::vector<std::string> messages;
+  for (const Diagnostic& found : diagnostics.list()) messages.push_back(found.message);
+  return messages;
+}
+
+TEST(Errors_Obj, MaterialsWithoutAnyMtl) {
+  const TemporaryFolder folder;
+  folder.put("empty.mtl", std::string("# nothing\n"));
+  const std::string unknown =
+      "material 'red' is not in the MTL, which has no materials; expected 'mtllib' with one before";
+  for (const std::string library : {"", "mtllib empty.mtl\n"}) {
+    const std::string text = library + three_and("usemtl red\nf 1 2 3\nusemtl blue\nf 1 3 2\n");
+    EXPECT_EQ(said_of(folder, text, MtlUse::Full), std::vector{unknown});
+    EXPECT_EQ(said_of(folder, text, MtlUse::Lab),
+              (std::vector<std::string>{
+                  unknown,
+                  "2 faces without a material are dropped, from here on; expected 'mtllib' with an "
+                  "MTL that has materials before"}));
+  }
+}
+
+TEST(Errors_Obj, AMaterialOfTwoMtls) {
+  const TemporaryFolder folder;
+  folder.put("a.mtl", std::string("newmtl red\nKd 1 0 0\n"));
+  folder.put("b.mtl", std::string("newmtl red\nKd 0 1 0\n"));
+  const std::string text = "mtllib a.mtl b.mtl\n" + three_and("usemtl red\nf 1 2 3\n");
+  EXPECT_EQ(said_of(folder, text, MtlUse::Full),
+            std::vector{"material 'red' is defined in " + folder.file("a.mtl") +
+                        " as well; the first definition counts"});
+}
+
+TEST(Errors_Obj, OfAMissingMtlWithBlanksTheWholeNameIsTold) {
+  const TemporaryFolder folder;
+  const auto said = said_of(folder, "mtllib my lib.mtl\n" + three_and("f 1 2 3\n"), MtlUse::Full);
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_TRUE(said[0].starts_with("MTL file '" + folder.file("my lib.mtl") + "' cannot be opened"))
+      << said[0];
+}
+
+// What else is wrong with a broken file follows from that.
+TEST(Errors_Obj, FacesOfBrokenFilesAreNotSaidToBeDropped) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(said_of(folder, three_and("f 1 2 3\nf 1 2 9\n"), MtlUse::Lab).size(), 1u);
+}
+
 TEST(Errors_Obj, AnMtllibWithoutANameIsAWarning) {
   const TemporaryFolder folder;
   Diagnostics diagnostics;

@@ -207,5 +207,16 @@ TEST(Unit_Mtl, IgnoreReadsNothing) {
   EXPECT_TRUE(parse("newmtl a\nKd x\n", MtlUse::Ignore).materials.empty());
 }
 
+TEST(Unit_Mtl, FullMetalWorkflowKeepsTheAlphaOfItsMap) {
+  const auto opacity = [](std::string_view more) {
+    return only(fmt::format("map_Kd leaf.png\nPr 1\n{}", more), MtlUse::Full).opacity;
+  };
+  EXPECT_TRUE(opacity("").map);
+  EXPECT_EQ(opacity("").channel, 3);
+  EXPECT_EQ(opacity("map_d mask.png\n").map.index, 1u);
+  EXPECT_FALSE(opacity("d .5\n").map);
+  EXPECT_EQ(opacity("d .5\n").factor, 0.5);
+}
+
 }  // namespace
 }  // namespace candela::obj

@@ -240,6 +240,34 @@ TEST(Unit_Obj, CommentsMayStandBehindNames) {
   EXPECT_EQ(model.images[1].path, folder.file("b # c.png"));
 }
 
+TEST(Unit_Obj, NamesMayStandInTheNextLine) {
+  const TemporaryFolder folder;
+  folder.put("a.mtl", two_materials);
+  const std::string obj =
+      folder.put("x.obj", "mtllib \\\na.mtl\n" + square + "usemtl \\\nblue\nf 1 2 3\n");
+  Diagnostics diagnostics;
+  const ObjModel model = read_obj(obj, {}, diagnostics);
+  EXPECT_TRUE(diagnostics.list().empty());
+  ASSERT_EQ(model.meshes.size(), 1u);
+  EXPECT_EQ(model.meshes[0].name, "blue");
+}
+
+TEST(Unit_Obj, AnMtlIsReadOnceByAnyNameOfIt) {
+  const TemporaryFolder folder;
+  folder.put("a.mtl", two_materials);
+  const std::string obj =
+      folder.put("x.obj", "mtllib ./a.mtl\nmtllib a.mtl\n" + square + "usemtl blue\nf 1 2 3\n");
+  Diagnostics diagnostics;
+  const ObjModel model = read_obj(obj, {}, diagnostics);
+  EXPECT_TRUE(diagnostics.list().empty());
+  EXPECT_EQ(model.materials.size(), 3u);
+}
+
+// Lines that end as on old Macs, but for the last, which an editor of today has added.
+TEST(Unit_Obj, OldLinesEndsMayBeMixed) {
+  EXPECT_EQ(parse("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r\n").meshes[0].triangles.size(), 1u);
+}
+
 TEST(Unit_Obj, EqualImagesOfSeveralFilesAreOne) {
   const TemporaryFolder folder;
   folder.put("a.mtl", two_materials);

@@ -66,8 +66,9 @@ TEST(Unit_Cursor, WordsLinesAndContinuations) {
   EXPECT_TRUE(line.at_end());
   line = Cursor(cursor.next_logical_line());
   EXPECT_EQ(line.next_word(), "d\\x");
-  // The comment that is continued into does not begin its line.
-  EXPECT_EQ(line.rest(), " # e\\\n# f\\\ng");
+  EXPECT_EQ(line.rest(), " # e\\");  // a comment, which is not continued
+  EXPECT_EQ(cursor.next_logical_line(), "# f\\");
+  EXPECT_EQ(cursor.next_logical_line(), "g");
   EXPECT_TRUE(cursor.at_end());
   EXPECT_EQ(cursor.next_logical_line(), "");
 }
@@ -76,6 +77,11 @@ TEST(Unit_Cursor, CommentsAreNotContinued) {
   Cursor cursor(" # in c:\\temp\\\nnext");
   EXPECT_EQ(cursor.next_logical_line(), " # in c:\\temp\\");
   EXPECT_EQ(cursor.next_logical_line(), "next");
+  cursor = Cursor("f 1 2 \\\n3 # in c:\\temp\\\nnext");
+  EXPECT_EQ(cursor.next_logical_line(), "f 1 2 \\\n3 # in c:\\temp\\");
+  EXPECT_EQ(cursor.next_logical_line(), "next");
+  cursor = Cursor("usemtl Material#25\\\nnext");  // no comment
+  EXPECT_EQ(cursor.next_logical_line(), "usemtl Material#25\\\nnext");
 }
 
 TEST(Unit_Cursor, SpacesReachAcrossLines) {
