@@ -16,7 +16,11 @@ TEST(Errors_StopOptions, AreRefusedInSentences) {
                    "expected an error of which the square is a number");
   expect_refused({cornell_box, "--time", "5x"}, 2, "expected a time above 0 such as 60s");
   expect_refused({cornell_box, "--replicates", "0"}, 2, "expected a whole number from 1");
-  expect_refused({cornell_box, "--clamp", "-1"}, 2, "expected a number above 0");
+  for (const char* number : {"-1", "1e39", "1e-39"})
+    expect_refused({cornell_box, "--clamp", number}, 2, "expected a number from 1.2e-38 to 3.4e38");
+  expect_refused({cornell_box, "--relmse", "1e-320"}, 2, "expected a number above 0");
+  expect_refused({cornell_box, "--integrator", "report", "--rr", "1e-40"}, 2,
+                 "expected a number above 0 and up to 1");
   expect_refused({cornell_box, "--error", "1%", "--replicates", "1"}, 2,
                  "--error needs an error to go by, and --replicates 1 states none");
   expect_refused({cornell_box, "--relmse", "1e-3", "--integrator", "whitted"}, 2,

@@ -41,6 +41,13 @@ TEST(Unit_UnmetRequests, APilotThatHasTooFewSamplesOrPixels) {
   EXPECT_EQ(of_box({"--size", "8x8", "--spp", "8"}), Sentences{});
 }
 
+TEST(Unit_UnmetRequests, AnErrorThatNobodyKnows) {
+  EXPECT_EQ(warnings_of({cornell_box, "--size", "8x8", "--spp", "1", "--error", "1%"}),
+            Sentences{"no error is known of one sample a pixel, so that none ends the render"});
+  EXPECT_EQ(warnings_of({cornell_box, "--size", "8x8", "--spp", "4", "--error", "1%"}),
+            Sentences{});
+}
+
 TEST(Errors_UnmetRequests, EndARenderThatIsStrict) {
   expect_refused({cornell_box, "--size", "8x8", "--spp", "8", "--adaptive", "on", "--strict"}, 3,
                  "--adaptive on: with 8 samples a pixel there is no pilot");

@@ -82,7 +82,7 @@ std::optional<double> finite(std::string_view text) {
 }
 
 bool is_positive(double value) {
-  return value > 0;
+  return value > 0 && std::isnormal(value);
 }
 
 // The number that `number`, a part of `text`, is, in its unit; else what was expected of the text.
@@ -192,9 +192,16 @@ Result<double> parse_positive_number(std::string_view text) {
   return number_in(text, text, is_positive, "a number above 0");
 }
 
+Result<double> parse_positive_float(std::string_view text) {
+  const auto is_float = [](double value) {
+    return value > 0 && std::isnormal(static_cast<float>(value));
+  };
+  return number_in(text, text, is_float, "a number from 1.2e-38 to 3.4e38");
+}
+
 Result<double> parse_probability(std::string_view text) {
   const auto is_probability = [](double value) {
-    return static_cast<float>(value) > 0 && value <= 1;
+    return value > 0 && value <= 1 && std::isnormal(static_cast<float>(value));
   };
   return number_in(text, text, is_probability, "a number above 0 and up to 1");
 }

@@ -80,6 +80,8 @@ template <class T>
 [[nodiscard]] Result<double> parse_number(std::string_view text);
 [[nodiscard]] Result<double> parse_non_negative_number(std::string_view text);
 [[nodiscard]] Result<double> parse_positive_number(std::string_view text);
+// That a float can hold.
+[[nodiscard]] Result<double> parse_positive_float(std::string_view text);
 // Above 0 and up to 1.
 [[nodiscard]] Result<double> parse_probability(std::string_view text);
 // "1%" or "0.01".

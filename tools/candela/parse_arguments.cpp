@@ -136,7 +136,7 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
   add_choice(command, "--guiding", "guiding", render.guiding, guiding_choices(),
              "Whether paths follow what others learned of the light; auto: where a trial says that "
              "it pays [off]");
-  add_value(command, "--clamp", "X", render.clamp, parse_positive_number,
+  add_value(command, "--clamp", "X", render.clamp, parse_positive_float,
             "Dim samples to X in their largest channel: less noise, less light (biased)");
   add_value(command, "--size", "WxH", render.size, parse_size,
             "Pixels [the scene's, else 512x512]");

@@ -248,15 +248,22 @@ void RenderRun::report_reliability() {
         "two samples a pixel know little of their error: the stated one is likely too small "
         "(three do)");
   // Fewer samples a replicate say little about tails.
-  const bool is_telling = report_.min_samples >= 4 * report_.replicates;
+  const bool is_telling = report_.min_samples >= 4 * std::min(report_.replicates, 4u);
   if (report_.error && is_telling && report_.error->heavy_tails > negligible)
     warn(
         fmt::format("in {:.1f} % of the pixels rare strong samples hold most of the light: the "
                     "stated error may be too small (--aov heavy_tail shows where)",
                     report_.error->heavy_tails * 100));
-  if (report_.min_samples == 0 && report_.max_samples > 0 &&
-      report_.statistics.stop == StopReason::Time)
-    warn("the time did not suffice for one sample in every pixel; those without are black");
+  if (report_.max_samples == 0) return;  // nothing is written
+  if (report_.min_samples == 0)
+    warn(report_.statistics.stop == StopReason::Time
+             ? "the time did not suffice for one sample in every pixel; those without are black"
+             : "not every pixel has a sample; those without are black");
+  if (report_.min_samples < 2 && options().samples_per_pixel > 1 && report_.replicates > 1 &&
+      (options().aovs & layers_of_errors) != 0)
+    warn(
+        "the render ended before every pixel had two samples: the layers variance, interval and "
+        "heavy_tail tell nothing");
 }
 
 void RenderRun::report_invalid_samples() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -175,7 +176,8 @@ void settle_film(const RenderArguments& arguments, const description::RenderDefa
   else if (defaults.filter)
     options.filter = scene_choice("filter", *defaults.filter, filter_choices());
   if (defaults.filter_radius && !arguments.filter)
-    options.filter_radius = static_cast<float>(*defaults.filter_radius);
+    options.filter_radius =
+        std::max(static_cast<float>(*defaults.filter_radius), std::numeric_limits<float>::min());
 }
 
 void settle_depth(const RenderArguments& arguments, const description::RenderDefaults& defaults,

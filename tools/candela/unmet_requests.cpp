@@ -33,14 +33,14 @@ std::vector<std::string> unmet_requests(const RenderArguments& arguments, const 
         "--reuse on: the scene and the options have no paths that pixels could share");
   if (options.guiding == Guiding::On && feasible.guiding == Guiding::Off)
     sentences.emplace_back("--guiding on: paths through media are not guided");
-  constexpr AovSet layers_of_errors =
-      aov_bit(Aov::Variance) | aov_bit(Aov::Interval) | aov_bit(Aov::HeavyTail);
   const std::uint32_t replicates =
       std::min(static_cast<std::uint32_t>(options.samples_per_pixel), film_replicates(options));
   if ((options.aovs & layers_of_errors) != 0 && replicates < 2)
     sentences.emplace_back(
         "--aov: no error is known without two replicates and a sample of each: variance, interval "
         "and heavy_tail are 0");
+  if (options.target_relmse && replicates < 2)
+    sentences.emplace_back("no error is known of one sample a pixel, so that none ends the render");
   return sentences;
 }
 

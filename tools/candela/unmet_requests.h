@@ -10,6 +10,9 @@
 
 namespace candela::cli {
 
+inline constexpr AovSet layers_of_errors =
+    aov_bit(Aov::Variance) | aov_bit(Aov::Interval) | aov_bit(Aov::HeavyTail);
+
 // A sentence for each that the scene and the options tell beforehand.
 [[nodiscard]] std::vector<std::string> unmet_requests(const RenderArguments& arguments,
                                                       const Scene& scene,
