@@ -2,8 +2,8 @@
 
 #include "integrators/pixel_cover.h"
 #include "integrators/trial.h"
-#include "renderer/geometry/geometry_bounds.h"
 #include "renderer/geometry/world_to_object.h"
+#include "renderer/scene/object_bounds.h"
 
 namespace candela {
 namespace {
@@ -42,12 +42,7 @@ Bounds3f wide_bounds_of(const Instance& instance, const Bounds3f& object) {
 }
 
 void add_instances(const Scene& scene, PixelCover& cover) {
-  std::vector<Bounds3f> objects;
-  for (const Object& object : scene.objects) {
-    Bounds3f& bounds = objects.emplace_back();
-    for (const GeometryHandle handle : object.geometries)
-      bounds.include(bounds_of(scene.geometries[handle.index]));
-  }
+  const std::vector<Bounds3f> objects = bounds_of_objects(scene);
   for (const Instance& instance : scene.instances) {
     const Bounds3f& object = objects[instance.object.index];
     if (object.is_empty()) continue;

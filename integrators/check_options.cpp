@@ -30,6 +30,11 @@ class Check {
       error(fmt::format("{} is {}, expected above 0{}", what, value,
                         std::isfinite(high) ? fmt::format(" and at most {}", high) : ""));
   }
+  // `last`: of the kinds that there are.
+  template <class Kind>
+  void exists(std::string_view what, Kind kind, Kind last) const {
+    if (kind > last) error(fmt::format("{} is none that there is", what));
+  }
   void error(std::string message) const { diagnostics_.error({}, std::move(message)); }
 
  private:
@@ -52,6 +57,7 @@ void check_picture(const Scene& scene, const RenderOptions& options, const Check
     check.error(fmt::format("the crop {},{},{},{} is no part of {} x {} pixels", options.crop->x0,
                             options.crop->y0, options.crop->x1, options.crop->y1, options.width,
                             options.height));
+  check.exists("the filter", options.filter, FilterKind::Sinc);
   constexpr double widest = description::RenderDefaults::widest_filter;
   // A box without a width is the pixel's middle.
   if (options.filter_radius && options.filter == FilterKind::Box)
@@ -64,8 +70,13 @@ void check_picture(const Scene& scene, const RenderOptions& options, const Check
 }
 
 void check_sampling(const RenderOptions& options, const Check& check) {
-  if (options.integrator > IntegratorKind::Report)
-    check.error("the integrator is none that there is");
+  check.exists("the integrator", options.integrator, IntegratorKind::Report);
+  check.exists("the strategy of sampling", options.sampling, SamplingStrategy::Uniform);
+  check.exists("the heuristic", options.heuristic, Heuristic::Balance);
+  check.exists("the sampler", options.sampler, SamplerKind::Independent);
+  check.exists("the light sampling", options.light_sampling, LightSampling::SolidAngle);
+  check.exists("the guiding", options.guiding, Guiding::On);
+  check.exists("the specular model", options.specular, SpecularModel::Phong);
   check.within("the number of samples a pixel", options.samples_per_pixel, 1,
                max_samples_per_pixel);
   check.within("the number of replicates", options.replicates, 1, max_replicates);

@@ -50,7 +50,7 @@ Vec3d run_block(TilePass pass, const TrialBlock& place, const RenderOptions& opt
   pass.tile = trial_tile(options, 1, place.seed, place.pixel);
   pass.range = {0, whole_block};
   pass.seed = hash_counter(place.seed, place.sequence);
-  Film film(options.width, options.height, pass.tile, 0);
+  Film film(options.width, options.height, pass.tile, 0, 1, film_balance(options));
   render_tile(pass, film);
   return film.mean(0);
 }

@@ -38,8 +38,8 @@ struct TrialBlock {
   std::uint32_t sequence = 0;
 };
 
-// A whole block of the samples of one pixel, of which the pass' observer is told; returns their
-// mean.
+// A whole block of the samples of one pixel, of which the pass' observer is told, in colours before
+// the film's balance; returns their mean, which has it.
 Vec3d run_block(TilePass pass, const TrialBlock& place, const RenderOptions& options,
                 const TileFunction& render_tile);
 

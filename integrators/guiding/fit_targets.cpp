@@ -34,11 +34,6 @@ struct Cluster {
   double middle = 0;    // of them there
 };
 
-int largest_axis(const Vec3d& v) {
-  if (v.x >= v.y) return v.x >= v.z ? 0 : 2;
-  return v.y >= v.z ? 1 : 2;
-}
-
 // Means are by weight, that of distances by their inverse: of angles that they make.
 Cluster cluster_of(Sights sights, const Vec3d& from) {
   Cluster cluster{.sights = sights};
@@ -55,7 +50,7 @@ Cluster cluster_of(Sights sights, const Vec3d& from) {
   const Vec3d mean = sum / cluster.weight;
   const Vec3d variance = squares / cluster.weight - mean * mean;
   cluster.angle2 = std::max(variance.x + variance.y + variance.z, 0.0);
-  cluster.axis = largest_axis(variance);
+  cluster.axis = max_axis(variance);
   cluster.middle = mean[cluster.axis];
   cluster.distance = cluster.weight / nearness;
   cluster.target = from + mean * (cluster.distance / (std::sqrt(dot(mean, mean)) + 1e-9));

@@ -17,9 +17,7 @@ int longest_axis(std::span<const TrainingRecord> records) {
     low = glm::min(low, record.position);
     high = glm::max(high, record.position);
   }
-  const Vec3f size = high - low;
-  if (size.x >= size.y) return size.x >= size.z ? 0 : 2;
-  return size.y >= size.z ? 1 : 2;
+  return max_axis(high - low);
 }
 
 }  // namespace

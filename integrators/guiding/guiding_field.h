@@ -17,7 +17,7 @@ namespace candela {
 inline constexpr std::uint32_t receiving_sides = 7;
 [[nodiscard]] inline std::uint32_t receiving_side(const Vec3f& normal) {
   const Vec3f size{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
-  const int axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+  const int axis = max_axis(size);
   if (!(size[axis] > 0)) return 6;
   return static_cast<std::uint32_t>(2 * axis) + (normal[axis] < 0 ? 1 : 0);
 }

@@ -8,6 +8,7 @@
 #include "integrators/guiding/guiding_field.h"
 #include "integrators/path_observer.h"
 #include "renderer/accel/ray_block.h"
+#include "renderer/base/floating_point_traps.h"
 
 namespace candela {
 
@@ -38,6 +39,7 @@ class TrainingLog final : public PathObserver {
     }
   }
   void end(std::uint32_t lane, const Rgb& radiance) override {
+    const FloatingPointTraps traps(Traps::Off);  // of channels that a path has lost
     for (Vertex& vertex : open_[lane]) {
       const Rgb brought = (radiance - vertex.radiance) / vertex.throughput;
       vertex.record.weight = sum_of(brought);

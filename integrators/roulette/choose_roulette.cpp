@@ -40,6 +40,8 @@ Block walk_block(const RenderOptions& options, const TileFunction& render_tile,
   pass.plan.roulette_threshold = 1.0f / 16;
   pass.observer = &log;
   const Vec3d mean = run_block(pass, place, options, render_tile);
+  if (const auto balance = film_balance(options))
+    for (Walk& walk : log.walks()) walk.multiply_radiance(*balance);
   return {std::move(log.walks()), mean, whole_block};
 }
 

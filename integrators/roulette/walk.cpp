@@ -1,8 +1,19 @@
 #include "integrators/roulette/walk.h"
 
+#include <algorithm>
+
 #include "integrators/path/survival.h"
 
 namespace candela {
+namespace {
+
+// Within media it is more, as a walk's own roulette tells where it was as high.
+float highest_survival_at(const WalkStep& step) {
+  return step.survival < 1 ? std::max(step.survival, highest_survival_on_surfaces)
+                           : highest_survival_on_surfaces;
+}
+
+}  // namespace
 
 RouletteToll toll_of(const Walk& walk, Roulette other) {
   RouletteToll toll;
@@ -12,7 +23,7 @@ RouletteToll toll_of(const Walk& walk, Roulette other) {
     // Survivors' throughput is that without roulette over P here, over Q there.
     const float throughput = step.throughput * static_cast<float>(ratio);
     const float survival = survival_probability(static_cast<std::uint32_t>(i), throughput, other,
-                                                highest_survival_on_surfaces);
+                                                highest_survival_at(step));
     if (!(survival > 0)) break;
     const double ratio_before = ratio;
     ratio *= static_cast<double>(step.survival / survival);

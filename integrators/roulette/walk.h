@@ -17,6 +17,12 @@ struct WalkStep {
 
 // A whole path of a camera sample.
 struct Walk {
+  // As a film does.
+  void multiply_radiance(const Mat3d& balance) {
+    for (WalkStep& step : steps) step.radiance = Rgb(balance * Vec3d(step.radiance));
+    radiance = Rgb(balance * Vec3d(radiance));
+  }
+
   std::vector<WalkStep> steps;  // step i: at bounce i
   Rgb radiance{0};              // in all
 };

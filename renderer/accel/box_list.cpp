@@ -39,7 +39,7 @@ struct Group {
 bool split(std::vector<Group>& groups, std::size_t index) {
   const Group whole = groups[index];
   const Vec3f extent = whole.bounds.extent();
-  const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+  const int axis = max_axis(extent);
   const float middle = whole.bounds.centre()[axis];
   const auto half = std::partition(
       whole.begin, whole.end, [&](const Bounds3f& box) { return box.centre()[axis] < middle; });

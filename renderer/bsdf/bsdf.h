@@ -60,10 +60,9 @@ struct BsdfEvaluation {
 struct BsdfSample {
   Vec3f wi{0};
   Rgb weight{0};  // f |cos| / pdf, or the delta lobe's weight; zero: the sample is rejected
-  float pdf = 0;  // of wi over all lobes; 0 for delta lobes
+  float pdf = 0;  // of wi over all lobes, by solid angle; 0 for delta lobes
   float eta = 1;  // refraction: index of wi's side over wo's side; 1 otherwise
   bool is_delta = false;
-  bool is_transmission = false;
 };
 
 // Which models a scene has: kernels specialised on a set leave the others out of their switches.

@@ -79,7 +79,7 @@ CoatTable::Row CoatTable::make_row(double alpha) const {
     });
   }));
   const auto interpolated = [&](double c) {
-    const Place at = place(static_cast<float>(std::sqrt(c)), intervals);
+    const TablePlace at = table_place(static_cast<float>(std::sqrt(c)), intervals);
     const float* values = &row.transmittances[at.index];
     return double{values[0] + (values[1] - values[0]) * at.fraction};
   };

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "renderer/bsdf/fresnel.h"
+#include "renderer/bsdf/table_place.h"
 #include "renderer/math/transcendental.h"
 
 namespace candela {
@@ -28,7 +29,7 @@ class CoatTable {
   // `alpha` 0: the interface is smooth.
   [[nodiscard]] float transmittance(float cos_theta, float alpha) const {
     if (alpha == 0) return smooth_transmittance(cos_theta);
-    const Place column = place(std::sqrt(clamp_unit(cos_theta)), intervals);
+    const TablePlace column = table_place(std::sqrt(clamp_unit(cos_theta)), intervals);
     return interpolate(alpha, [&](const Row& row) {
       const float* at = &row.transmittances[column.index];
       return at[0] + (at[1] - at[0]) * column.fraction;
@@ -52,19 +53,10 @@ class CoatTable {
     float mean_transmittance = 0;
     float internal_reflectance = 0;
   };
-  struct Place {
-    std::size_t index;
-    float fraction;
-  };
-  [[nodiscard]] static Place place(float x, std::size_t count) {
-    const float scaled = x * static_cast<float>(count);
-    const std::size_t index = std::min(static_cast<std::size_t>(scaled), count - 1);
-    return {index, scaled - static_cast<float>(index)};
-  }
   template <class Value>
   [[nodiscard]] float interpolate(float alpha, const Value& value) const {
     if (rows_.size() == 1) return value(rows_[0]);
-    const Place row = place(std::sqrt(std::sqrt(clamp_unit(alpha))), row_intervals);
+    const TablePlace row = table_place(std::sqrt(std::sqrt(clamp_unit(alpha))), row_intervals);
     const float lower = value(rows_[row.index]);
     return lower + (value(rows_[row.index + 1]) - lower) * row.fraction;
   }

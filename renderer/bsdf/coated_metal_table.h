@@ -9,6 +9,7 @@
 #include "renderer/bsdf/bsdf.h"
 #include "renderer/bsdf/fresnel.h"
 #include "renderer/bsdf/layered_metal.h"
+#include "renderer/bsdf/table_place.h"
 
 namespace candela {
 
@@ -26,9 +27,8 @@ class CoatedMetalTable {
   static constexpr std::size_t intervals = 32;  // of the root of the cosine
   using Row = std::array<Rgb, intervals + 1>;
   [[nodiscard]] static Rgb interpolate(const Row& row, float cos_theta) {
-    const float x = std::sqrt(clamp_unit(cos_theta)) * static_cast<float>(intervals);
-    const std::size_t i = std::min(static_cast<std::size_t>(x), intervals - 1);
-    return row[i] + (row[i + 1] - row[i]) * (x - static_cast<float>(i));
+    const TablePlace at = table_place(std::sqrt(clamp_unit(cos_theta)), intervals);
+    return row[at.index] + (row[at.index + 1] - row[at.index]) * at.fraction;
   }
 
   Row scales_{};

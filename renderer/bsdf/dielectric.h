@@ -34,7 +34,7 @@ inline constexpr float smallest_refraction_spread = 1e-5f;
 }
 
 [[nodiscard]] inline BsdfSample refraction_sample(const Vec3f& wi, const Rgb& weight, float eta) {
-  return {.wi = wi, .weight = weight, .eta = eta, .is_delta = true, .is_transmission = true};
+  return {.wi = wi, .weight = weight, .eta = eta, .is_delta = true};
 }
 
 [[nodiscard]] inline BsdfSample sample_smooth_dielectric(const Bsdf& bsdf, const Vec3f& wo,
@@ -117,8 +117,7 @@ template <class Width>
   return {.wi = wi,
           .weight = evaluation.value / evaluation.pdf,
           .pdf = evaluation.pdf,
-          .eta = reflects ? 1 : eta,
-          .is_transmission = !reflects};
+          .eta = reflects ? 1 : eta};
 }
 
 [[nodiscard]] inline BsdfSample sample_dielectric(const Bsdf& bsdf, const Vec3f& wo, float lobe,

@@ -29,10 +29,7 @@ namespace candela {
   if (!reflects) wi.z = -wi.z;
   BsdfEvaluation evaluation = evaluate_diffuse_transmission(bsdf, wi);
   if (!(evaluation.pdf > 0)) return {};
-  return {.wi = wi,
-          .weight = evaluation.value / evaluation.pdf,
-          .pdf = evaluation.pdf,
-          .is_transmission = !reflects};
+  return {.wi = wi, .weight = evaluation.value / evaluation.pdf, .pdf = evaluation.pdf};
 }
 
 }  // namespace candela

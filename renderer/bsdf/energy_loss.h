@@ -7,7 +7,9 @@
 #include <array>
 #include <cstddef>
 
+#include "renderer/bsdf/fresnel.h"
 #include "renderer/bsdf/ggx.h"
+#include "renderer/bsdf/table_place.h"
 
 namespace candela {
 
@@ -21,8 +23,8 @@ class EnergyLossTable {
   // 1 - E(c, a); a in [smallest_ggx_width, 1].
   [[nodiscard]] float loss(float cos_theta, float a) const {
     const float x = cos_theta * (1 + a) / (a + cos_theta);
-    const Place column = place(std::sqrt(clamp(x)), intervals);
-    const Place row = place(a, intervals);
+    const TablePlace column = table_place(std::sqrt(clamp_unit(x)), intervals);
+    const TablePlace row = table_place(a, intervals);
     const float* lower = &losses_[row.index * nodes + column.index];
     const float* upper = lower + nodes;
     const float at_lower = lower[0] + (lower[1] - lower[0]) * column.fraction;
@@ -31,7 +33,7 @@ class EnergyLossTable {
   }
   // The cosine-weighted mean over the hemisphere, 2 times the integral of loss(c, a) c dc.
   [[nodiscard]] float mean_loss(float a) const {
-    const Place place_of_a = place(std::sqrt(a), mean_intervals);
+    const TablePlace place_of_a = table_place(std::sqrt(a), mean_intervals);
     const float* at = &means_over_a_[place_of_a.index];
     return a * (at[0] + (at[1] - at[0]) * place_of_a.fraction);
   }
@@ -40,17 +42,6 @@ class EnergyLossTable {
   static constexpr std::size_t intervals = 40;
   static constexpr std::size_t nodes = intervals + 1;
   static constexpr std::size_t mean_intervals = 256;
-
-  struct Place {
-    std::size_t index;
-    float fraction;
-  };
-  [[nodiscard]] static float clamp(float x) { return std::min(1.0f, std::max(0.0f, x)); }
-  [[nodiscard]] static Place place(float x, std::size_t count) {
-    const float scaled = x * static_cast<float>(count);
-    const std::size_t index = std::min(static_cast<std::size_t>(scaled), count - 1);
-    return {index, scaled - static_cast<float>(index)};
-  }
 
   std::array<float, nodes * nodes> losses_{};             // [a][root of x]
   std::array<float, mean_intervals + 1> means_over_a_{};  // mean_loss / a over sqrt(a)

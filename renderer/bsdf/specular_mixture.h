@@ -1,4 +1,4 @@
-// A GGX reflection over a cosine lobe: the sampling that CookTorrance and Lab share. Directions
+// A GGX reflection over a cosine lobe: the sampling that models of two lobes share. Directions
 // come from the lobe that `lobe` picks; value and density are always those of both together.
 #pragma once
 

@@ -123,6 +123,11 @@ class Check {
                          fmt::format("material '{}': energy compensation needs eta and k, not a "
                                      "reflectance",
                                      material_.name));
+    if (conductor.roughness_across && conductor.energy_compensation)
+      diagnostics_.error(material_.span,
+                         fmt::format("material '{}': energy compensation needs one roughness, not "
+                                     "another across",
+                                     material_.name));
     widths(conductor.roughness, conductor.roughness_across, "the roughness");
   }
   void operator()(const DielectricMaterial& glass) const {

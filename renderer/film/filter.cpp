@@ -9,8 +9,10 @@ namespace {
 
 double gaussian(double x, double radius) {
   constexpr double sigma = 0.5;
-  const auto bell = [](double d) { return std::exp(-d * d / (2 * sigma * sigma)); };
-  return std::max(0.0, bell(x) - bell(radius));  // 0 at the edge, so nothing is cut
+  // Less the bell at the edge, so that nothing is cut; by a factor that tells small radii.
+  const auto exponent = [](double d) { return -d * d / (2 * sigma * sigma); };
+  const double edge = exponent(radius);
+  return std::max(0.0, std::exp(edge) * std::expm1(exponent(x) - edge));
 }
 
 // The minimum four-term window [Harris78, table 1] over [-radius, radius].
@@ -90,7 +92,7 @@ Filter::Filter(FilterKind kind, float radius) : kind_(kind), radius_(radius) {
   constexpr int steps = 1 << 14;
   const std::vector<double> sums = cumulative(kind, radius, steps);
   std::size_t cell = 0;
-  for (int i = 0; i < parts; ++i) {
+  for (int i = 1; i < parts; ++i) {
     const double u = number_at(i);
     while (cell + 1 < steps && sums[cell + 1] < u) ++cell;
     const double within = (u - sums[cell]) / (sums[cell + 1] - sums[cell]);
@@ -128,6 +130,7 @@ void Filter::set_signs() {
 // Of the samples of one axis, below x: what sample_axis() inverts.
 double Filter::share_below(double x) const {
   if (x > 0) return 1 - share_below(-x);
+  if (!(radius_ > 0)) return x < 0 ? 0 : 0.5;
   const auto above = std::upper_bound(inverse_.begin() + 1, inverse_.end() - 1, x);
   const double low = double{*(above - 1)};
   const double within = std::clamp((x - low) / (double{*above} - low), 0.0, 1.0);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "renderer/geometry/geometry.h"
 #include "renderer/math/constants.h"
@@ -69,7 +70,12 @@ template <class V>
   V e2 = p2 - p0;
   V error = interpolation_error(p0, p1, p2, std::abs(b0), u, v, e1, e2);
   V perpendicular = cross3(e1, e2);
-  V normal = perpendicular * (1 / std::sqrt(dot3(perpendicular, perpendicular)));
+  float length2 = dot3(perpendicular, perpendicular);
+  if (!(length2 <= std::numeric_limits<float>::max())) {  // of edges from 4e9 on
+    perpendicular = perpendicular * 0x1p-62f;
+    length2 = dot3(perpendicular, perpendicular);
+  }
+  V normal = perpendicular * (1 / std::sqrt(length2));
   return {p0 * b0 + p1 * u + p2 * v, normal, dot3(absolute(normal), error)};
 }
 

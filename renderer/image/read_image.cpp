@@ -3,17 +3,11 @@
 #include "renderer/image/decode.h"
 #include "renderer/image/half.h"
 #include "renderer/image/image_io.h"
+#include "renderer/image/value_at.h"
 #include "renderer/math/colour.h"
 
 namespace candela {
 namespace {
-
-template <class Sample>
-Sample sample_at(const std::byte* samples, std::size_t index) {
-  Sample sample;
-  std::memcpy(&sample, samples + index * sizeof(Sample), sizeof(Sample));
-  return sample;
-}
 
 // Integers 0..max as [0,1], decoded or as they stand.
 std::vector<float> value_table(int max, bool is_srgb) {
@@ -35,7 +29,7 @@ void decode_integers(const DecodedImage& source, std::vector<float>& values) {
   for (std::size_t c = 0; c < channels; ++c) {
     const auto& table = static_cast<int>(c) == source.header.alpha_channel ? plain : colour;
     for (std::size_t i = c; i < values.size(); i += channels)
-      values[i] = table[sample_at<Integer>(source.samples.get(), i)];
+      values[i] = table[value_at<Integer>(source.samples.get() + i * sizeof(Integer))];
   }
 }
 
@@ -47,7 +41,8 @@ void decode_samples(const DecodedImage& source, std::vector<float>& values) {
       return decode_integers<std::uint16_t>(source, values);
     case SampleType::Half:
       for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = half_to_float(sample_at<std::uint16_t>(source.samples.get(), i));
+        values[i] = half_to_float(
+            value_at<std::uint16_t>(source.samples.get() + i * sizeof(std::uint16_t)));
       return;
     case SampleType::Float:
       std::memcpy(values.data(), source.samples.get(), values.size() * sizeof(float));

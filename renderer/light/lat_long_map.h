@@ -10,7 +10,7 @@
 
 namespace candela {
 
-// Any direction but zero.
+// Of any direction whose square is a float and not 0.
 [[nodiscard]] inline Vec2f lat_long_point(const Vec3f& d) {
   const float s = 0.5f + arc_tangent(d.x, -d.z) * (0.5f * inverse_pi);
   const float t = arc_tangent(std::sqrt(d.x * d.x + d.z * d.z), d.y) * inverse_pi;

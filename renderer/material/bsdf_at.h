@@ -126,9 +126,7 @@ struct MetalIndex {
   if (!material.specular.texture) return {material.eta, material.k};
   constexpr auto largest = static_cast<float>(largest_metal_reflectance);
   Rgb r = glm::min(colour_at(material.specular, textures, at), Rgb{largest});
-  return {Rgb{1},
-          {extinction_of_reflectance(r.x), extinction_of_reflectance(r.y),
-           extinction_of_reflectance(r.z)}};
+  return {Rgb{1}, extinction_of_reflectance(r)};
 }
 
 [[nodiscard]] inline Bsdf conductor_at(const Material& material, const TextureStore& textures,

@@ -21,7 +21,7 @@ class CoverageGrid {
 
   // Coverage by the bilinear lookup at uv. Partial: the lookup must tell.
   [[nodiscard]] Coverage at(Vec2f uv) const {
-    if (cells_.empty()) return Coverage::Partial;  // Wrap::Black
+    if (cells_.empty()) return Coverage::Partial;  // Wrap::Black, or no image
     const auto& [column, row] = footprint_of(uv, width_, height_, wrap_);
     return cells_[static_cast<std::size_t>(row.first / cell_side) * columns_ +
                   static_cast<std::size_t>(column.first / cell_side)];

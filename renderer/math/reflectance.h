@@ -24,7 +24,8 @@ template <class Real>
 [[nodiscard]] Real extinction_of_reflectance(Real reflectance) {
   return 2 * std::sqrt(reflectance / (1 - reflectance));
 }
-[[nodiscard]] inline Vec3d extinction_of_reflectance(const Vec3d& reflectance) {
+template <class Real>
+[[nodiscard]] glm::vec<3, Real> extinction_of_reflectance(const glm::vec<3, Real>& reflectance) {
   return {extinction_of_reflectance(reflectance.x), extinction_of_reflectance(reflectance.y),
           extinction_of_reflectance(reflectance.z)};
 }

@@ -46,6 +46,14 @@ using glm::normalize;
   return std::min({v.x, v.y, v.z});
 }
 
+// The first where several are.
+[[nodiscard]] inline int max_axis(const Vec3f& v) {
+  return v.x >= v.y ? (v.x >= v.z ? 0 : 2) : (v.y >= v.z ? 1 : 2);
+}
+[[nodiscard]] inline int max_axis(const Vec3d& v) {
+  return v.x >= v.y ? (v.x >= v.z ? 0 : 2) : (v.y >= v.z ? 1 : 2);
+}
+
 [[nodiscard]] inline double sum_of_components(const Vec3d& v) {
   return v.x + v.y + v.z;
 }

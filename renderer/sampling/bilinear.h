@@ -8,8 +8,8 @@
 
 namespace candela {
 
-// x in [0, 1) of density proportional to a (1 - x) + b x; a, b >= 0, not both 0. The stable root of
-// the quadratic [Hart20].
+// x in [0, 1) of density proportional to a (1 - x) + b x; a, b >= 0, and the larger from 1e-18 to
+// 1e18, which is squared. The stable root of the quadratic [Hart20].
 [[nodiscard]] inline float sample_linear(float u, float a, float b) {
   const float root = std::sqrt(a * a + u * (b * b - a * a));
   if (!(a + root > 0)) return 0;  // a is 0, and so is u

@@ -36,7 +36,7 @@ namespace candela {
   return p;
 }
 
-// The inverse, of any direction but zero; in [0, 1]^2.
+// The inverse, of any direction whose square is a float and not 0; in [0, 1]^2.
 [[nodiscard]] inline Vec2f equal_area_sphere_to_square(const Vec3f& d) {
   const float across = std::abs(d.x);
   const float along = std::abs(d.y);

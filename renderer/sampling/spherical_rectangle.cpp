@@ -9,6 +9,7 @@
 #endif
 
 #include "renderer/math/constants.h"
+#include "renderer/math/double2.h"
 #include "renderer/math/transcendental.h"
 
 namespace candela {
@@ -40,9 +41,7 @@ Turn turn_by(double angle) {
   return Turn{cosine, r * sine}.twice().twice().twice();
 }
 
-// Two numbers side by side, since square roots and divisions are what takes time here.
-typedef double Double2 __attribute__((vector_size(16)));
-
+// Two at a time, since square roots and divisions are what takes time here.
 Double2 square_root(Double2 x) {
 #if defined(__SSE2__)
   return _mm_sqrt_pd(x);

@@ -5,12 +5,11 @@
 #include <limits>
 
 #include "renderer/math/constants.h"
+#include "renderer/math/double2.h"
 #include "renderer/math/transcendental.h"
 
 namespace candela {
 namespace {
-
-typedef double Double2 __attribute__((vector_size(16)));
 
 // Of angles in [-pi / 2, pi], error below 1e-13: the series of the angle or of its supplement.
 Double2 sine(Double2 angle) {

@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "renderer/base/parallel.h"
-#include "renderer/geometry/geometry_bounds.h"
 #include "renderer/geometry/world_to_object.h"
 #include "renderer/scene/compile_spheres.h"
 #include "renderer/scene/instance_errors.h"
 #include "renderer/scene/instance_range.h"
 #include "renderer/scene/normalise.h"
+#include "renderer/scene/object_bounds.h"
 #include "renderer/scene/pick_triangles.h"
 #include "renderer/scene/soup_parts.h"
 #include "renderer/scene/split_triangles.h"
@@ -218,19 +218,6 @@ Plan plan_placements(const SceneDescription& description, Scene& scene, DropCoun
   }
   scene.objects.resize(objects.size());
   return plan;
-}
-
-Bounds3f bounds_of(const Scene& scene, const Object& object) {
-  Bounds3f bounds;
-  for (const GeometryHandle handle : object.geometries)
-    bounds.include(bounds_of(scene.geometries[handle.index]));
-  return bounds;
-}
-
-std::vector<Bounds3f> bounds_of_objects(const Scene& scene) {
-  std::vector<Bounds3f> objects;
-  for (const Object& object : scene.objects) objects.push_back(bounds_of(scene, object));
-  return objects;
 }
 
 void compile_placements(const SceneDescription& description, const CompileOptions& options,

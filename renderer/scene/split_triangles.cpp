@@ -24,10 +24,6 @@ double distance_from_centre(const Vec3d& a, const Vec3d& b) {
   return length(a + along * t);
 }
 
-bool is_in_reach(const Vec3d& p) {
-  return max_component(glm::abs(p)) < out_of_reach_at;
-}
-
 class Splitter {
  public:
   Splitter(const description::Mesh& mesh, const Transform& to_normalised) : mesh_(mesh) {

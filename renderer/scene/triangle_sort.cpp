@@ -23,12 +23,6 @@ bool is_meant_to_be_seen(const description::Mesh& mesh, const std::array<std::ui
   return sine2_times_lengths2 > square(narrowest) * length_squared(a) * length_squared(b);
 }
 
-// False for NaN and Inf, too.
-bool is_in_reach(const Vec3f& p) {
-  constexpr auto limit = static_cast<float>(out_of_reach_at);
-  return std::abs(p.x) < limit && std::abs(p.y) < limit && std::abs(p.z) < limit;
-}
-
 }  // namespace
 
 Coverage coverage_of(const Scene& scene, const Material& material, const description::Mesh& mesh,

@@ -15,6 +15,13 @@ namespace candela {
 // without a word.
 inline constexpr double out_of_reach_at = 1e18;
 
+// False for NaN and Inf, too.
+template <class V>
+[[nodiscard]] bool is_in_reach(const V& p) {
+  constexpr auto limit = static_cast<typename V::value_type>(out_of_reach_at);
+  return std::abs(p.x) < limit && std::abs(p.y) < limit && std::abs(p.z) < limit;
+}
+
 // How much of a triangle its material's opacity covers; looks at the texels within.
 [[nodiscard]] Coverage coverage_of(const Scene& scene, const Material& material,
                                    const description::Mesh& mesh, std::uint32_t triangle);

@@ -4,10 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 #include "renderer/image/decode.h"
 #include "renderer/image/half.h"
+#include "renderer/image/value_at.h"
 #include "renderer/math/transcendental.h"
 
 namespace candela {
@@ -20,13 +20,6 @@ extern const std::array<float, 256> lab_bytes;
 // IEC 61966-2-1 for samples that have no table.
 [[nodiscard]] inline float decoded_srgb(float value) {
   return value <= 0.04045f ? value * (1 / 12.92f) : power((value + 0.055f) * (1 / 1.055f), 2.4);
-}
-
-template <class Value>
-[[nodiscard]] Value value_at(const std::byte* place) {
-  Value value;
-  std::memcpy(&value, place, sizeof(Value));
-  return value;
 }
 
 // What 1 is stored as.

@@ -8,20 +8,13 @@
 #include <fmt/format.h>
 
 #include "renderer/base/thread_clock.h"
-#include "renderer/image/half.h"
+#include "renderer/texture/sample_value.h"
 
 namespace candela {
 namespace {
 
 // Infinities of half-float maps (a sun that was too bright) become the largest half.
 constexpr float largest_half = 65504;
-
-template <class Sample>
-Sample sample_at(const std::byte* samples, std::size_t index) {
-  Sample sample;
-  std::memcpy(&sample, samples + index * sizeof(Sample), sizeof(Sample));
-  return sample;
-}
 
 // Of a file's channels the leading ones that make grey, grey and alpha, RGB or RGBA.
 int useful_channels(const ImageHeader& header) {
@@ -42,9 +35,9 @@ std::size_t remove_negative_samples(TexelArray& texels) {
     std::byte* const place = texels.samples.get() + i * sizeof(Sample);
     bool is_negative = false;
     if constexpr (std::is_same_v<Sample, float>)
-      is_negative = sample_at<float>(place, 0) < 0;
+      is_negative = value_at<float>(place) < 0;
     else
-      is_negative = sample_at<std::uint16_t>(place, 0) > 0x8000u;  // but for -0
+      is_negative = value_at<std::uint16_t>(place) > 0x8000u;  // but for -0
     if (!is_negative) continue;
     constexpr Sample zero{};
     std::memcpy(place, &zero, sizeof(zero));
@@ -60,14 +53,14 @@ std::size_t remove_non_finite(TexelArray& texels) {
   for (std::size_t i = 0; i < samples; ++i) {
     std::byte* place = texels.samples.get() + i * size_of(texels.type);
     if (texels.type == SampleType::Half) {
-      const auto half = sample_at<std::uint16_t>(place, 0);
+      const auto half = value_at<std::uint16_t>(place);
       if ((half & 0x7C00u) != 0x7C00u) continue;
       const bool is_nan = (half & 0x3FFu) != 0;
       const auto largest = static_cast<std::uint16_t>((half & 0x8000u) | 0x7BFFu);
       const std::uint16_t replaced = is_nan ? std::uint16_t{0} : largest;
       std::memcpy(place, &replaced, sizeof(replaced));
     } else {
-      const auto value = sample_at<float>(place, 0);
+      const auto value = value_at<float>(place);
       if (std::isfinite(value)) continue;
       const float replaced = finite_value(value);
       std::memcpy(place, &replaced, sizeof(replaced));
@@ -84,18 +77,9 @@ float stored_value(const TexelArray& texels, int x, int y, int channel) {
                              static_cast<std::size_t>(x)) *
                                 static_cast<std::size_t>(texels.channels) +
                             static_cast<std::size_t>(channel);
-  const std::byte* samples = texels.samples.get();
-  switch (texels.type) {
-    case SampleType::U8:
-      return static_cast<float>(sample_at<std::uint8_t>(samples, index)) / 255.0f;
-    case SampleType::U16:
-      return static_cast<float>(sample_at<std::uint16_t>(samples, index)) / 65535.0f;
-    case SampleType::Half:
-      return half_to_float(sample_at<std::uint16_t>(samples, index));
-    case SampleType::Float:
-      return sample_at<float>(samples, index);
-  }
-  return 0;
+  const std::byte* place = texels.samples.get() + index * size_of(texels.type);
+  return with_format(texels.type, 1,
+                     [&]<SampleType type, int>() { return stored<type>(place) / unit<type>; });
 }
 
 bool is_opaque(const TexelArray& texels) {

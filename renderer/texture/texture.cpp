@@ -105,10 +105,10 @@ class Texture {
     }
   }
 
-  [[nodiscard]] float lookup_alpha(const TextureStore& store, Vec2f uv, const TexturePoint* at) {
+  [[nodiscard]] float lookup_alpha(const TextureStore& store, const TexturePoint& at) {
     if (!is_ready_.load(std::memory_order_acquire)) prepare();
-    if (is_special_) return special(store, uv, at).w;
-    return filters_.alpha(view_, footprint_of(uv, view_.width, view_.height, wrap_));
+    if (is_special_) return special(store, at.uv, &at).w;
+    return filters_.alpha(view_, footprint_of(at.uv, view_.width, view_.height, wrap_));
   }
 
   [[nodiscard]] bool is_by_place(const TextureStore& store) const {
@@ -262,16 +262,12 @@ void TextureStore::prefetch(TextureHandle texture, Vec2f uv) const {
   textures_[texture.index]->prefetch(uv);
 }
 
-float TextureStore::lookup_alpha(TextureHandle texture, Vec2f uv) const {
-  return textures_[texture.index]->lookup_alpha(*this, uv, nullptr);
-}
-
 Vec4f TextureStore::lookup_at(TextureHandle texture, const TexturePoint& at) const {
   return textures_[texture.index]->lookup(*this, at.uv, &at);
 }
 
 float TextureStore::lookup_alpha_at(TextureHandle texture, const TexturePoint& at) const {
-  return textures_[texture.index]->lookup_alpha(*this, at.uv, &at);
+  return textures_[texture.index]->lookup_alpha(*this, at);
 }
 
 bool TextureStore::is_by_place(TextureHandle texture) const {

@@ -83,10 +83,9 @@ class TextureStore {
   [[nodiscard]] std::optional<Vec2f> slope(TextureHandle texture, Vec2f uv) const;
   // Asks the memory for what lookup() of the same place will read, and waits for nothing.
   void prefetch(TextureHandle texture, Vec2f uv) const;
-  // lookup().w, without the work for colour.
-  [[nodiscard]] float lookup_alpha(TextureHandle texture, Vec2f uv) const;
   // The same of textures that may look at more than uv.
   [[nodiscard]] Vec4f lookup_at(TextureHandle texture, const TexturePoint& at) const;
+  // lookup_at().w, without the work for colour.
   [[nodiscard]] float lookup_alpha_at(TextureHandle texture, const TexturePoint& at) const;
   // Whether it does.
   [[nodiscard]] bool is_by_place(TextureHandle texture) const;

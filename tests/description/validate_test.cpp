@@ -331,6 +331,21 @@ TEST(Unit_Validate, EnergyCompensationNeedsSmithsGeometry) {
   EXPECT_EQ(errors[0], "material 'metal': energy compensation needs Smith's geometry");
 }
 
+TEST(Unit_Validate, EnergyCompensationNeedsOneRoughness) {
+  description::SceneDescription scene = test::small_room();
+  description::ConductorMaterial metal;
+  metal.roughness.factor = 0.2;
+  metal.energy_compensation = true;
+  test::add_material(scene, metal);
+  scene.materials.back().name = "metal";
+  EXPECT_TRUE(messages(validate(scene), Severity::Error).empty());
+  metal.roughness_across = description::ScalarInput{0.4, {}, 0};
+  scene.materials.back().model = metal;
+  EXPECT_EQ(messages(validate(scene), Severity::Error),
+            std::vector<std::string>{
+                "material 'metal': energy compensation needs one roughness, not another across"});
+}
+
 TEST(Unit_Lint, FindsWhatIsProbablyNotMeant) {
   description::SceneDescription scene = test::small_room();
   scene.path = "room.yaml";

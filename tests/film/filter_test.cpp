@@ -134,6 +134,27 @@ TEST(Unit_Filter, TriangleOfAnyRadius) {
   }
 }
 
+TEST(Unit_Filter, OfTinyRadiiThereIsOneToo) {
+  for (const FilterKind kind : all_kinds)
+    for (const float radius : {1e-6f, 1e-10f, 1e-30f}) {
+      const Filter filter(kind, radius);
+      for (const float u : {0.01f, 0.25f, 0.5f, 0.75f, 0.99f}) {
+        const float x = filter.sample({u, 0.5f}).x;
+        EXPECT_TRUE(std::abs(x) <= radius && (x < 0) == (u < 0.5f)) << x << ", " << radius;
+      }
+    }
+  // A bell that is so narrow is a parabola: half of it lies within .347 of its radius.
+  EXPECT_NEAR(Filter(FilterKind::Gaussian, 1e-7f).sample({0.25f, 0.5f}).x / 1e-7f, -0.347f, 1e-3f);
+}
+
+TEST(Unit_Filter, ABoxWithoutAWidthIsTheMiddle) {
+  const Filter middle(FilterKind::Box, 0);
+  EXPECT_EQ(middle.sample({0.9f, 0.1f}), Vec2f(0));
+  const FilterPart around = middle.part_within({{-1, -1}, {1, 1}});
+  EXPECT_EQ(around.size, Vec2f(1));
+  EXPECT_EQ(middle.part_within({{1, -1}, {2, 1}}).size, Vec2f(0));
+}
+
 // What a pixel shows of a picture whose light is cos(k x): the filter's own transform, for
 // frequencies up to what pixels can hold. At k = 0 it is the mean of the weights: 1.
 TEST(Unit_Filter, SignedWeightsMakeTheFilter) {

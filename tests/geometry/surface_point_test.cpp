@@ -37,6 +37,18 @@ TEST(Unit_SurfacePoint, NormalFacesTheViewerAndSidesAreKnown) {
   EXPECT_EQ(back.shading.z, Vec3f(0, 0, -1));
 }
 
+// The square of the normal's length is beyond floats from edges of 4e9 on.
+TEST(Unit_SurfacePoint, TrianglesOfAnySizeHaveANormal) {
+  for (const float size : {1e-9f, 1.0f, 4e9f, 5e9f, 1e13f, 9e17f}) {
+    Geometry geometry = one_triangle();
+    for (Vec3f& position : geometry.positions) position *= size / 3;
+    const Hit hit{.t = 1, .u = 0.25f, .v = 0.5f, .geometry = 0};
+    const SurfacePoint point = make_surface_point(geometry, nullptr, hit, {0, 0, 1}, false);
+    EXPECT_NEAR(point.geometric_normal.z, 1, 3e-7) << size;
+    EXPECT_GT(point.offset, 0) << size;
+  }
+}
+
 TEST(Unit_SurfacePoint, MirroredInstancesKeepTheirOutside) {
   const Geometry geometry = one_triangle();
   const Hit hit{.t = 1, .u = 0.25f, .v = 0.5f, .geometry = 0, .triangle = 0, .instance = 0};

@@ -31,6 +31,16 @@ const Case cases[] = {
     {[](RenderOptions& o) { o.camera = 1; }, "camera 1 of a scene that has 1"},
     {[](RenderOptions& o) { o.integrator = IntegratorKind(77); },
      "the integrator is none that there is"},
+    {[](RenderOptions& o) { o.filter = FilterKind(77); }, "the filter is none that there is"},
+    {[](RenderOptions& o) { o.sampling = SamplingStrategy(77); },
+     "the strategy of sampling is none that there is"},
+    {[](RenderOptions& o) { o.heuristic = Heuristic(77); }, "the heuristic is none that there is"},
+    {[](RenderOptions& o) { o.sampler = SamplerKind(77); }, "the sampler is none that there is"},
+    {[](RenderOptions& o) { o.light_sampling = LightSampling(77); },
+     "the light sampling is none that there is"},
+    {[](RenderOptions& o) { o.guiding = Guiding(77); }, "the guiding is none that there is"},
+    {[](RenderOptions& o) { o.specular = SpecularModel(77); },
+     "the specular model is none that there is"},
     {[](RenderOptions& o) {
        o.crop = PixelRect{4, 4, 17, 8};
      },

@@ -96,7 +96,7 @@ TEST(Unit_Procedural, ImagesAsNumbersAreAlphaOrTheMean) {
   for (const Vec2f uv : places) {
     const Vec4f colour = t.store.lookup(compiler.image(coloured), uv);
     EXPECT_FLOAT_EQ(number_at(mean, uv), (colour.x + colour.y + colour.z) / 3);
-    EXPECT_EQ(number_at(of_leaf, uv), t.store.lookup_alpha(of_leaf.texture, uv));
+    EXPECT_EQ(number_at(of_leaf, uv), t.store.lookup_alpha_at(of_leaf.texture, {.uv = uv}));
   }
   // The same as inputs of other textures, in all channels.
   for (const auto& [image, scalar] :

@@ -236,7 +236,7 @@ TEST(Unit_Texture, AlphaAloneHasTheSameBits) {
         for (int i = 0; i < 500; ++i) {
           const Vec2f uv{std::fmod(static_cast<float>(i) * 0.618034f, 4.0f) - 2,
                          std::fmod(static_cast<float>(i) * 0.754878f, 4.0f) - 2};
-          ASSERT_EQ(store.lookup_alpha(texture, uv), store.lookup(texture, uv).w)
+          ASSERT_EQ(store.lookup_alpha_at(texture, {.uv = uv}), store.lookup(texture, uv).w)
               << path << " at " << uv.x << ' ' << uv.y;
         }
       }

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "integrators/path/media_step.h"
 #include "integrators/path/path_step.h"
 #include "tests/statistics/moments.h"
 
@@ -75,6 +76,16 @@ TEST(Unit_RouletteToll, NoneWherePathsAreSpared) {
   const RouletteToll empty = toll_of({{}, Rgb(1)}, {1, 0});
   EXPECT_EQ(empty.variance, Vec3d(0));
   EXPECT_EQ(empty.bounces, 0);
+}
+
+// The same roulette takes nothing, within media too, where paths survive more often.
+TEST(Unit_RouletteToll, IsNoneOfTheWalksOwnRoulette) {
+  Walk walk;
+  for (int i = 0; i < 500; ++i) walk.steps.push_back({1, highest_survival_in_media, Rgb(0)});
+  walk.radiance = Rgb(1);
+  const RouletteToll same = toll_of(walk, {1, 0});
+  EXPECT_EQ(same.variance, Vec3d(0));
+  EXPECT_EQ(same.bounces, 500);
 }
 
 }  // namespace
