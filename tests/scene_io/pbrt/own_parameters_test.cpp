@@ -73,7 +73,7 @@ TEST(Errors_PbrtOwnParameters, NameWhatTheyExpect) {
             "2:60: 'energycompensation' needs \"string cooktorrance.geometry\" \"smith\"");
   EXPECT_EQ(pbrt_world_error("Material \"conductor\" \"float uroughness\" .1 \"float vroughness\" "
                              ".5 \"bool energycompensation\" true"),
-            "2:64: 'energycompensation' needs one roughness, found uroughness and vroughness that "
+            "2:66: 'energycompensation' needs one roughness, found uroughness and vroughness that "
             "differ");
   EXPECT_EQ(pbrt_world_error("LightSource \"infinite\" #candela: \"string cube\" \"a.png\"\n"),
             "2:34: 'cube' has 1 value, expected 6 image files");
