@@ -1,9 +1,11 @@
 // A film that is balanced for a white: what it shows, and what is said of its error.
 #include <gtest/gtest.h>
 
+#include "integrators/trial.h"
 #include "renderer/film/variance.h"
 #include "renderer/math/cie.h"
 #include "renderer/math/white_balance.h"
+#include "tests/integrators/synthetic_tile.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
 
@@ -89,6 +91,16 @@ TEST(Unit_WhiteBalancedFilm, PilotsAreBalancedToo) {
   const Film film = rendered(card(Vec3d(0.5), light), settings).film;
   const Vec3d expected = white_balance(3000) * light * 0.5;
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(film.mean(0)[c], expected[c], 1e-5);
+}
+
+// What trials choose by is what the picture shows.
+TEST(Unit_WhiteBalancedFilm, BlocksOfTrialsAreBalancedToo) {
+  const TileFunction grey = [](const TilePass& pass, Film& film) {
+    return synthetic_tile(pass, film, [](std::uint64_t, int, int) { return 0.5; });
+  };
+  const Vec3d mean = run_block({}, {1, 0, 0}, balanced(3200).options, grey);
+  const Vec3d expected = white_balance(3200) * Vec3d(0.5);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c], expected[c], 1e-6);
 }
 
 }  // namespace

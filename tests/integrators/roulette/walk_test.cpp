@@ -88,5 +88,15 @@ TEST(Unit_RouletteToll, IsNoneOfTheWalksOwnRoulette) {
   EXPECT_EQ(same.bounces, 500);
 }
 
+TEST(Unit_RouletteToll, IsOfTheRadianceThatTheFilmHas) {
+  Walk walk = walk_of_four_steps();
+  const RouletteToll plain = toll_of(walk, {1, 0});
+  walk.multiply_radiance(Mat3d(2, 0, 0, 0, 1, 0, 0, 0, 0));
+  const RouletteToll balanced = toll_of(walk, {1, 0});
+  EXPECT_FLOAT_EQ(balanced.variance.x, 4 * plain.variance.x);
+  EXPECT_FLOAT_EQ(balanced.variance.y, plain.variance.y);
+  EXPECT_EQ(balanced.variance.z, 0);
+}
+
 }  // namespace
 }  // namespace candela
