@@ -43,7 +43,8 @@ TEST(Unit_CompileMaterials, MetalsOfAnyIndexReflectANumber) {
     description::ConductorMaterial metal;
     metal.eta = metal.k = Vec3d(index);
     scene.materials[0].model = metal;
-    const Material& made = compiled(scene, settings_of(8, 1).options).materials[0];
+    const Scene whole = compiled(scene, settings_of(8, 1).options);
+    const Material& made = whole.materials[0];
     for (int c = 0; c < 3; ++c) {
       EXPECT_NEAR(made.f0[c], 1, 1e-5f) << index;
       EXPECT_NEAR(normal_reflectance(made.eta, made.k)[c], 1, 1e-5f) << index;
