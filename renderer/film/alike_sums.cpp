@@ -12,14 +12,14 @@ constexpr int patch_radius = 1;   // what is compared of them
 static_assert(search_radius + 2 * patch_radius <= alike_margin);
 static_assert(patch_radius == 1, "nine distances are added up");
 
-struct GreyLevel {
+struct Level {
   double level;
   double variance;
 };
 
 // How much two pixels differ beyond what their noise explains, over it [Rousselle12, eq. 4]:
 // about 0 where they have the same expectation.
-inline double distance(const GreyLevel& a, const GreyLevel& b) {
+inline double distance(const Level& a, const Level& b) {
   const double difference = a.level - b.level;
   const double variance = a.variance + b.variance;
   const double chance = a.variance + std::min(a.variance, b.variance);
@@ -36,18 +36,27 @@ CANDELA_LANES void set_distances(std::size_t count, const double* levels_a,
     distances[i] = distance({levels_a[i], variances_a[i]}, {levels_b[i], variances_b[i]});
 }
 
-// From the mean distance of the 3x3 pixels around the two. `above`, `here` and `below`: the first
-// of the three in each row.
-CANDELA_LANES void set_weights(std::size_t count, const double* above, const double* here,
-                               const double* below, const double* counts,
-                               double* __restrict weights, double* __restrict sums) {
+// The mean distance of the 3x3 pixels around the two, where it is more than what `means` has.
+// `distances`: from the first of the three above on, in rows of `width`.
+CANDELA_LANES void raise_to_means(std::size_t count, const double* distances, std::size_t width,
+                                  double* __restrict means) {
+  const double* above = distances;
+  const double* here = above + width;
+  const double* below = here + width;
   for (std::size_t i = 0; i < count; ++i) {
     const double sum = (above[i] + above[i + 1] + above[i + 2]) +
                        (here[i] + here[i + 1] + here[i + 2]) +
                        (below[i] + below[i + 1] + below[i + 2]);
-    const double mean = std::max(sum / 9, 0.0);
-    weights[i] = counts[i] / ((1 + mean) * (1 + mean));
-    sums[i] += weights[i];
+    means[i] = std::max(sum / 9, means[i]);
+  }
+}
+
+// `means`: distances, and weights behind.
+CANDELA_LANES void set_weights(std::size_t count, const double* counts, double* __restrict means,
+                               double* __restrict sums) {
+  for (std::size_t i = 0; i < count; ++i) {
+    means[i] = counts[i] / ((1 + means[i]) * (1 + means[i]));
+    sums[i] += means[i];
   }
 }
 
@@ -86,11 +95,15 @@ AlikeSums alike_sums(const GreyPixels& grey, const std::array<ChannelPixels, 3>&
         return i + static_cast<std::size_t>(dy) * grey.width + static_cast<std::size_t>(dx);
       };
       const std::size_t a = first - reach;
-      set_distances(distances.size(), &grey.levels[a], &grey.variances[a], &grey.levels[shifted(a)],
-                    &grey.variances[shifted(a)], distances.data());
-      set_weights(count, distances.data(), distances.data() + grey.width,
-                  distances.data() + 2 * grey.width, &grey.counts[shifted(first)], weights.data(),
-                  sums.weights.data());
+      std::ranges::fill(weights, 0.0);
+      const auto compare = [&](const Plane& levels, const Plane& variances) {
+        set_distances(distances.size(), &levels[a], &variances[a], &levels[shifted(a)],
+                      &variances[shifted(a)], distances.data());
+        raise_to_means(count, distances.data(), grey.width, weights.data());
+      };
+      compare(grey.levels, grey.variances);
+      for (const ChannelPixels& channel : channels) compare(channel.means, channel.variances);
+      set_weights(count, &grey.counts[shifted(first)], weights.data(), sums.weights.data());
       for (std::size_t c = 0; c < channels.size(); ++c)
         add_weighted(count, weights.data(), &channels[c].means[shifted(first)],
                      &channels[c].variances[shifted(first)], &channels[c].squares[shifted(first)],

@@ -6,8 +6,8 @@
 
 namespace candela {
 
-// What is compared: the grey level of each pixel and its variance; 1 in `counts` where there is a
-// pixel, and 0 beyond the picture.
+// What is compared, as well as each channel, since two colours may be one grey: the grey level of
+// each pixel and its variance; 1 in `counts` where there is a pixel, and 0 beyond the picture.
 struct GreyPixels {
   std::size_t width = 0;  // of the rectangle
   Plane levels;
@@ -15,7 +15,7 @@ struct GreyPixels {
   Plane counts;
 };
 
-// What is summed up, of one channel.
+// What is summed up, and compared, of one channel.
 struct ChannelPixels {
   Plane means;
   Plane variances;

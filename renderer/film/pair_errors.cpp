@@ -32,13 +32,22 @@ inline double trust_in(double structure, double own_noise) {
   return structure > 0 ? structure / (structure + own_noise) : 0.0;
 }
 
-// Not nearer to black than `floor`, which lies on the other side where a white balance or a filter
-// makes a channel negative.
-inline double beyond(double value, double floor) {
-  return floor < 0 ? std::min(value, floor) : std::max(value, floor);
+// Not nearer to black than `size`, on the side of `sign`: a white balance or a filter makes
+// channels negative.
+inline double beyond(double value, double size, double sign) {
+  return std::copysign(std::max(std::copysign(1.0, sign) * value, size), sign);
 }
-inline Vec3d beyond(const Vec3d& value, const Vec3d& floor) {
-  return {beyond(value.x, floor.x), beyond(value.y, floor.y), beyond(value.z, floor.z)};
+inline Vec3d beyond(const Vec3d& value, const Vec3d& size, const Vec3d& sign) {
+  return {beyond(value.x, size.x, sign.x), beyond(value.y, size.y, sign.y),
+          beyond(value.z, size.z, sign.z)};
+}
+
+// The side of the one that is farther from black.
+inline double side_of(double a, double b) {
+  return std::abs(a) < std::abs(b) ? b : a;
+}
+inline Vec3d side_of(const Vec3d& a, const Vec3d& b) {
+  return {side_of(a.x, b.x), side_of(a.y, b.y), side_of(a.z, b.z)};
 }
 
 // Between the neighbours that look alike and `own`, the pixel's mean over a share of its samples;
@@ -52,13 +61,15 @@ inline PixelLevel level_of(const NeighbourLevel& near, const Vec3d& own, double 
   const Vec3d trust(trust_in(near.structure.x, own_noise.x),
                     trust_in(near.structure.y, own_noise.y),
                     trust_in(near.structure.z, own_noise.z));
+  const Vec3d between = near.mean + trust * (own - near.mean);
   const Vec3d lowest = near.company / 3 * near.mean;
-  const Vec3d mean = beyond(near.mean + trust * (own - near.mean), lowest);
+  const Vec3d side = side_of(between, lowest);
+  const Vec3d mean = beyond(between, glm::abs(lowest), side);
   const Vec3d variance = (1.0 - trust) * (1.0 - trust) * near.noise;
   constexpr double much = 0.3;  // variance over level: at twice that nothing else counts
   const double noise = sum_of_components(variance / (mean * mean + epsilon)) / 3;
   const double blend = std::clamp(noise / much - 1, 0.0, 1.0);
-  return {beyond(mix(mean, near.wide_mean, blend) + near.rare, lowest),
+  return {beyond(mix(mean, near.wide_mean, blend) + near.rare, glm::abs(lowest), side),
           variance * (1 - blend) * (1 - blend) + near.rare_noise};
 }
 

@@ -158,6 +158,37 @@ TEST(Statistical_ErrorEstimate, DarkPixelsAmongBrightOnesAreHeldAgainstThemselve
     }
 }
 
+// Two colours that are one grey: each channel is dark where the other one is bright.
+TEST(Statistical_ErrorEstimate, DarkChannelsOfSaturatedColoursAreHeldAgainstThemselves) {
+  for (const double dark : {0.1, 0.02}) {
+    const auto level = [&](int x, int y, int c) {
+      return c == 2 ? 0.2 : (x / 4 + y / 4) % 2 == c ? 1.0 : dark;
+    };
+    Image truth(size, size, {"R", "G", "B"});
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x)
+        for (int c = 0; c < 3; ++c) truth.pixel(x, y)[c] = static_cast<float>(level(x, y, c));
+    double stated = 0;
+    double error = 0;
+    for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+      const Film film = test::synthetic_film(
+          size, 64, 4, seed, [&](std::mt19937_64& random, int x, int y) -> Rgb {
+            std::uniform_real_distribution<> unit(0, 1);
+            Vec3d radiance;
+            for (int c = 0; c < 3; ++c) {
+              const double mean = level(x, y, c);
+              // In the dark rare light of the other colour, as in the tails of a filter.
+              radiance[c] = mean < 1 ? (unit(random) < mean ? 1 : 0) : 1;
+            }
+            return Rgb(radiance);
+          });
+      stated += estimate_error(film)->relmse;
+      error += compare_images(film.to_image(false), truth)->rel_mse;
+    }
+    EXPECT_NEAR(stated / error, 1, 0.3) << dark;
+  }
+}
+
 // Of so few pixels that chance has most of it, and of many.
 TEST(Statistical_ErrorEstimate, ItsIntervalHoldsTheTrueError) {
   for (const int side : {8, size}) {

@@ -8,7 +8,15 @@
 
 namespace candela::test {
 
-// `draw(random, x, y)`: the grey radiance of one sample of a pixel. `balance`: the film's.
+[[nodiscard]] inline Rgb radiance_of(double grey) {
+  return Rgb(static_cast<float>(grey));
+}
+[[nodiscard]] inline Rgb radiance_of(const Rgb& colour) {
+  return colour;
+}
+
+// `draw(random, x, y)`: the radiance of one sample of a pixel, grey or a colour. `balance`: the
+// film's.
 template <class Draw>
 [[nodiscard]] Film synthetic_film(int size, int samples, std::uint32_t replicates,
                                   std::uint64_t seed, Draw draw,
@@ -19,7 +27,7 @@ template <class Draw>
     for (int x = 0; x < size; ++x)
       for (int s = 0; s < samples; ++s) {
         FilmSample sample;
-        sample.radiance = Rgb(static_cast<float>(draw(random, x, y)));
+        sample.radiance = radiance_of(draw(random, x, y));
         film.add(x, y, sample);
       }
   return film;
