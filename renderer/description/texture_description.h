@@ -22,7 +22,8 @@ using TextureHandle = Handle<Texture>;
 enum class Encoding : std::uint8_t {
   Linear,    // as stored (masks, heights, HDR)
   Srgb,      // IEC 61966-2-1 a texel, before filtering
-  LabGamma,  // pow(v, 2.2) after filtering, as lab3's framework does
+  Gamma22,   // pow(v, 2.2) a texel, before filtering
+  LabGamma,  // the same after filtering, as lab3's framework does
 };
 
 enum class Wrap : std::uint8_t { Repeat, Clamp, Mirror, Black };

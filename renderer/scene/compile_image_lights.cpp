@@ -31,16 +31,6 @@ Vec2d half_sides_of(const description::ProjectionLight& light, const TextureInfo
   return shorter * Vec2d(std::max(aspect, 1.0), std::max(1 / aspect, 1.0));
 }
 
-// Over all directions: an area at distance 1 is seen under the cube of its direction's cosine.
-double projected_mean(const TextureStore& textures, TextureHandle image, const Vec2d& half_sides) {
-  const auto cosine_cubed = [&](double s, double t) {
-    const Vec2d place = half_sides * (2.0 * Vec2d(s, t) - 1.0);
-    return std::pow(1 + dot(place, place), -1.5);
-  };
-  const double area = 4 * half_sides.x * half_sides.y;
-  return mean_luminance(textures, image, cosine_cubed) * area / (4 * pi_double);
-}
-
 // The middles of side^2 equal parts of a triangle, as barycentric weights of vertices 1 and 2.
 template <class Visit>
 void for_each_part(int side, const Visit& visit) {
@@ -81,22 +71,10 @@ float mean_emission(const TextureStore& textures, const Geometry& geometry, cons
   return 1e-6f * luminance(light.emission);  // dim, and not black
 }
 
-// Rows of a sphere have the area of the sine of their angle from a pole.
-float mean_sphere_emission(const TextureStore& textures, const Light& light) {
-  constexpr int columns = 128;
-  constexpr int rows = 64;
-  double sum = 0;
-  double weight = 0;
-  for (int row = 0; row < rows; ++row) {
-    const double v = (row + 0.5) / rows;
-    const double area = std::sin(v * pi_double);
-    for (int column = 0; column < columns; ++column) {
-      const Vec2f uv(static_cast<float>((column + 0.5) / columns), static_cast<float>(v));
-      sum += area * luminance(Vec3d(light.emission * image_radiance(textures, light.texture, uv)));
-      weight += area;
-    }
-  }
-  const auto mean = static_cast<float>(sum / weight);
+float mean_sphere_emission(ImageMeans& means, const Light& light) {
+  const auto mean =
+      static_cast<float>(luminance(Vec3d(light.emission) * means.over_sphere(light.texture)));
+  const TextureStore& textures = means.textures();
   const bool shines = mean > 0 || has_light(textures, light, {{{0, 0}, {1, 0}, {1, 1}}}) ||
                       has_light(textures, light, {{{0, 0}, {1, 1}, {0, 1}}});
   return mean > 0 || !shines ? mean : 1e-6f * luminance(light.emission);  // dim, and not black
@@ -104,9 +82,48 @@ float mean_sphere_emission(const TextureStore& textures, const Light& light) {
 
 }  // namespace
 
+double ImageMeans::of_directions(TextureHandle image) {
+  const auto [at, is_new] = luminances_.try_emplace(Key(image.index, 0.0, 0.0), 0.0);
+  if (is_new) at->second = mean_luminance(textures_, image);
+  return at->second;
+}
+
+// An area at distance 1 is seen under the cube of its direction's cosine.
+double ImageMeans::of_projection(TextureHandle image, const Vec2d& half_sides) {
+  const auto [at, is_new] =
+      luminances_.try_emplace(Key(image.index, half_sides.x, half_sides.y), 0.0);
+  if (!is_new) return at->second;
+  const auto cosine_cubed = [&](double s, double t) {
+    const Vec2d place = half_sides * (2.0 * Vec2d(s, t) - 1.0);
+    return std::pow(1 + dot(place, place), -1.5);
+  };
+  const double area = 4 * half_sides.x * half_sides.y;
+  return at->second = mean_luminance(textures_, image, cosine_cubed) * area / (4 * pi_double);
+}
+
+// Rows of a sphere have the area of the sine of their angle from a pole.
+Vec3d ImageMeans::over_sphere(TextureHandle image) {
+  const auto [at, is_new] = over_spheres_.try_emplace(image.index, Vec3d(0.0));
+  if (!is_new) return at->second;
+  constexpr int columns = 128;
+  constexpr int rows = 64;
+  Vec3d sum(0.0);
+  double weight = 0;
+  for (int row = 0; row < rows; ++row) {
+    const double v = (row + 0.5) / rows;
+    const double area = std::sin(v * pi_double);
+    for (int column = 0; column < columns; ++column) {
+      const Vec2f uv(static_cast<float>((column + 0.5) / columns), static_cast<float>(v));
+      sum += area * Vec3d(image_radiance(textures_, image, uv));
+      weight += area;
+    }
+  }
+  return at->second = sum / weight;
+}
+
 Light goniometric_light(const description::GoniometricLight& light, const Vec3f& position,
-                        float unit, TextureHandle image, const TextureStore& textures) {
-  const double mean = image ? mean_luminance(textures, image) : 1;
+                        float unit, TextureHandle image, ImageMeans& means) {
+  const double mean = image ? means.of_directions(image) : 1;
   const Brightness bright = brightness_of(light.intensity, light.power, mean);
   Light out =
       make_goniometric_light(position, light.world_from_map, Rgb(bright.intensity) * unit, image);
@@ -115,28 +132,28 @@ Light goniometric_light(const description::GoniometricLight& light, const Vec3f&
 }
 
 Light projection_light(const description::ProjectionLight& light, const Vec3f& position, float unit,
-                       TextureHandle image, const TextureStore& textures) {
-  const Vec2d half_sides = half_sides_of(light, textures.info(image));
+                       TextureHandle image, ImageMeans& means) {
+  const Vec2d half_sides = half_sides_of(light, means.textures().info(image));
   const Brightness bright =
-      brightness_of(light.intensity, light.power, projected_mean(textures, image, half_sides));
+      brightness_of(light.intensity, light.power, means.of_projection(image, half_sides));
   Light out = make_projection_light(position, light.world_from_map, half_sides,
                                     Rgb(bright.intensity) * unit, image);
   out.mean_luminance = static_cast<float>(bright.mean_luminance) * unit;
   return out;
 }
 
-void set_mean_emission(const Geometry& geometry, const TextureStore& textures,
+void set_mean_emission(const Geometry& geometry, std::size_t triangles_in_all, ImageMeans& means,
                        std::vector<Light>& lights) {
   for (std::size_t i = 0; i < geometry.spheres.size(); ++i) {
     Light& light = lights[geometry.first_light + i];
-    light.mean_luminance = mean_sphere_emission(textures, light);
+    light.mean_luminance = mean_sphere_emission(means, light);
   }
   constexpr double most_points = 1 << 20;  // of all triangles together
-  const auto count = static_cast<double>(std::max(geometry.triangles.size(), std::size_t{1}));
+  const auto count = static_cast<double>(std::max(triangles_in_all, std::size_t{1}));
   const int side = static_cast<int>(std::clamp(std::sqrt(most_points / count), 2.0, 64.0));
   for (std::size_t i = 0; i < geometry.triangles.size(); ++i) {
     Light& light = lights[geometry.first_light + i];
-    light.mean_luminance = mean_emission(textures, geometry, light, side);
+    light.mean_luminance = mean_emission(means.textures(), geometry, light, side);
   }
 }
 

@@ -88,6 +88,7 @@ struct DeltaLightCompiler {
   const SceneDescription& description;
   const Normalisation& n;
   TextureStore& textures;
+  ImageMeans& means;
   Diagnostics& diagnostics;
 
   std::optional<Light> operator()(const description::PointLight& light) const {
@@ -103,11 +104,11 @@ struct DeltaLightCompiler {
     if (map)
       warn_unless_square(textures, map, description.images[light.image.index].span, diagnostics);
     return goniometric_light(light, to_normalised(n, light.position),
-                             scaled_intensity(n, Vec3d(1.0)).x, map, textures);
+                             scaled_intensity(n, Vec3d(1.0)).x, map, means);
   }
   std::optional<Light> operator()(const description::ProjectionLight& light) const {
     return projection_light(light, to_normalised(n, light.position),
-                            scaled_intensity(n, Vec3d(1.0)).x, image(light.image), textures);
+                            scaled_intensity(n, Vec3d(1.0)).x, image(light.image), means);
   }
   std::optional<Light> operator()(const description::DirectionalLight& light) const {
     return make_directional_light(light.to_light, Rgb(light.irradiance));
@@ -129,7 +130,9 @@ struct DeltaLightCompiler {
 
 void add_delta_lights(const SceneDescription& description, Scene& scene, DropCounts& dropped,
                       Diagnostics& diagnostics) {
-  const DeltaLightCompiler compile{description, scene.normalisation, scene.textures, diagnostics};
+  ImageMeans means(scene.textures);
+  const DeltaLightCompiler compile{description, scene.normalisation, scene.textures, means,
+                                   diagnostics};
   for (const description::Light& light : description.lights) {
     const auto compiled = std::visit(compile, light.kind);
     if (!compiled) continue;
@@ -168,7 +171,16 @@ Light sphere_light(const Geometry& geometry, const Material& material, std::size
   return light;
 }
 
+std::size_t textured_lamp_triangles(const Scene& scene) {
+  std::size_t count = 0;
+  for (const Geometry& geometry : scene.geometries)
+    if (scene.materials[geometry.material.index].emission_map) count += geometry.triangles.size();
+  return count;
+}
+
 void add_surface_lights(Scene& scene) {
+  ImageMeans means(scene.textures);
+  const std::size_t textured = textured_lamp_triangles(scene);
   for (std::size_t g = 0; g < scene.geometries.size(); ++g) {
     Geometry& geometry = scene.geometries[g];
     const Material& material = scene.materials[geometry.material.index];
@@ -178,7 +190,7 @@ void add_surface_lights(Scene& scene) {
       scene.lights.push_back(triangle_light(geometry, material, g, i));
     for (std::size_t i = 0; i < geometry.spheres.size(); ++i)
       scene.lights.push_back(sphere_light(geometry, material, g, i));
-    if (material.emission_map) set_mean_emission(geometry, scene.textures, scene.lights);
+    if (material.emission_map) set_mean_emission(geometry, textured, means, scene.lights);
   }
 }
 

@@ -18,7 +18,7 @@ std::array<float, 256> decoded_bytes(const Decode& decode) {
 const std::array<float, 256> srgb_bytes =
     decoded_bytes([](int byte) { return static_cast<float>(srgb_to_linear(byte / 255.0)); });
 // By the same power as bilinear lookups, whose bits it has.
-const std::array<float, 256> lab_bytes = decoded_bytes(
+const std::array<float, 256> gamma_bytes = decoded_bytes(
     [](int byte) { return power_2_2(Float4{static_cast<float>(byte)} / unit<SampleType::U8>)[0]; });
 
 }  // namespace candela

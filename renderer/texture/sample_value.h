@@ -1,10 +1,12 @@
 // One sample of a texel, read from where it is stored; and what is chosen by how it is stored.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
+#include "renderer/description/texture_description.h"
 #include "renderer/image/decode.h"
 #include "renderer/image/half.h"
 #include "renderer/image/value_at.h"
@@ -14,8 +16,8 @@ namespace candela {
 
 // sRGB's bytes, linear.
 extern const std::array<float, 256> srgb_bytes;
-// The lab's (LabGamma), linear.
-extern const std::array<float, 256> lab_bytes;
+// Those of the power 2.2, linear.
+extern const std::array<float, 256> gamma_bytes;
 
 // IEC 61966-2-1 for samples that have no table.
 [[nodiscard]] inline float decoded_srgb(float value) {
@@ -41,13 +43,21 @@ template <SampleType type>
     return value_at<float>(place);
 }
 
-// Of sRGB, linear.
-template <SampleType type>
+// Of encodings that are decoded before filtering.
+[[nodiscard]] constexpr bool is_decoded_by_texel(description::Encoding encoding) {
+  return encoding == description::Encoding::Srgb || encoding == description::Encoding::Gamma22;
+}
+
+// By one of these, linear.
+template <SampleType type, description::Encoding encoding>
 [[nodiscard]] float decoded(const std::byte* place) {
-  if constexpr (type == SampleType::U8)
-    return srgb_bytes[value_at<std::uint8_t>(place)];
-  else
-    return decoded_srgb(stored<type>(place) / unit<type>);
+  constexpr bool is_srgb = encoding == description::Encoding::Srgb;
+  if constexpr (type == SampleType::U8) {
+    return (is_srgb ? srgb_bytes : gamma_bytes)[value_at<std::uint8_t>(place)];
+  } else {
+    const float value = stored<type>(place) / unit<type>;
+    return is_srgb ? decoded_srgb(value) : power(std::max(value, 0.0f), 2.2);
+  }
 }
 
 // f.operator()<type, channels>(); `channels`: 1..4.

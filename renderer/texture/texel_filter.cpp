@@ -41,16 +41,21 @@ template <SampleType type, int channels>
 
 // In stored units, or colour decoded; alpha is as stored in any case. What a file without alpha has
 // in its place is ignored. (The four calls of a lookup are too many for GCC to inline by itself.)
-template <SampleType type, int channels, bool is_srgb>
+template <SampleType type, int channels, Encoding encoding>
 [[gnu::always_inline]] inline Float4 texel(const std::byte* place) {
   constexpr std::size_t step = size_of(type);
   constexpr bool has_alpha = channels % 2 == 0;
+  constexpr bool is_coded = is_decoded_by_texel(encoding);
   if constexpr (channels <= 2) {
-    const float grey = is_srgb ? decoded<type>(place) : stored<type>(place);
+    float grey;
+    if constexpr (is_coded)
+      grey = decoded<type, encoding>(place);
+    else
+      grey = stored<type>(place);
     return Float4{grey, grey, grey, has_alpha ? stored_alpha<type, channels>(place) : 0.0f};
-  } else if constexpr (is_srgb) {
-    return Float4{decoded<type>(place), decoded<type>(place + step),
-                  decoded<type>(place + 2 * step),
+  } else if constexpr (is_coded) {
+    return Float4{decoded<type, encoding>(place), decoded<type, encoding>(place + step),
+                  decoded<type, encoding>(place + 2 * step),
                   has_alpha ? stored_alpha<type, channels>(place) : 0.0f};
   } else {
     return four_stored<type>(place);
@@ -81,7 +86,7 @@ template <SampleType type, int channels, Encoding encoding>
 [[gnu::always_inline]] inline Vec4f linear(Float4 value) {
   constexpr bool has_alpha = channels % 2 == 0;
   const float alpha = has_alpha ? value[3] / unit<type> : 1.0f;
-  if constexpr (encoding != Encoding::Srgb) value = value / unit<type>;
+  if constexpr (!is_decoded_by_texel(encoding)) value = value / unit<type>;
   if constexpr (encoding == Encoding::LabGamma) value = power_2_2(value);
   return {value[0], value[1], value[2], alpha};
 }
@@ -89,7 +94,7 @@ template <SampleType type, int channels, Encoding encoding>
 template <SampleType type, int channels, Encoding encoding, bool has_border>
 Vec4f filter(const TexelView& view, const Footprint& footprint) {
   return linear<type, channels, encoding>(bilinear<Float4, size_of(type) * channels, has_border>(
-      view, footprint, texel<type, channels, encoding == Encoding::Srgb>));
+      view, footprint, texel<type, channels, encoding>));
 }
 
 // The same bits as a filter of one texel; the lab's bytes, skies of many, without a power for each.
@@ -97,12 +102,12 @@ template <SampleType type, int channels, Encoding encoding>
 [[gnu::always_inline]] inline Vec4f linear_texel(const std::byte* place) {
   if constexpr (type == SampleType::U8 && encoding == Encoding::LabGamma) {
     const auto colour = [&](int c) {
-      return lab_bytes[value_at<std::uint8_t>(place + (channels <= 2 ? 0 : c))];
+      return gamma_bytes[value_at<std::uint8_t>(place + (channels <= 2 ? 0 : c))];
     };
     const float alpha = stored_alpha<type, channels>(place) / unit<type>;
     return {colour(0), colour(1), colour(2), channels % 2 == 0 ? alpha : 1.0f};
   }
-  return linear<type, channels, encoding>(texel<type, channels, encoding == Encoding::Srgb>(place));
+  return linear<type, channels, encoding>(texel<type, channels, encoding>(place));
 }
 
 template <SampleType type, int channels, Encoding encoding>
@@ -128,12 +133,15 @@ template <SampleType type, int channels, bool has_border>
 TexelFilters chosen_encoding(Encoding encoding) {
   const TexelFilter as_stored = filter<type, channels, Encoding::Linear, has_border>;
   const TexelFilter srgb = filter<type, channels, Encoding::Srgb, has_border>;
+  const TexelFilter gamma = filter<type, channels, Encoding::Gamma22, has_border>;
   const AlphaFilter alpha = filter_alpha<type, channels, has_border>;
   switch (encoding) {
     case Encoding::Linear:
       return {as_stored, as_stored, alpha, read_row<type, channels, Encoding::Linear>};
     case Encoding::Srgb:
       return {srgb, srgb, alpha, read_row<type, channels, Encoding::Srgb>};
+    case Encoding::Gamma22:
+      return {gamma, gamma, alpha, read_row<type, channels, Encoding::Gamma22>};
     case Encoding::LabGamma:
       return {filter<type, channels, Encoding::LabGamma, has_border>, as_stored, alpha,
               read_row<type, channels, Encoding::LabGamma>};

@@ -58,7 +58,7 @@ Vec2f slope(const TexelView& view, Vec2f uv) {
                                               channels * size_of(type);
     for (std::size_t x = 0; x < 3; ++x) {
       const std::byte* place = row + columns.texels[x] * channels * size_of(type);
-      t[y][x] = is_srgb ? decoded<type>(place) : stored<type>(place);
+      t[y][x] = is_srgb ? decoded<type, Encoding::Srgb>(place) : stored<type>(place);
     }
   }
   const float along_u[3] = {rise(t[0][0], t[0][1], t[0][2], columns),
@@ -81,8 +81,8 @@ SlopeFilter chosen_encoding(Encoding encoding) {
 }  // namespace
 
 SlopeFilter slope_filter(SampleType type, int channels, Encoding encoding, Wrap wrap) {
-  if (encoding == Encoding::LabGamma || (wrap != Wrap::Repeat && wrap != Wrap::Clamp))
-    return nullptr;
+  const bool is_power = encoding == Encoding::Gamma22 || encoding == Encoding::LabGamma;
+  if (is_power || (wrap != Wrap::Repeat && wrap != Wrap::Clamp)) return nullptr;
   return with_format(type, channels, [&]<SampleType of_type, int of_channels>() {
     return wrap == Wrap::Repeat ? chosen_encoding<of_type, of_channels, Wrap::Repeat>(encoding)
                                 : chosen_encoding<of_type, of_channels, Wrap::Clamp>(encoding);

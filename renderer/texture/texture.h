@@ -4,9 +4,9 @@
 // uv: v = 0 is the image's bottom row, texel centres lie at (i + 0.5) / size. Any float is a valid
 // coordinate (footprint.h).
 //
-// Encodings: Srgb decodes each texel before filtering, LabGamma filters stored values and takes the
-// power then, as the lab does (which gives a texture of width or height 1 its texel (0, 0)
-// everywhere). Values that are not finite become 0 or the largest half at decoding.
+// Encodings: Srgb and Gamma22 decode each texel before filtering, LabGamma filters stored values
+// and takes the power then, as the lab does (which gives a texture of width or height 1 its texel
+// (0, 0) everywhere). Values that are not finite become 0 or the largest half at decoding.
 #pragma once
 
 #include <cstdint>

@@ -131,6 +131,9 @@ class LightReader {
     if (const auto power = arguments_.positive("power", unset))
       light.intensity *= share > 0 ? *power / (2 * pi_double * share) : 0.0;
     check(light.intensity, light.position);
+    if (similarity_scale(light_.world_from_light, seen_stretch) == 0)
+      context_.report.warning(light_.statement.place,
+                              "the light's transform stretches its cone, which stays round");
     add(light);
   }
 

@@ -25,7 +25,10 @@ bool has_extension(std::string_view name, std::string_view extension) {
 // sRGB unless "gamma" is false.
 Encoding encoding_of(Arguments& arguments, std::string_view file_name) {
   const std::string decode = arguments.string("decode").value_or("");
-  if (const auto own = encoding_named(decode)) return *own;
+  if (const auto own = encoding_named(decode)) {
+    arguments.accept({"encoding"});
+    return *own;
+  }
   if (const Parameter* gamma = arguments.find("gamma"))
     if (gamma->type == ParameterType::Bool && !arguments.flag("gamma", true))
       return Encoding::Linear;
@@ -47,14 +50,17 @@ std::string_view name_of(Encoding encoding) {
       return "linear";
     case Encoding::Srgb:
       return "sRGB";
-    case Encoding::LabGamma:
+    case Encoding::Gamma22:
       return "gamma 2.2";
+    case Encoding::LabGamma:
+      return "lab3";
   }
   return "linear";
 }
 
 std::optional<Encoding> encoding_named(std::string_view name) {
-  for (const Encoding encoding : {Encoding::Linear, Encoding::Srgb, Encoding::LabGamma})
+  for (const Encoding encoding :
+       {Encoding::Linear, Encoding::Srgb, Encoding::Gamma22, Encoding::LabGamma})
     if (name_of(encoding) == name) return encoding;
   return std::nullopt;
 }

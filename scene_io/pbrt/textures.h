@@ -83,7 +83,8 @@ description::ColourInput Textures::add(Texture kind, const std::string& name, co
   return input;
 }
 
-// "sRGB", "linear" or, for lab3's, "gamma 2.2": what pbrt-v4 calls encodings of PNG files.
+// "sRGB", "linear" and "gamma 2.2", as pbrt-v4 calls encodings of PNG files; and candela's own
+// "lab3".
 [[nodiscard]] std::string_view name_of(description::Encoding encoding);
 [[nodiscard]] std::optional<description::Encoding> encoding_named(std::string_view name);
 

@@ -47,7 +47,8 @@ TEST(Unit_GoniometricLight, SendsWhatASkyOfItsImageWouldShow) {
   GoniometricLight light;
   light.intensity = Vec3d(2.0, 3.0, 4.0);
   light.world_from_map = turned;
-  const Light compiled = goniometric_light(light, Vec3f(0), 0.5f, picture.handle, picture.textures);
+  ImageMeans means(picture.textures);
+  const Light compiled = goniometric_light(light, Vec3f(0), 0.5f, picture.handle, means);
   EXPECT_TRUE(compiled.is_delta());
   for (std::uint64_t i = 0; i < 1000; ++i) {
     const Vec3f w = light_test::random_direction(i, 1);
@@ -81,8 +82,9 @@ double power_by_quadrature(const Picture& picture, const Light& light) {
 TEST(Unit_GoniometricLight, SendsThePowerThatItIsGiven) {
   const Picture picture("gonio_power", 16, 16, bumps);
   GoniometricLight light;
+  ImageMeans means(picture.textures);
   const auto compiled = [&] {
-    return goniometric_light(light, Vec3f(0), 1, picture.handle, picture.textures);
+    return goniometric_light(light, Vec3f(0), 1, picture.handle, means);
   };
   EXPECT_NEAR(light_power(compiled(), nullptr, 1) / power_by_quadrature(picture, compiled()), 1,
               1e-3);
@@ -95,7 +97,8 @@ TEST(Unit_GoniometricLight, WithoutAnImageIsAPoint) {
   const TextureStore none;
   GoniometricLight light;
   light.intensity = Vec3d(3.0);
-  const Light compiled = goniometric_light(light, Vec3f(0), 1, {}, none);
+  ImageMeans means(none);
+  const Light compiled = goniometric_light(light, Vec3f(0), 1, {}, means);
   EXPECT_EQ(sample_light({nullptr, &none}, compiled, light_test::at({0, 2, 0}), {}).radiance,
             Rgb(0.75f));
   EXPECT_NEAR(light_power(compiled, nullptr, 1), 12 * pi_double, 1e-4);
@@ -105,7 +108,8 @@ TEST(Unit_GoniometricLight, WithoutAnImageIsAPoint) {
 TEST(Unit_ProjectionLight, ShowsEachTexelInItsDirection) {
   const Picture picture("slide", 4, 2, bumps);
   ProjectionLight light;
-  const Light compiled = projection_light(light, Vec3f(0), 1, picture.handle, picture.textures);
+  ImageMeans means(picture.textures);
+  const Light compiled = projection_light(light, Vec3f(0), 1, picture.handle, means);
   EXPECT_TRUE(compiled.is_delta());
   for (int x = 0; x < 4; ++x)
     for (int y = 0; y < 2; ++y) {
@@ -123,13 +127,17 @@ TEST(Unit_ProjectionLight, SendsThePowerThatItIsGiven) {
   ProjectionLight light;
   light.angle_degrees = 50;
   light.world_from_map = turned;
-  const auto compiled = [&] {
-    return projection_light(light, Vec3f(0), 1, picture.handle, picture.textures);
-  };
+  ImageMeans means(picture.textures);
+  const auto compiled = [&] { return projection_light(light, Vec3f(0), 1, picture.handle, means); };
   EXPECT_NEAR(light_power(compiled(), nullptr, 1) / power_by_quadrature(picture, compiled()), 1,
               5e-3);
   light.power = 30;
   EXPECT_NEAR(light_power(compiled(), nullptr, 1), 30, 1e-4);
+  // Another angle of the same image has a mean of its own.
+  light.power.reset();
+  light.angle_degrees = 80;
+  EXPECT_NEAR(light_power(compiled(), nullptr, 1) / power_by_quadrature(picture, compiled()), 1,
+              5e-3);
 }
 
 }  // namespace

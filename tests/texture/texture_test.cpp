@@ -63,10 +63,14 @@ double expected(Vec2d uv, int c, int width, int height, Encoding encoding, Wrap 
         (i % 2 == 1 ? x - x0 : 1 - (x - x0)) * (i / 2 == 1 ? y - y0 : 1 - (y - y0));
     double value = column < 0 || row < 0 ? 0 : sample(column, row, c) / 255.0;
     if (encoding == Encoding::Srgb && c < 3) value = linear_of(value);
+    if (encoding == Encoding::Gamma22 && c < 3) value = std::pow(value, 2.2);
     sum += weight * value;
   }
   return encoding == Encoding::LabGamma && c < 3 ? std::pow(sum, 2.2) : sum;
 }
+
+constexpr Encoding all_encodings[] = {Encoding::Linear, Encoding::Srgb, Encoding::Gamma22,
+                                      Encoding::LabGamma};
 
 TEST(Unit_Texture, LookupsFollowTheirDefinition) {
   const TemporaryFolder folder;
@@ -74,7 +78,7 @@ TEST(Unit_Texture, LookupsFollowTheirDefinition) {
   const std::string path = folder.put("x.png", crafted::png_rgba(width, height, sample));
   TextureStore store;
   for (const Wrap wrap : {Wrap::Repeat, Wrap::Clamp, Wrap::Mirror, Wrap::Black})
-    for (const Encoding encoding : {Encoding::Linear, Encoding::Srgb, Encoding::LabGamma}) {
+    for (const Encoding encoding : all_encodings) {
       const TextureHandle texture = added(store, path, encoding, wrap);
       for (int i = 0; i < 2000; ++i) {
         const Vec2f uv{std::fmod(static_cast<float>(i) * 0.618034f, 6.0f) - 3,
@@ -105,7 +109,7 @@ TEST(Unit_Texture, AConstantPictureIsExactEverywhere) {
   const std::string path = folder.put(
       "x.png", crafted::png_rgba(5, 3, [](int, int, int c) { return c == 1 ? 0u : 255u; }));
   TextureStore store;
-  for (const Encoding encoding : {Encoding::Linear, Encoding::Srgb, Encoding::LabGamma}) {
+  for (const Encoding encoding : all_encodings) {
     const TextureHandle texture = added(store, path, encoding);
     for (int i = 0; i < 500; ++i) {
       const float t = static_cast<float>(i) * 0.0371f;
@@ -231,7 +235,7 @@ TEST(Unit_Texture, AlphaAloneHasTheSameBits) {
   TextureStore store;
   for (const std::string& path : paths)
     for (const Wrap wrap : {Wrap::Repeat, Wrap::Clamp, Wrap::Mirror, Wrap::Black})
-      for (const Encoding encoding : {Encoding::Linear, Encoding::Srgb, Encoding::LabGamma}) {
+      for (const Encoding encoding : all_encodings) {
         const TextureHandle texture = added(store, path, encoding, wrap);
         for (int i = 0; i < 500; ++i) {
           const Vec2f uv{std::fmod(static_cast<float>(i) * 0.618034f, 4.0f) - 2,
@@ -252,7 +256,7 @@ TEST(Unit_Texture, RowsHaveTheBitsOfTheirTexels) {
                  })));
   TextureStore store;
   for (const std::string& path : paths)
-    for (const Encoding encoding : {Encoding::Linear, Encoding::Srgb, Encoding::LabGamma}) {
+    for (const Encoding encoding : all_encodings) {
       const TextureHandle texture = added(store, path, encoding, Wrap::Clamp);
       const TextureInfo& size = store.info(texture);
       for (int y = 0; y < size.height; ++y) {
@@ -272,6 +276,8 @@ TEST(Unit_Texture, ALineOfTexelsIsOneColourInTheLabsEncodingAlone) {
   TextureStore store;
   const TextureHandle lab = added(store, path, Encoding::LabGamma);
   const TextureHandle linear = added(store, path);
+  const TextureHandle gamma = added(store, path, Encoding::Gamma22);
+  EXPECT_NEAR(store.lookup(gamma, {0.625f, 0.2f}).x, std::pow(sample(2, 0, 0) / 255.0, 2.2), 1e-6);
   EXPECT_NEAR(store.lookup(lab, {0.625f, 0.2f}).x, std::pow(sample(0, 0, 0) / 255.0, 2.2), 1e-7);
   EXPECT_NEAR(store.lookup(linear, {0.625f, 0.2f}).x, sample(2, 0, 0) / 255.0, 1e-6);
 }

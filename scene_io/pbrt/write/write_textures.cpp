@@ -274,7 +274,11 @@ Directive TextureWriter::image_directive(const std::string& name, Kind kind, Ima
   Directive out = directive(name, kind, "imagemap");
   out.add("string filename", path);
   const Encoding encoding = channel.is_alpha ? Encoding::Linear : image.encoding;
-  if (path.ends_with(".png")) {
+  const bool is_png = path.ends_with(".png");
+  if (is_png && encoding == Encoding::LabGamma) {
+    out.add("string encoding", std::string(name_of(Encoding::Gamma22)));
+    out.add_own("string decode", std::string(name_of(encoding)));
+  } else if (is_png) {
     out.add("string encoding", std::string(name_of(encoding)));
   } else if (encoding != Encoding::Linear) {
     out.add_own("string decode", std::string(name_of(encoding)));

@@ -299,6 +299,9 @@ TEST(Errors_PbrtTransforms, ThatStretchCamerasAndPicturesOfLights) {
                 "Scale .5 1 1 LightSource \"projection\" \"string filename\" \"picture.png\""),
             "2:26: the light's transform stretches its picture, which is left out");
   EXPECT_EQ(pbrt_warning("WorldBegin Scale .5 1 1 LightSource \"goniometric\""), "0 of them: ");
+  EXPECT_EQ(pbrt_warning("WorldBegin Scale .5 1 1 LightSource \"spot\""),
+            "1:37: the light's transform stretches its cone, which stays round");
+  EXPECT_EQ(pbrt_warning("WorldBegin Scale 2 -2 2 LightSource \"spot\""), "0 of them: ");
 }
 
 }  // namespace

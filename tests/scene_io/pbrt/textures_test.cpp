@@ -147,6 +147,9 @@ TEST(Unit_PbrtTextures, WithoutGammaTexelsAreLinear) {
     return scene.images.at(0).encoding;
   };
   EXPECT_EQ(encoding_of("\"bool gamma\" false"), Encoding::Linear);
+  EXPECT_EQ(encoding_of("\"string encoding\" \"gamma 2.2\""), Encoding::Gamma22);
+  EXPECT_EQ(encoding_of("\"string encoding\" \"gamma 2.2\" \"string decode\" \"lab3\""),
+            Encoding::LabGamma);
   EXPECT_EQ(encoding_of("\"bool gamma\" true"), Encoding::Srgb);
   EXPECT_EQ(encoding_of("\"float gamma\" 2.2"), Encoding::Srgb);
 }
