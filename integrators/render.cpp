@@ -103,13 +103,13 @@ RenderResult render(const Scene& scene, const AnyAccelerator& accelerator,
                     const RenderOptions& options, ProgressSink* progress,
                     const CancelFlag* cancel) {
   require_valid(scene, options);
+  const TimeBudget::Clock::time_point start = TimeBudget::Clock::now();
   const Filter filter = make_filter(options);
   const RenderOptions rounds = feasible_options(scene, options);
   RenderResult result{Film(options.width, options.height, rendered_rect(options), options.aovs,
                            film_replicates(options), film_balance(options)),
                       {},
                       {}};
-  const TimeBudget::Clock::time_point start = TimeBudget::Clock::now();
   const TimeBudget budget(options.time_limit_seconds, start);
   const auto is_over = [&] { return is_set(cancel) || budget.is_spent(preparation_share); };
   std::visit(

@@ -33,6 +33,8 @@ struct ErrorGoal {
 // Of a round that is followed by a decision; and by how much less it may grow for whole blocks.
 inline constexpr double largest_growth = 1.3;
 inline constexpr double smallest_growth = 1.1;
+// Of a picture that needs more times its samples than this a round need not be followed by one.
+inline constexpr double far_goal = 4;
 
 // Samples that are traced together (trace_block.h): ranges that are cut at their multiples are
 // the fastest.
@@ -40,8 +42,8 @@ inline constexpr std::uint32_t whole_block = block_size;
 
 // Where the round after `done` samples ends: multiples of the replicates, so that all hold equally
 // many, and of whole blocks, too: at once where there is no goal, else as soon as the growth
-// allows. Four samples a replicate first. Towards a goal the picture then grows by 1.3 at most, and
-// not beyond what the goal seems to need; else it doubles.
+// allows. Four samples a replicate first. Then the picture doubles, but near a goal it grows by 1.3
+// at most, and not beyond what the goal seems to need.
 [[nodiscard]] inline std::uint32_t round_end(std::uint32_t done, std::uint32_t replicates,
                                              std::uint32_t most,
                                              const std::optional<ErrorGoal>& goal) {
@@ -50,12 +52,13 @@ inline constexpr std::uint32_t whole_block = block_size;
   const std::uint32_t first = goal ? fewest : (fewest + whole - 1) / whole * whole;
   if (done < first) return std::min(first, most);
   const double now = done;
-  const double most_grown = (goal ? largest_growth : 2) * now;
+  const double wanted = goal ? samples_for(*goal, done) : 0;
+  const bool is_far = !goal || (std::isfinite(wanted) && wanted > far_goal * now);
+  const double most_grown = (is_far ? 2 : largest_growth) * now;
   const auto multiple_below = [](double n, double step) { return std::floor(n / step) * step; };
   const double step =
       multiple_below(most_grown, whole) > smallest_growth * now ? whole : replicates;
-  const double needed =
-      goal ? std::ceil(samples_for(*goal, done) / step) * step : multiple_below(most_grown, step);
+  const double needed = goal ? std::ceil(wanted / step) * step : multiple_below(most_grown, step);
   const double end = std::max(std::min(needed, multiple_below(most_grown, step)),
                               multiple_below(now, step) + step);
   return end < most ? static_cast<std::uint32_t>(end) : most;
