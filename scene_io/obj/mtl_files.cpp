@@ -1,6 +1,5 @@
 #include "scene_io/obj/mtl_files.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <iterator>
 #include <set>
@@ -43,11 +42,13 @@ void add_library(MtlLibrary&& library, ObjModel& model) {
   std::move(library.images.begin(), library.images.end(), std::back_inserter(model.images));
 }
 
+std::string normal(const std::string& path) {
+  return std::filesystem::path(path).lexically_normal().string();
+}
+
 // Whether what a 'mtllib' names could be read.
 bool read_library(const Source& source, std::string_view name, const ResolvedPath& resolved,
                   MtlUse use, ObjModel& model, Diagnostics& diagnostics) {
-  const std::string path = std::filesystem::path(resolved.path).lexically_normal().string();
-  if (std::find(model.files.begin(), model.files.end(), path) != model.files.end()) return true;
   const auto refuse = [&](std::string_view reason) {
     say(source, name, Severity::Warning,
         fmt::format("MTL file {} {}; faces that use its materials have none",
@@ -55,7 +56,7 @@ bool read_library(const Source& source, std::string_view name, const ResolvedPat
         diagnostics);
     return false;
   };
-  Result<std::string> text = text::read_file(path, limits);
+  Result<std::string> text = text::read_file(resolved.path, limits);
   if (!text)
     return refuse(text.diagnostics.list().empty() ? "" : text.diagnostics.list().front().message);
   if (text::is_utf16(*text)) return refuse("is in UTF-16, expected ASCII or UTF-8");
@@ -63,8 +64,8 @@ bool read_library(const Source& source, std::string_view name, const ResolvedPat
   text::use_line_feeds(*text);
   if (resolved.is_substitute())
     say(source, name, Severity::Note, text::describe_substitute(resolved, name), diagnostics);
-  model.files.push_back(path);
-  add_library(parse_mtl(path, *text, use, diagnostics), model);
+  model.files.push_back(resolved.path);
+  add_library(parse_mtl(resolved.path, *text, use, diagnostics), model);
   return true;
 }
 
@@ -77,6 +78,9 @@ std::vector<std::pair<std::string_view, ResolvedPath>> files_of(const std::strin
     listed = text::without_comment(listed);
     whole = text::resolve_path(referrer, listed);
   }
+  if (listed.empty()) return {};
+  const bool is_one_word = listed.find_first_of(" \t") == std::string_view::npos;
+  if (whole.is_found || is_one_word) return {{listed, whole}};
   std::vector<std::pair<std::string_view, ResolvedPath>> parts;
   bool is_any_found = false;
   text::Cursor names(listed);
@@ -85,8 +89,8 @@ std::vector<std::pair<std::string_view, ResolvedPath>> files_of(const std::strin
     parts.emplace_back(name, text::resolve_path(referrer, name));
     is_any_found = is_any_found || parts.back().second.is_found;
   }
-  if (parts.empty() || (is_any_found && !whole.is_found)) return parts;
-  return {{listed, whole}};
+  if (!is_any_found) return {{listed, whole}};
+  return parts;
 }
 
 }  // namespace
@@ -95,6 +99,7 @@ bool read_libraries(const std::string& path, const Source& source, const ObjData
                     ObjModel& model, Diagnostics& diagnostics) {
   bool all_are_there = true;
   std::set<std::string_view> seen;  // some exporters repeat the line for each object
+  std::set<std::string> asked{normal(path)};
   for (const Chunk& chunk : data.chunks) {
     for (const MtlReference& reference : chunk.libraries) {
       if (!seen.insert(reference.names).second) continue;
@@ -103,7 +108,8 @@ bool read_libraries(const std::string& path, const Source& source, const ObjData
         text::report(diagnostics, source, reference.offset, Severity::Warning,
                      "no file is named; expected the name of an MTL file");
       for (const auto& [name, resolved] : files)
-        all_are_there &= read_library(source, name, resolved, use, model, diagnostics);
+        if (asked.insert(normal(resolved.path)).second)
+          all_are_there &= read_library(source, name, resolved, use, model, diagnostics);
     }
   }
   return all_are_there;
