@@ -52,7 +52,7 @@ inline Vec3d side_of(const Vec3d& a, const Vec3d& b) {
 
 // Between the neighbours that look alike and `own`, the pixel's mean over a share of its samples;
 // never far below them, since a pixel whose light comes in rare samples is black without those, but
-// where none of them does: a dark pixel among bright ones is dark.
+// where no neighbour looks alike: a dark pixel among bright ones is dark.
 // Where too much noise is left, all that is near by. Rare light comes on top: the pixel's own says
 // little of how rare it is.
 inline PixelLevel level_of(const NeighbourLevel& near, const Vec3d& own, double own_share,

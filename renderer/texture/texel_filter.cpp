@@ -100,13 +100,8 @@ Vec4f filter(const TexelView& view, const Footprint& footprint) {
 // The same bits as a filter of one texel; the lab's bytes, skies of many, without a power for each.
 template <SampleType type, int channels, Encoding encoding>
 [[gnu::always_inline]] inline Vec4f linear_texel(const std::byte* place) {
-  if constexpr (type == SampleType::U8 && encoding == Encoding::LabGamma) {
-    const auto colour = [&](int c) {
-      return gamma_bytes[value_at<std::uint8_t>(place + (channels <= 2 ? 0 : c))];
-    };
-    const float alpha = stored_alpha<type, channels>(place) / unit<type>;
-    return {colour(0), colour(1), colour(2), channels % 2 == 0 ? alpha : 1.0f};
-  }
+  if constexpr (type == SampleType::U8 && encoding == Encoding::LabGamma)
+    return linear_texel<type, channels, Encoding::Gamma22>(place);  // by a table
   return linear<type, channels, encoding>(texel<type, channels, encoding>(place));
 }
 

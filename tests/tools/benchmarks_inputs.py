@@ -113,7 +113,8 @@ def black_pixel():
     def attribute(name, kind, value):
         return b"".join((name, b"\0", kind, b"\0", struct.pack("<i", len(value)), value))
 
-    channels = b"".join(name + b"\0" + struct.pack("<4i", 2, 0, 1, 1) for name in (b"B", b"G", b"R"))
+    channels = b"".join(name + b"\0" + struct.pack("<4i", 2, 0, 1, 1)
+                        for name in (b"B", b"G", b"R"))
     header = (b"\x76\x2f\x31\x01" + struct.pack("<i", 2)
               + attribute(b"channels", b"chlist", channels + b"\0")
               + attribute(b"compression", b"compression", b"\0")

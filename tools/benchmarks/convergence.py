@@ -130,7 +130,8 @@ def end_of(name, curve, rows, right):
     positive = [(row["spp"], row["relmse"]) for row in rows if row["relmse"] > 0]
     fit = fit_power(*zip(*positive)) if len(positive) > 1 else None
     line = {"scene": name, "curve": curve, "beside": compared_with(curve),
-            "points": len(positive), "exponent": fit and fit.exponent, "exponent_error": fit and fit.error}
+            "points": len(positive), "exponent": fit and fit.exponent,
+            "exponent_error": fit and fit.error}
     for goal in GOALS:
         line |= {f"s_to_{goal:g}": x_where(goal, seconds, relmse),
                  f"reference_{goal:g}": truth.judged(right, [goal])}

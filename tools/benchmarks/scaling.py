@@ -35,9 +35,9 @@ def run(options):
     seeds = range(1, 1 + (options.runs or (2 if options.quick else 5)))
     series = []
     for name, measure in {
-            "threads": threads, "pixels": pixels, "lights": lights,
-            **{f"triangles of a {shape}": functools.partial(triangles, shape) for shape in SHAPES}
-    }.items():
+            "threads": threads, "pixels": pixels,
+            **{f"triangles of a {shape}": functools.partial(triangles, shape) for shape in SHAPES},
+            "lights": lights}.items():
         with results.attempt(f"the series over {name}"):
             series.append(measure(candela, out, seeds, options.quick))
             results.table(*series[-1][:3])

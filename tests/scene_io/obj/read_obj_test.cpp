@@ -240,26 +240,26 @@ TEST(Unit_Obj, CommentsMayStandBehindNames) {
   EXPECT_EQ(model.images[1].path, folder.file("b # c.png"));
 }
 
-TEST(Unit_Obj, NamesMayStandInTheNextLine) {
+// Beside a.mtl of two_materials.
+ObjModel read_with_materials(const std::string& text) {
   const TemporaryFolder folder;
   folder.put("a.mtl", two_materials);
-  const std::string obj =
-      folder.put("x.obj", "mtllib \\\na.mtl\n" + square + "usemtl \\\nblue\nf 1 2 3\n");
   Diagnostics diagnostics;
-  const ObjModel model = read_obj(obj, {}, diagnostics);
+  ObjModel model = read_obj(folder.put("x.obj", text), {}, diagnostics);
   EXPECT_TRUE(diagnostics.list().empty());
+  return model;
+}
+
+TEST(Unit_Obj, NamesMayStandInTheNextLine) {
+  const ObjModel model =
+      read_with_materials("mtllib \\\na.mtl\n" + square + "usemtl \\\nblue\nf 1 2 3\n");
   ASSERT_EQ(model.meshes.size(), 1u);
   EXPECT_EQ(model.meshes[0].name, "blue");
 }
 
 TEST(Unit_Obj, AnMtlIsReadOnceByAnyNameOfIt) {
-  const TemporaryFolder folder;
-  folder.put("a.mtl", two_materials);
-  const std::string obj =
-      folder.put("x.obj", "mtllib ./a.mtl\nmtllib a.mtl\n" + square + "usemtl blue\nf 1 2 3\n");
-  Diagnostics diagnostics;
-  const ObjModel model = read_obj(obj, {}, diagnostics);
-  EXPECT_TRUE(diagnostics.list().empty());
+  const ObjModel model =
+      read_with_materials("mtllib ./a.mtl\nmtllib a.mtl\n" + square + "usemtl blue\nf 1 2 3\n");
   EXPECT_EQ(model.materials.size(), 3u);
 }
 
