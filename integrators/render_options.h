@@ -71,7 +71,7 @@ struct RenderOptions {
   // (reuse/choose_reuse.h).
   bool chooses_reuse = false;
   // path: camera rays a sample that look for lamps alone in pixels that lamps cover in part, at
-  // most (path/find_lamp_pixels.h); 0: none.
+  // most (path/find_lamp_pixels.h); 0 and 1: none.
   int lamp_rays = 0;
   // path by Mis and Power, scenes without media (guiding/choose_guide.h).
   Guiding guiding = Guiding::Off;

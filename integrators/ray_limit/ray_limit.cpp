@@ -1,5 +1,7 @@
 #include "integrators/ray_limit/ray_limit.h"
 
+#include <algorithm>
+
 #include "integrators/check_options.h"
 #include "integrators/feasible_options.h"
 #include "integrators/path/kernels.h"
@@ -63,8 +65,8 @@ std::optional<RayLimit> measure(const Scene& scene, const A& accelerator,
 
   RayLimit limit;
   volatile double sink = 0;
-  const auto measure_tile = [&](const PixelRect& tile) {
-    const TilePass pass{tile, {0, samples}, nullptr, options.seed, plan};
+  const auto measure_samples = [&](const PixelRect& tile, SampleRange range) {
+    const TilePass pass{tile, range, nullptr, options.seed, plan};
     recorder.rays().clear();
     recorded.render(recording, pass, film);
     const double start = thread_cpu_seconds();
@@ -74,6 +76,12 @@ std::optional<RayLimit> measure(const Scene& scene, const A& accelerator,
     limit.rays_seconds += thread_cpu_seconds() - middle;
     limit.render_seconds += middle - start;
     limit.rays += recorder.rays().size();
+  };
+  // All rays of a pixel at once would take memory without end.
+  constexpr std::uint32_t most_at_once = 256;
+  const auto measure_tile = [&](const PixelRect& tile) {
+    for (std::uint32_t first = 0; first < samples; first += most_at_once)
+      measure_samples(tile, {first, std::min(samples, first + most_at_once)});
   };
   // Small pictures again and again, until the clock of some machines (4 ms) has seen enough.
   constexpr double least_seconds = 0.02;

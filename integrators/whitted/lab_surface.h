@@ -3,7 +3,6 @@
 #pragma once
 
 #include "renderer/material/bsdf_at.h"
-#include "renderer/material/coverage.h"
 
 namespace candela {
 

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "renderer/geometry/geometry.h"
-#include "renderer/math/ray.h"
 #include "renderer/scene/scene.h"
 
 namespace candela {

@@ -61,7 +61,7 @@ void EmbreeAccel::State::record_error(void* state, RTCError code, const char* te
   // A failed allocation explains what fails after it.
   if (self.error == RTC_ERROR_NONE || code == RTC_ERROR_OUT_OF_MEMORY) {
     self.error = code;
-    self.error_text = text ? text : "";
+    std::strncpy(self.error_text.data(), text ? text : "", self.error_text.size() - 1);
   }
   self.callbacks.leave();
 }
@@ -79,7 +79,7 @@ void EmbreeAccel::State::throw_if_failed() {
   callbacks.end();
   if (error == RTC_ERROR_NONE) return;
   if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
-  throw std::runtime_error("Embree: " + error_text);
+  throw std::runtime_error(fmt::format("Embree: {}", error_text.data()));
 }
 
 PacketRules packet_rules_of(RTCDevice device) {
@@ -143,6 +143,9 @@ EmbreeGeometry EmbreeAccel::State::triangles_of(std::uint32_t index) {
 void EmbreeAccel::State::attach_geometry(RTCScene target, std::uint32_t index, std::uint32_t id) {
   const Geometry& source = scene->geometries[index];
   user_data[index] = {scene, index};
+  // No exception leaves Embree's callbacks: they must find what they look at.
+  if (source.has_cutouts)
+    scene->textures.decode(scene->materials[source.material.index].opacity.texture);
   if (!source.spheres.empty()) {
     const EmbreeGeometry spheres(new_embree_spheres(device.get(), user_data[index]));
     rtcAttachGeometryByID(target, spheres.get(), id);

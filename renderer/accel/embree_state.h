@@ -2,12 +2,12 @@
 // is asked (embree_accel.cpp).
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <limits>
 #include <memory>
 #include <mutex>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "renderer/accel/embree_accel.h"
@@ -55,7 +55,7 @@ struct EmbreeAccel::State {
   std::atomic<std::size_t> bytes{0};
   std::mutex error_mutex;
   RTCError error = RTC_ERROR_NONE;
-  std::string error_text;
+  std::array<char, 256> error_text{};     // of the first; no string: memory may be what lacks
   std::vector<EmbreeUserData> user_data;  // by geometry
   // Released in reverse order, and Embree reports every release to `bytes`.
   embree::Device device;

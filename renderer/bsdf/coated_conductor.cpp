@@ -17,10 +17,14 @@ float bend_of(float eta) {
   return (eta - 1) * (eta + 1);
 }
 
-// Within the coat, still upwards.
+// Within the coat, of a direction above it whose cosine is `cos_o`; still upwards.
+float cosine_within(const Bsdf& bsdf, float cos_o) {
+  const float eta = bsdf.coat->eta();
+  return std::sqrt(bend_of(eta) + square(cos_o)) / eta;
+}
 Vec3f refracted(const Bsdf& bsdf, const Vec3f& w) {
   const float eta = bsdf.coat->eta();
-  return Vec3f(w.x, w.y, std::sqrt(bend_of(eta) + square(w.z))) / eta;
+  return {w.x / eta, w.y / eta, cosine_within(bsdf, w.z)};
 }
 
 // Of all bounces between two smooth layers, without the coat's own reflection.
@@ -28,8 +32,7 @@ Rgb smooth_metal_albedo(const Bsdf& bsdf, float cos_o) {
   const float through = bsdf.coat->transmittance(cos_o, 0);
   const float f = coat_reflectance(bsdf, cos_o);
   if (!(f < 1)) return Rgb{0};
-  const float cos_within = refracted(bsdf, {std::sqrt(1 - square(cos_o)), 0, cos_o}).z;
-  const Rgb metal = fresnel_conductor(cos_within, bsdf.eta, bsdf.k);
+  const Rgb metal = fresnel_conductor(cosine_within(bsdf, cos_o), bsdf.eta, bsdf.k);
   const float left = through / (1 - f);  // of one crossing's absorption
   const Rgb again = metal * (f * square(left));
   const Rgb cut = left_after(bsdf.metal_bounces, again);
@@ -39,8 +42,7 @@ Rgb smooth_metal_albedo(const Bsdf& bsdf, float cos_o) {
 // What comes out from below where not both are smooth; of one bounce where there is no table.
 Rgb metal_albedo(const Bsdf& bsdf, float cos_o) {
   if (bsdf.metal) return bsdf.metal->albedo(cos_o);
-  const float cos_within = refracted(bsdf, {std::sqrt(1 - square(cos_o)), 0, cos_o}).z;
-  return fresnel_conductor(cos_within, bsdf.eta, bsdf.k) *
+  return fresnel_conductor(cosine_within(bsdf, cos_o), bsdf.eta, bsdf.k) *
          square(bsdf.coat->transmittance(cos_o, mean_coat_width(bsdf)));
 }
 

@@ -6,9 +6,8 @@
 
 namespace candela::description {
 
-// Images exist, inputs stand before what they go into, numbers are finite,
-// neither depth nor number of what a texture is made of runs away, colours and factors at
-// least 0.
+// Images exist, inputs stand before what they go into, numbers are finite (heights may be below 0),
+// neither depth nor number of what a texture is made of runs away.
 void check_textures(const SceneDescription& scene, Diagnostics& diagnostics);
 
 }  // namespace candela::description

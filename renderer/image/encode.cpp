@@ -4,6 +4,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <new>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -255,6 +256,8 @@ Result<std::string> encode_samples(const DecodedImage& image, int channel) {
       result.samples = picked.data();
     }
     return encode(format, result);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& exception) {
     return encoder_failure(format, exception.what());
   }
@@ -265,6 +268,8 @@ Result<std::string> encode_image(ImageFormat format, const Image& image,
   if (Diagnostics found = check_encodable(format, image); found.has_errors()) return found;
   try {
     return encode(format, prepared(format, image, options).picture);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& exception) {
     return encoder_failure(format, exception.what());
   }

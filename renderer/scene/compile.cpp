@@ -20,6 +20,19 @@ namespace {
 
 using description::SceneDescription;
 
+// An image that shines is multiplied by what makes its mean the emission.
+void check_emission(const description::Material& material, const Material& compiled,
+                    Diagnostics& diagnostics) {
+  if (const float factor = max_component(compiled.emission);
+      double{factor} > description::largest_radiance)
+    diagnostics.error(
+        material.span,
+        fmt::format("material '{}': an emission of {:g} is {:g} times the mean of its image, "
+                    "expected at most {:g}",
+                    material.name, max_component(material.emission), factor,
+                    description::largest_radiance));
+}
+
 void compile_materials(const SceneDescription& description, const CompileOptions& options,
                        const std::vector<bool>& used, Scene& scene, DropCounts& dropped,
                        Diagnostics& diagnostics) {
@@ -33,6 +46,7 @@ void compile_materials(const SceneDescription& description, const CompileOptions
     if (used[i]) {
       scene.materials.push_back(compile_material(material, options, n.scale, textures, coats));
       Material& compiled = scene.materials.back();
+      check_emission(material, compiled, diagnostics);
       for (const MaterialHandle part : compiled.parts) {
         if (!part) continue;
         compiled.reads_uv |= scene.materials[part.index].reads_uv;
@@ -91,13 +105,13 @@ bool shows_more_than_surfaces(const Scene& scene) {
 
 void warn_of_lost_surfaces(const SceneDescription& description, const Scene& scene,
                            const DropCounts& dropped, Diagnostics& diagnostics) {
-  if (!scene.geometries.empty() || shows_more_than_surfaces(scene) || !has_surface(description))
-    return;
+  if (!scene.geometries.empty() || !has_surface(description)) return;
   std::vector<std::string> reasons;
   for (const auto& [reason, count] : dropped)
     if (is_of_surfaces(reason)) reasons.push_back(fmt::format("{} {}", count, name_of(reason)));
-  diagnostics.warning({}, fmt::format("all surfaces are left out ({}): there is nothing to see",
-                                      fmt::join(reasons, ", ")));
+  diagnostics.warning(
+      {}, fmt::format("all surfaces are left out ({}): there is {}", fmt::join(reasons, ", "),
+                      shows_more_than_surfaces(scene) ? "the background alone" : "nothing to see"));
 }
 
 bool is_triangle_light(const description::Light& light) {
@@ -129,6 +143,7 @@ Result<Scene> compile_valid(const SceneDescription& description, const CompileOp
   if (options.opacity_grids) compile_coverage(scene);
   scene.bounds = bounds_of(scene);
   compile_lights(description, options, scene, dropped, diagnostics);
+  diagnostics.append(scene.textures.broken_lights());
   if (diagnostics.has_errors()) return diagnostics;
   scene.features = features_of(scene);
   scene.plain_models = plain_models_of(scene);

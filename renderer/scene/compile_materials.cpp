@@ -185,7 +185,8 @@ struct ModelCompiler {
     return a.texture != b.texture || a.channel != b.channel ||
            (!a.texture && a.constant != b.constant);
   }
-  // Of mean widths; where textures vary them there is none, and light of further bounces lacks.
+  // Of mean widths; where textures vary them there is none, and the lobe's albedo is not that of
+  // followed light (docs/pbrt.md).
   void set_metal_table() const {
     const ScalarParameter* const widths[] = {&out.roughness, &out.roughness_across,
                                              &out.metal_roughness, &out.metal_roughness_across};

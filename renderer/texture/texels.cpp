@@ -104,7 +104,10 @@ bool is_grey(const TexelArray& texels) {
 TextureFile::TextureFile(std::string path, SourceSpan span, const Result<ImageHeader>& found,
                          bool is_light)
     : path_(std::move(path)), span_(std::move(span)), is_broken_(!found), is_light_(is_light) {
-  if (is_broken_) return;
+  if (is_broken_) {
+    complaint_ = found.diagnostics.list()[0].message;
+    return;
+  }
   width_ = found->width;
   height_ = found->height;
   channels_ = useful_channels(*found);
@@ -148,7 +151,10 @@ void TextureFile::decode_file() {
   for (const Diagnostic& found : image.diagnostics.list())
     diagnostics_.warning(
         span_, fmt::format("texture {}{}", found.message, image ? "" : "; it is magenta"));
-  if (!image) return become_magenta();
+  if (!image) {
+    complaint_ = image.diagnostics.list()[0].message;
+    return become_magenta();
+  }
   texels_.width = image->header.width;
   texels_.height = image->header.height;
   texels_.channels = static_cast<int>(image->header.channels.size());

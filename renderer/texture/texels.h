@@ -47,6 +47,10 @@ class TextureFile {
   TextureFile(std::string name, TexelArray texels);
 
   [[nodiscard]] const std::string& path() const { return path_; }
+  // Where it was asked for first.
+  [[nodiscard]] const SourceSpan& span() const { return span_; }
+  // Why it is broken: a sentence that begins with its path in quotes.
+  [[nodiscard]] const std::string& complaint() const { return complaint_; }
   // Magenta since its header could not be read or, as texels() finds out, its pixels.
   [[nodiscard]] bool is_broken() const { return is_broken_; }
   // What the header says; decodes nothing.
@@ -77,6 +81,7 @@ class TextureFile {
   std::string path_;
   SourceSpan span_;
   bool is_broken_ = false;
+  std::string complaint_;
   int width_ = 1;
   int height_ = 1;
   int channels_ = 4;

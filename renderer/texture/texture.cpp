@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <tuple>
 
@@ -25,6 +26,8 @@ struct TextureStore::Files {
   std::map<std::pair<std::string, bool>, std::unique_ptr<TextureFile>> by_path;
   std::vector<std::unique_ptr<TextureFile>> calculated;
   std::map<std::tuple<const TextureFile*, Encoding, Wrap>, TextureHandle> handle_of;
+  std::set<const TextureFile*> lights;
+  std::set<const TextureFile*> refused_lights;  // among them: told of as an error already
 };
 
 // One way to look into one file, or a procedural texture.
@@ -120,6 +123,13 @@ class Texture {
                        });
   }
 
+  // What lookups do first; returns what else they may look into.
+  std::span<const TextureValue> decode() {
+    if (!is_ready_.load(std::memory_order_acquire)) prepare();
+    if (!procedural_) return {};
+    return procedural_->inputs;
+  }
+
  private:
   // Of what is no image of several texels.
   [[nodiscard]] Vec4f special(const TextureStore& store, Vec2f uv, const TexturePoint* at) const {
@@ -164,10 +174,15 @@ TextureStore::~TextureStore() = default;
 
 namespace {
 
-void warn_of(const Result<ImageHeader>& header, const SourceSpan& span, Diagnostics& diagnostics) {
+// Magenta light would be a picture that looks finished.
+void tell_of(const Result<ImageHeader>& header, bool is_light, const SourceSpan& span,
+             Diagnostics& diagnostics) {
   for (const Diagnostic& found : header.diagnostics.list())
-    diagnostics.warning(
-        span, fmt::format("texture {}{}", found.message, header ? "" : "; it is magenta"));
+    if (!header && is_light)
+      diagnostics.error(span, fmt::format("a light's image {}", found.message));
+    else
+      diagnostics.warning(
+          span, fmt::format("texture {}{}", found.message, header ? "" : "; it is magenta"));
 }
 
 }  // namespace
@@ -185,8 +200,9 @@ TextureFile& TextureStore::file_of(const description::Image& image, bool is_ligh
   const Diagnostics missing = header ? Diagnostics{} : why_codecs_are_missing();
   for (const Diagnostic& reason : missing.list())
     diagnostics.error(image.span, fmt::format("texture '{}' {}", image.path, reason.message));
-  if (!missing.has_errors()) warn_of(header, image.span, diagnostics);
+  if (!missing.has_errors()) tell_of(header, is_light, image.span, diagnostics);
   file = std::make_unique<TextureFile>(image.path, image.span, header, is_light);
+  if (!header && is_light) files_->refused_lights.insert(file.get());
   return *file;
 }
 
@@ -202,7 +218,17 @@ TextureHandle TextureStore::add(const description::Image& image, Diagnostics& di
 }
 
 TextureHandle TextureStore::add_light(const description::Image& image, Diagnostics& diagnostics) {
-  return add(file_of(image, true, diagnostics), image);
+  TextureFile& file = file_of(image, true, diagnostics);
+  files_->lights.insert(&file);
+  return add(file, image);
+}
+
+Diagnostics TextureStore::broken_lights() const {
+  Diagnostics found;
+  for (const TextureFile* file : files_->lights)
+    if (file->is_broken() && !files_->refused_lights.contains(file))
+      found.error(file->span(), fmt::format("a light's image {}", file->complaint()));
+  return found;
 }
 
 TextureHandle TextureStore::add(const std::string& name, TexelArray texels, Wrap wrap) {
@@ -355,6 +381,18 @@ Encoding TextureStore::encoding(TextureHandle texture) const {
 
 std::size_t TextureStore::size() const {
   return textures_.size();
+}
+
+void TextureStore::decode(TextureHandle texture) const {
+  std::vector<bool> is_known(textures_.size());
+  std::vector<TextureHandle> left{texture};
+  while (!left.empty()) {
+    const TextureHandle next = left.back();
+    left.pop_back();
+    if (!next || is_known[next.index]) continue;
+    is_known[next.index] = true;
+    for (const TextureValue& input : textures_[next.index]->decode()) left.push_back(input.texture);
+  }
 }
 
 bool TextureStore::is_decoded(TextureHandle texture) const {

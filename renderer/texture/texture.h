@@ -54,8 +54,13 @@ class TextureStore {
   // give equal handles, and equal paths share their pixels.
   TextureHandle add(const description::Image& image, Diagnostics& diagnostics);
 
-  // The same of an image that shines, whose values below 0 are no light: they count as 0.
+  // The same of an image that shines, whose values below 0 are no light: they count as 0. What
+  // cannot be read is an error.
   TextureHandle add_light(const description::Image& image, Diagnostics& diagnostics);
+
+  // Errors about images that shine and turned out to be broken as they were decoded, or as
+  // textures. Those of which add_light() told are not among them.
+  [[nodiscard]] Diagnostics broken_lights() const;
 
   // An image that was calculated: linear, already decoded, under a name for messages, no path.
   TextureHandle add(const std::string& name, TexelArray texels, Wrap wrap);
@@ -129,6 +134,8 @@ class TextureStore {
   // Of images: how lookups decode.
   [[nodiscard]] Encoding encoding(TextureHandle texture) const;
   [[nodiscard]] std::size_t size() const;
+  // Decodes what lookups of it would decode, its inputs' images too, so that they need no memory.
+  void decode(TextureHandle texture) const;
   // Which have been decoded so far, and the bytes they hold.
   [[nodiscard]] bool is_decoded(TextureHandle texture) const;
   [[nodiscard]] std::size_t decoded_bytes() const;

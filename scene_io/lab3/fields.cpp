@@ -171,14 +171,25 @@ void Fields::warn_of_unknown_key(const Entry& entry, Names known, Hint hint) con
 
 std::string Fields::unknown_key_text(const Entry& entry, Names known) const {
   if (entry.key == "<<") return "merge keys (<<) are not read: write the keys out";
-  const std::string_view word = std::string_view(entry.key).substr(0, entry.key.find(' '));
-  const bool lacks_colon = entry.value->is_null() && word.size() < entry.key.size() &&
-                           std::any_of(known.begin(), known.end(), [&](std::string_view name) {
-                             return is_same_name(name, word);
-                           });
-  return fmt::format("unknown key {} in {}{}", text::quoted(entry.key), what_,
-                     lacks_colon ? fmt::format("; is ':' missing behind {}?", text::quoted(word))
-                                 : did_you_mean(entry.key, {known.begin(), known.end()}));
+  // What stands before the first of these is a known key, and has no value.
+  const auto known_before = [&](char mark) -> std::string_view {
+    const std::size_t end = entry.key.find(mark);
+    const std::string_view word = std::string_view(entry.key).substr(0, end);
+    const bool is_known = std::any_of(known.begin(), known.end(), [&](std::string_view name) {
+      return is_same_name(name, word);
+    });
+    return end != std::string::npos && entry.value->is_null() && is_known ? word : "";
+  };
+  const std::string_view before_colon = known_before(':');
+  const std::string_view before_blank = known_before(' ');
+  std::string hint;
+  if (!before_colon.empty())
+    hint = fmt::format("; is a blank missing behind '{}:'?", before_colon);
+  else if (!before_blank.empty())
+    hint = fmt::format("; is ':' missing behind {}?", text::quoted(before_blank));
+  else
+    hint = did_you_mean(entry.key, {known.begin(), known.end()});
+  return fmt::format("unknown key {} in {}{}", text::quoted(entry.key), what_, hint);
 }
 
 const Entry* Fields::find(std::string_view key) const {

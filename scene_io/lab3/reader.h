@@ -30,7 +30,6 @@ class Reader {
   std::unordered_map<std::string, description::MaterialHandle> materials_by_name;
   bool lacks_material_names = false;  // some could not be read, or there are none: it was said
   ImageIndex images;
-  Vec3d ambient{0.1};            // AmbientIntensity
   bool has_ambient = false;      // the file gives it
   bool has_environment = false;  // a skybox or an Environment
   bool is_extended = false;      // the file uses a key that lab3 does not have: its ambient is 0

@@ -64,17 +64,16 @@ std::optional<std::array<Vec3d, 2>> read_eta_k(Reader& reader, const Fields& fie
   return std::array{*eta, *k};
 }
 
-// The material's reflectance is said once.
-void check_single_source(Reader& reader, const Fields& fields) {
-  static constexpr std::string_view sources[] = {"F0", "ior", "eta", "metal"};
+// The material's reflectance is said once, in one of these ways, whose first keys are `sources`.
+void check_single_source(Reader& reader, const Fields& fields,
+                         std::initializer_list<std::string_view> sources, std::string_view ways) {
   const Entry* first = nullptr;
   for (const std::string_view source : sources) {
     const Entry* entry = fields.find(source);
     if (!entry) continue;
     if (first)
-      reader.error(entry->key_offset, fmt::format("both {} and {} are given, expected one of F0, "
-                                                  "ior, eta and k, metal",
-                                                  first->key, entry->key));
+      reader.error(entry->key_offset, fmt::format("both {} and {} are given, expected one of {}",
+                                                  first->key, entry->key, ways));
     first = first ? first : entry;
   }
 }
@@ -83,7 +82,7 @@ void read_fresnel(Reader& reader, const Fields& fields,
                   description::CookTorranceMaterial& material) {
   static constexpr std::string_view fresnels[] = {"schlick", "exact"};
   static constexpr std::string_view geometries[] = {"schlick_ggx", "smith"};
-  check_single_source(reader, fields);
+  check_single_source(reader, fields, {"F0", "ior", "eta", "metal"}, "F0, ior, eta and k, metal");
   material.fresnel = static_cast<FresnelModel>(fields.choice("fresnel", fresnels).value_or(0));
   const auto geometry = fields.choice("geometry", geometries);
   material.geometry = static_cast<GeometryModel>(geometry.value_or(0));
@@ -141,7 +140,7 @@ description::ConductorMaterial read_conductor(Reader& reader, const Fields& fiel
   const Metal copper = metal_named("copper");
   material.eta = copper.eta;
   material.k = copper.k;
-  check_single_source(reader, fields);
+  check_single_source(reader, fields, {"F0", "eta", "metal"}, "F0, eta and k, metal");
   if (const auto eta_k = read_eta_k(reader, fields)) {
     material.eta = (*eta_k)[0];
     material.k = (*eta_k)[1];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <istream>
+#include <new>
 #include <streambuf>
 #include <unordered_map>
 
@@ -324,6 +325,8 @@ std::optional<Document> parse_yaml(const text::Source& source, Diagnostics& diag
     const std::size_t offset = lines.offset(exception.mark);
     return refuse(offset, fmt::format("malformed YAML: {}{}", exception.msg,
                                       hint_for(exception.msg, source.text, offset)));
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& exception) {
     return refuse(0, fmt::format("malformed YAML: {}", exception.what()));
   }

@@ -15,7 +15,7 @@ struct Option {
   int most_arguments;    // those beyond the least are taken only while they are numbers
   double no_effect = 0;  // numbers of an option left out that change nothing
 };
-constexpr std::array<Option, 13> options{{{"-bm", 1, 1},
+constexpr std::array<Option, 14> options{{{"-bm", 1, 1},
                                           {"-clamp", 1, 1},
                                           {"-imfchan", 1, 1},
                                           {"-blendu", 1, 1},
@@ -27,13 +27,13 @@ constexpr std::array<Option, 13> options{{{"-bm", 1, 1},
                                           {"-o", 1, 3, 0},
                                           {"-s", 1, 3, 1},
                                           {"-t", 1, 3, 0},
-                                          {"-texres", 1, 1}}};
+                                          {"-texres", 1, 1},
+                                          {"-type", 1, 1}}};
 
 const Option* find_option(std::string_view word) {
-  for (const Option& option : options) {
+  for (const Option& option : options)
     if (option.name == word) return &option;
-  }
-  return word == "-type" ? &options[7] : nullptr;
+  return nullptr;
 }
 
 class TextureParser {
@@ -69,7 +69,8 @@ class TextureParser {
   bool take(const Option& option, std::string_view word) {
     const bool needs_numbers = option.name != "-clamp" && option.name != "-imfchan" &&
                                option.name != "-blendu" && option.name != "-blendv" &&
-                               option.name != "-cc" && option.name != "-colorspace";
+                               option.name != "-cc" && option.name != "-colorspace" &&
+                               option.name != "-type";
     bool is_default = true;
     for (int i = 0; i < option.most_arguments; ++i) {
       text::Cursor ahead = at_;
@@ -112,10 +113,21 @@ class TextureParser {
       name = bare;
       resolved = &context_.names.find(name, is_new);
     }
+    if (!resolved->is_found) warn_of_options_behind(name);
     texture_.path = resolved->path;
     texture_.span = context_.span_at(static_cast<std::size_t>(name.data() - source_.text.data()));
     if (is_new && resolved->is_substitute())
       say(Severity::Note, name.data(), text::describe_substitute(*resolved, name));
+  }
+
+  void warn_of_options_behind(std::string_view name) {
+    text::Cursor words(name);
+    for (std::string_view word = words.next_word(); !word.empty(); word = words.next_word())
+      if (word != name && find_option(word) != nullptr)
+        return say(Severity::Warning, word.data(),
+                   fmt::format("'{}' behind the name of an image is part of it; options stand "
+                               "before it",
+                               word));
   }
 
   const text::Source& source_;

@@ -30,8 +30,9 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-// pbrt's exposure time is that of the camera's shutter, which has to open.
-double exposure_time(Context& context) {
+// For how long the camera's shutter, which has to open, is open: pbrt's exposure time where the
+// film has none of its own.
+double shutter_time(Context& context) {
   if (!context.program.camera) return 1;
   Arguments camera(*context.program.camera, context.report);
   const double closes = camera.number("shutterclose").value_or(1);
@@ -63,7 +64,8 @@ void read_white_balance(Context& context, Arguments& film) {
 
 double read_exposure(Context& context, Arguments& film) {
   double ratio = film.number("iso").value_or(100) / 100;
-  ratio *= film.number("exposuretime").value_or(exposure_time(context));
+  const auto exposure = film.number("exposuretime");
+  ratio *= exposure ? *exposure : shutter_time(context);
   film.ignore_unless("scale", 1, "it is pbrt-v3's");
   for (const std::string_view name : {"maxcomponentvalue", "maxsampleluminance"})
     film.ignore(name, "radiance is not clamped");
@@ -140,7 +142,7 @@ void expect_filter_number(Context& context, Arguments& arguments, std::string_vi
                           std::string_view name, double value) {
   const double found = arguments.number(name).value_or(value);
   if (arguments.statement().type == filter && std::abs(found - value) > 1e-3)
-    context.warn_once(std::string(name), arguments.statement().place,
+    context.warn_once(fmt::format("filter's {}", name), arguments.statement().place,
                       fmt::format("the {} filter's {} is {:.3g} here", filter, name, value));
 }
 

@@ -127,7 +127,7 @@ DiffuseTransmissionMaterial diffuse_transmission(MaterialReader& reader) {
 bool set_stand_in(MaterialReader& reader, std::string_view type, Material& material) {
   if (type != "subsurface" && type != "hair" && type != "measured") return false;
   reader.context.warn_once(
-      "material " + std::string(type), reader.arguments.statement().place,
+      "stand-in for " + std::string(type), reader.arguments.statement().place,
       fmt::format("materials of type {} are not supported: {} is used", text::quoted(type),
                   type == "subsurface" ? "a coated diffuse one" : "a diffuse one"));
   constexpr double ior_of_subsurface = 1.33;

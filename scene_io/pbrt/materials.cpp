@@ -7,7 +7,7 @@
 #include "renderer/description/validate_material.h"
 #include "renderer/math/reflectance.h"
 #include "scene_io/pbrt/own_materials.h"
-#include "scene_io/pbrt/source_files.h"
+#include "scene_io/pbrt/parameter_key.h"
 #include "scene_io/pbrt/spectrum.h"
 
 namespace candela::pbrt {
@@ -64,9 +64,13 @@ bool has_holes(const Material& material) {
 ColourInput MaterialReader::reflectance(std::string_view name, double otherwise) {
   ColourInput input =
       textures.colour(arguments, name).value_or(ColourInput{Vec3d(otherwise), {}, {}});
-  if (!input.is_constant() || max_component(input.factor) <= 1) return input;
-  arguments.warning(*arguments.find(name), "is above 1: surfaces reflect at most all light");
-  input.factor = glm::min(input.factor, Vec3d(1.0));
+  if (!input.is_constant()) return input;
+  if (max_component(input.factor) > 1)
+    arguments.warning(*arguments.find(name), "is above 1: surfaces reflect at most all light");
+  // Of textures as in pbrt, silently; numbers below 0 are told of by validation.
+  const Parameter* given = arguments.find(name);
+  const bool is_texture = given != nullptr && given->type == ParameterType::Texture;
+  input.factor = glm::min(is_texture ? glm::max(input.factor, 0.0) : input.factor, Vec3d(1.0));
   return input;
 }
 
@@ -144,7 +148,7 @@ std::size_t Materials::index_of(const MaterialUse& use) {
   const auto& named = context_.program.material_named;
   const auto found = named.find(use.name);
   if (found != named.end()) return found->second;
-  if (context_.warned.insert("material " + use.name).second)
+  if (context_.warned.insert("no material " + use.name).second)
     context_.report.error(use.place,
                           fmt::format("there is no material {}{}", text::quoted(use.name),
                                       context_.report.did_you_mean_key(use.name, named)));
@@ -159,23 +163,12 @@ std::size_t Materials::first_equal(std::size_t index) {
   return first_equal_[index] = index_of_text_.try_emplace(text, index).first->second;
 }
 
-// With the paths of the files that it names, which equal names in files of two folders need not
-// share.
 std::string Materials::text_of(const Statement& statement) const {
-  Diagnostics unsaid;  // what there is to say of a file is said as it is read
-  const Report report(unsaid);
   std::string text = statement.type;
   for (const Parameter& parameter : statement.parameters) {
-    text += fmt::format("\n{} {}", name_of(parameter.type), parameter.name);
-    for (const double number : parameter.numbers) text += fmt::format(" {}", number);
     const bool may_name_file =
         parameter.type == ParameterType::Spectrum || parameter.name == "normalmap";
-    for (const std::string& string : parameter.strings) {
-      const std::string meant =
-          may_name_file ? resolve_file(context_.scene.path, parameter.place, string, report)
-                        : string;
-      text += fmt::format(" {}:{}", meant.size(), meant);
-    }
+    text += key_of(parameter, may_name_file, context_.scene.path);
   }
   return text;
 }

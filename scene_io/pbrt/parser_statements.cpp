@@ -28,6 +28,8 @@ constexpr std::array<std::string_view, 11> options{"disablepixeljitter",
                                                    "seed",
                                                    "wavefront"};
 
+constexpr const char* unnamed_material = "a material without a name: expected one in the quotes";
+
 // pbrt reads the names of options without regard to case, '-' and '_'.
 std::string normalized(std::string_view name) {
   std::string plain;
@@ -188,6 +190,7 @@ void Parser::make_named_material() {
   auto statement = read_statement(AttributeTarget::Material);
   if (!statement) return;
   std::string name = std::exchange(statement->type, {});
+  if (name.empty()) return report_.error(statement->place, unnamed_material);
   if (program_.material_named.contains(name))
     return report_.error(statement->place,
                          fmt::format("the material {} is defined twice", text::quoted(name)));
@@ -198,6 +201,7 @@ void Parser::make_named_material() {
 void Parser::named_material() {
   const Place place{file_, tokens_->peek().offset};
   const auto name = read_string("the name of a material");
+  if (name && name->empty()) return report_.error(place, unnamed_material);
   if (name) state_.material = {none, *name, place};
 }
 

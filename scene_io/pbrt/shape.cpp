@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "scene_io/pbrt/parameter_key.h"
 #include "scene_io/pbrt/shape_kinds.h"
-#include "scene_io/pbrt/source_files.h"
 
 namespace candela::pbrt {
 namespace {
@@ -108,8 +108,6 @@ std::uint32_t patch_cells_for(std::uint32_t segments) {
 }
 
 std::string mesh_key(const ShapeStatement& shape, const ShapeOptions& options) {
-  Diagnostics unsaid;  // what there is to say of a file is said as it is read
-  const Report report(unsaid);
   const Statement& statement = shape.statement;
   const bool keeps_sphere = statement.type == "sphere" && options.keeps_spheres;
   std::string key = fmt::format("{} {} {} {}", statement.type, shape.is_reversed, options.needs_uvs,
@@ -117,12 +115,7 @@ std::string mesh_key(const ShapeStatement& shape, const ShapeOptions& options) {
   for (const Parameter& parameter : statement.parameters) {
     if (parameter.name == "alpha") continue;
     if (parameter.numbers.size() > 4) return "";  // a mesh written out
-    key += '\0' + parameter.name;
-    for (const double number : parameter.numbers) key += fmt::format(" {}", number);
-    for (const std::string& string : parameter.strings)
-      key += ' ' + (parameter.name == "filename"
-                        ? resolve_file(options.scene_path, parameter.place, string, report)
-                        : string);
+    key += key_of(parameter, parameter.name == "filename", options.scene_path);
   }
   return key;
 }

@@ -169,5 +169,19 @@ TEST(Unit_TexturedLamps, CanBeGivenByTheirMean) {
   EXPECT_NEAR(mean, 5, 0.1);
 }
 
+// Of an image so dark that no float holds by what it is multiplied.
+TEST(Errors_TexturedLamps, TooDarkForTheirMean) {
+  SceneDescription scene = lamp_over_floor("lamp_dark");
+  scene.images[0] =
+      light_test::write_float_map("lamp_dark", 8, 8, [](int, int) { return Vec3f(2e-38f); });
+  scene.materials[0].emission = Vec3d(1000.0);
+  scene.materials[0].emission_is_maps_mean = true;
+  const Result<Scene> result = compile(scene, {});
+  ASSERT_EQ(result.diagnostics.error_count(), 1u);
+  const std::string message = result.diagnostics.list().back().message;
+  EXPECT_NE(message.find("times the mean of its image, expected at most 1e+30"), std::string::npos)
+      << message;
+}
+
 }  // namespace
 }  // namespace candela

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "renderer/accel/alpha_test.h"
+#include "renderer/accel/embree_accel.h"
 #include "tests/image/crafted_files.h"
 #include "tests/image/temporary_folder.h"
 #include "tests/scenes/description.h"
@@ -47,6 +48,28 @@ TEST(Unit_CompileCoverage, OneGridForEachMapThatVisibilityAsks) {
   EXPECT_EQ(scene.materials[0].coverage_grid, Handle<CoverageGrid>(0));
   EXPECT_EQ(scene.materials[1].coverage_grid, Handle<CoverageGrid>(0));
   EXPECT_FALSE(scene.materials[2].coverage_grid);
+}
+
+// Within Embree's callbacks nothing may fail: what they look at is decoded as trees are built.
+TEST(Unit_CompileCoverage, BehindTexturesImagesAreDecodedBeforeRaysAsk) {
+  const TemporaryFolder folder;
+  description::SceneDescription scene = empty_scene();
+  const std::string path =
+      folder.put("half.png", crafted::png_rgba(8, 8, [](int, int, int) { return 128u; }));
+  scene.images.push_back({path, Encoding::Linear, Wrap::Repeat, {}});
+  const description::ColourInput image{Vec3d(1.0), description::ImageHandle(0), {}};
+  const description::ColourInput half{Vec3d(0.5), {}, {}};
+  scene.textures.push_back({"inner", {}, description::ProductTexture{image, half}});
+  const description::ColourInput inner{Vec3d(1.0), {}, description::TextureHandle(0)};
+  scene.textures.push_back({"outer", {}, description::ProductTexture{inner, inner}});
+  const auto material = add_material(scene, diffuse(Vec3d(0.5)));
+  scene.materials.back().opacity = {1, {}, 0, description::TextureHandle(1)};
+  add_mesh(scene, quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), material);
+  set_camera(scene, {0.5, 0.5, 5}, {0.5, 0.5, 0}, 40);
+  const Scene made = compiled(scene, {});
+  EXPECT_EQ(made.textures.decoded_bytes(), 0u);
+  const EmbreeAccel accelerator(made);
+  EXPECT_EQ(made.textures.decoded_bytes(), 8u * 8 * 4);
 }
 
 TEST(Unit_CompileCoverage, RaysPassTheSameWithAndWithoutTheGrid) {

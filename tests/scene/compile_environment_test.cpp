@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/image/crafted_files.h"
+#include "tests/image/temporary_folder.h"
 #include "tests/light/map_images.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
@@ -22,6 +24,31 @@ SceneDescription with_map(const Vec3d& scale = Vec3d(1.0), int side = 8) {
                                               [](int x, int y) { return Vec3f(x, y, 1); })};
   add_light(scene, EqualAreaEnvironment{ImageHandle(0), scale, Mat3d(1.0), true});
   return scene;
+}
+
+// Whether its header is broken or what follows, and whoever asked for it first: magenta light would
+// be a picture that looks finished.
+TEST(Errors_CompileEnvironment, ImagesThatCannotBeRead) {
+  using crafted::operator+;
+  const crafted::Bytes sound = crafted::png_rgba(64, 64, [](int, int, int) { return 7u; });
+  const crafted::Bytes header(sound.begin(), sound.begin() + 33);  // signature and IHDR
+  const TemporaryFolder folder;
+  const std::string no_image = folder.put("text.png", std::string("no image"));
+  const std::string no_pixels =
+      folder.put("broken.png", header + crafted::png_chunk("IDAT", crafted::Bytes(600, 1)) +
+                                   crafted::png_chunk("IEND", {}));
+  for (const std::string& path : {no_image, no_pixels})
+    for (const bool is_on_a_wall : {false, true}) {
+      SceneDescription scene = with_map();
+      scene.images[0].path = path;
+      if (is_on_a_wall)
+        std::get<description::DiffuseMaterial>(scene.materials[0].model).reflectance.map =
+            ImageHandle(0);
+      const Result<Scene> result = compile(scene, {});
+      ASSERT_EQ(result.diagnostics.error_count(), 1u) << path;
+      const std::string message = result.diagnostics.list().back().message;
+      EXPECT_TRUE(message.starts_with("a light's image '" + path + "' ")) << message;
+    }
 }
 
 TEST(Unit_CompileEnvironment, OneSkyIsItself) {

@@ -43,7 +43,7 @@ TEST(Unit_ConvertSky, IsTheScenesInEveryDirection) {
                       Mat3d(s, 0, -s, 0, 1, 0, s, 0, s) * Mat3d(1, 0, 0, 0, s, s, 0, -s, s), true});
   const auto written = pbrt::write_pbrt(scene, {"files", "a.exr", 0, image_facts});
   ASSERT_EQ(written->skies.size(), 1u);
-  EXPECT_EQ(written->skies[0].side, 256);  // of 32,768 texels: 181 squared, rounded up
+  EXPECT_EQ(written->skies[0].side, 182);  // of 32,768 texels: 181.02 squared, rounded up to even
   const auto settings = test::settings_of(8, 1);
   const Scene compiled = test::compiled(scene, settings.options);
   const auto bytes = make_sky(written->skies[0], scene);

@@ -16,6 +16,13 @@ TEST(Unit_RenderReport, ADepthLimitBiasesWhatFollowsPaths) {
   EXPECT_TRUE(biases_of(options).empty());
 }
 
+TEST(Unit_RenderReport, TellsOfPicturesThatEndedByTheirOwnError) {
+  RenderReport report;
+  EXPECT_TRUE(biases_of(report).empty());
+  report.statistics.stop = StopReason::Error;
+  EXPECT_EQ(biases_of(report), std::vector<std::string>{"ended by its own error"});
+}
+
 // The most samples that can be asked for stand for no limit beside another rule alone.
 TEST(Unit_RenderReport, TheMostSamplesAreALimitWhereNothingElseIs) {
   RenderReport report;

@@ -20,6 +20,15 @@ TEST(Errors_StrategyOptions, AreRefusedInSentences) {
                  "expected light, cosine or uniform");
   expect_refused({cornell_box, "--sampling", "light", "--heuristic", "balance"}, 2,
                  "--heuristic weights the strategies of path with --sampling mis");
+  for (const char* option : {"--sky-samples", "--light-cells"})
+    expect_refused({cornell_box, "--sampling", "bsdf", option, "on"}, 2,
+                   std::string(option) +
+                       " is about samples of lights, of which --sampling bsdf "
+                       "takes none");
+  expect_refused({cornell_box, "--sampling", "bsdf", "--light-sampling", "triangles"}, 2,
+                 "--light-sampling is about samples of lights");
+  expect_refused({cornell_box, "--sampling", "light", "--sky-compensation", "off"}, 2,
+                 "--sky-compensation is about the strategies of path with --sampling mis");
   expect_refused({cornell_box, "--ray-limit", "--sampling", "bsdf"}, 2,
                  "not with --sampling or --heuristic");
   expect_refused({cornell_box, "--guiding", "on", "--sampling", "light"}, 2,

@@ -7,6 +7,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "renderer/base/printable.h"
+
 namespace candela::cli {
 namespace {
 
@@ -41,15 +43,15 @@ void Console::print_line(std::string_view line) {
 }
 
 void Console::note(std::string_view line) {
-  if (!is_quiet_) print_line(line);
+  if (!is_quiet_) print_line(printable(line));
 }
 
 void Console::warning(std::string_view sentence) {
-  print_line(fmt::format("warning: {}", sentence));
+  print_line(fmt::format("warning: {}", printable(sentence)));
 }
 
 void Console::error(std::string_view sentence) {
-  print_line(fmt::format("error: {}", sentence));
+  print_line(fmt::format("error: {}", printable(sentence)));
 }
 
 void Console::strict_error(std::size_t warnings, std::string_view scene) {

@@ -5,9 +5,7 @@
 namespace candela::cli {
 
 void decode_all_textures(const TextureStore& textures) {
-  parallel_for(textures.size(), [&](std::size_t i) {
-    static_cast<void>(textures.lookup(TextureHandle(i), Vec2f(0.5f)));
-  });
+  parallel_for(textures.size(), [&](std::size_t i) { textures.decode(TextureHandle(i)); });
 }
 
 }  // namespace candela::cli

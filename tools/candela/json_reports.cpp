@@ -81,7 +81,7 @@ void add_options(Json& json, const RenderReport& report) {
   json["splitting"] = report.statistics.plan.splitting;
   json["reuse"] = report.statistics.plan.reuses_paths;
   json["guiding"] = guiding_json(report);
-  json["biased"] = biases_of(options);
+  json["biased"] = biases_of(report);
   json["max_depth"] = or_null(options.max_depth);
   if (is_lab_shading(options.integrator)) {
     json["specular"] = name_of(options.specular, specular_choices());

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include "renderer/base/printable.h"
 #include "tools/candela/option_values.h"
 
 namespace candela::cli {
@@ -344,7 +345,8 @@ ParsedArguments usage_error(const std::string& command, const std::string& sente
   const std::string program = command.empty() ? "candela" : "candela " + command;
   return {{},
           "",
-          fmt::format("{}: {}\n'{} --help' lists what it takes.\n", program, sentence, program),
+          fmt::format("{}: {}\n'{} --help' lists what it takes.\n", program, printable(sentence),
+                      program),
           ExitCode::Usage};
 }
 

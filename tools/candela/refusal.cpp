@@ -82,6 +82,19 @@ void refuse_stop_rules(const RenderArguments& arguments, const RenderOptions& op
                   ExitCode::Usage};
 }
 
+// What is about samples that are not taken.
+void refuse_samples_of_lights(const RenderArguments& arguments) {
+  const auto refuse = [](bool is_said, std::string_view option) {
+    if (is_said)
+      throw Refusal{
+          fmt::format("{} is about samples of lights, of which --sampling bsdf takes none", option),
+          ExitCode::Usage};
+  };
+  refuse(arguments.samples_constant_sky.has_value(), "--sky-samples");
+  refuse(arguments.light_sampling.has_value(), "--light-sampling");
+  refuse(arguments.light_cells.has_value(), "--light-cells");
+}
+
 void refuse_sampling(const RenderArguments& arguments, const RenderOptions& options) {
   const std::string_view name = integrator_name(options);
   if ((arguments.sampling || arguments.heuristic) && is_lab_shading(options.integrator))
@@ -98,6 +111,10 @@ void refuse_sampling(const RenderArguments& arguments, const RenderOptions& opti
         ExitCode::Usage};
   if (arguments.heuristic && (is_report || options.sampling != SamplingStrategy::Mis))
     throw Refusal{"--heuristic weights the strategies of path with --sampling mis",
+                  ExitCode::Usage};
+  if (options.sampling == SamplingStrategy::Bsdf) refuse_samples_of_lights(arguments);
+  if (arguments.compensates_sky && options.sampling != SamplingStrategy::Mis)
+    throw Refusal{"--sky-compensation is about the strategies of path with --sampling mis",
                   ExitCode::Usage};
   if (arguments.measures_ray_limit && (arguments.sampling || arguments.heuristic))
     throw Refusal{"--ray-limit measures the default kernels: not with --sampling or --heuristic",

@@ -102,6 +102,12 @@ std::vector<std::string> biases_of(const RenderOptions& options) {
   return biases;
 }
 
+std::vector<std::string> biases_of(const RenderReport& report) {
+  std::vector<std::string> biases = biases_of(report.options);
+  if (report.statistics.stop == StopReason::Error) biases.emplace_back("ended by its own error");
+  return biases;
+}
+
 std::uint64_t peak_memory_bytes() {
   std::ifstream status("/proc/self/status");
   std::string word;
@@ -146,7 +152,7 @@ Metadata metadata_of(const RenderReport& report) {
     metadata.push_back({"candela:relmse_high", report.error->interval95.high});
     metadata.push_back({"candela:heavy_tails", report.error->heavy_tails});
   }
-  const std::vector<std::string> biases = biases_of(report.options);
+  const std::vector<std::string> biases = biases_of(report);
   if (!biases.empty())
     metadata.push_back({"candela:biased", fmt::format("{}", fmt::join(biases, ", "))});
   return metadata;

@@ -68,6 +68,9 @@ struct RenderReport {
 
 // What makes the picture's expectation differ from the scene's own answer, such as "clamp 10".
 [[nodiscard]] std::vector<std::string> biases_of(const RenderOptions& options);
+// And that it ended as soon as its own samples said so: such a picture has met less rare light than
+// one whose samples are counted beforehand (docs/accuracy.md).
+[[nodiscard]] std::vector<std::string> biases_of(const RenderReport& report);
 
 // The process's largest resident memory so far (VmHWM); 0 where the system does not tell.
 [[nodiscard]] std::uint64_t peak_memory_bytes();

@@ -1,7 +1,5 @@
 #include "tools/candela/unmet_requests.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "integrators/feasible_options.h"
@@ -33,8 +31,7 @@ std::vector<std::string> unmet_requests(const RenderArguments& arguments, const 
         "--reuse on: the scene and the options have no paths that pixels could share");
   if (options.guiding == Guiding::On && feasible.guiding == Guiding::Off)
     sentences.emplace_back("--guiding on: paths through media are not guided");
-  const std::uint32_t replicates =
-      std::min(static_cast<std::uint32_t>(options.samples_per_pixel), film_replicates(options));
+  const std::uint32_t replicates = film_replicates(options);
   if ((options.aovs & layers_of_errors) != 0 && replicates < 2)
     sentences.emplace_back(
         "--aov: no error is known without two replicates and a sample of each: variance, interval "

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cstring>
 #include <exception>
+#include <new>
 #include <stdexcept>
+#include <string_view>
 
 #include "renderer/base/floating_point_traps.h"
 #include "renderer/image/formats/damage.h"
@@ -47,6 +49,15 @@ std::vector<std::string> plain_names(std::size_t count) {
   return {};
 }
 
+// Throws std::bad_alloc where a lack of memory is the reason, which OpenEXR tells in a type of its
+// own as well: it says nothing of the file.
+void throw_if_out_of_memory(const std::exception& exception) {
+  const std::string_view reason = exception.what();
+  if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr ||
+      reason.find("Failed to allocate memory") != std::string_view::npos)
+    throw std::bad_alloc();
+}
+
 // Not found, of another type or at fewer places than there are pixels: not plain.
 bool is_plain(const Imf::Channel* channel, Imf::PixelType type) {
   return channel != nullptr && channel->type == type && channel->xSampling == 1 &&
@@ -82,7 +93,8 @@ std::optional<ImageHeader> plain_exr_header(const Bytes& bytes) {
   try {
     FileInMemory memory(bytes);
     return plain_header(Imf::InputFile(memory, threads).header());
-  } catch (const std::exception&) {
+  } catch (const std::exception& exception) {
+    throw_if_out_of_memory(exception);
     return std::nullopt;
   }
 }
@@ -98,6 +110,7 @@ Result<DecodedImage> decode_plain_exr(const Bytes& bytes, const ImageHeader& hea
     file.setFrameBuffer(exr_slices(header, decoded.samples.get()));
     file.readPixels(header.top, header.top + header.height - 1);
   } catch (const std::exception& exception) {
+    throw_if_out_of_memory(exception);
     return is_damaged(exception.what());
   }
   return decoded;

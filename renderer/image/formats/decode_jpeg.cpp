@@ -7,6 +7,7 @@
 
 #include <jerror.h>
 
+#include <new>
 #include <utility>
 
 #include "renderer/image/formats/damage.h"
@@ -58,7 +59,7 @@ class JpegReader {
   JpegReader(const JpegReader&) = delete;
   JpegReader& operator=(const JpegReader&) = delete;
 
-  // Of a file of this size and these channels.
+  // Of a file of this size and these channels. False where the file is at fault, or memory lacks.
   [[nodiscard]] bool read(const Bytes& bytes, const ImageHeader& header, std::byte* out) {
     if (setjmp(session_.jump) != 0) return false;
     jpeg_create_decompress(&jpeg_);
@@ -75,6 +76,9 @@ class JpegReader {
   }
 
   [[nodiscard]] const char* complaint() const { return session_.complaint; }
+  [[nodiscard]] bool lacks_memory() const {
+    return session_.manager.msg_code == JERR_OUT_OF_MEMORY;
+  }
 
  private:
   [[nodiscard]] bool is_as_told(const ImageHeader& header) const {
@@ -94,7 +98,10 @@ Result<DecodedImage> decode_plain_jpeg(const Bytes& bytes, const ImageHeader& he
   DecodedImage decoded;
   decoded.header = header;
   decoded.samples = allocate_samples(header);
-  if (!reader.read(bytes, header, decoded.samples.get())) return is_damaged(reader.complaint());
+  if (!reader.read(bytes, header, decoded.samples.get())) {
+    if (reader.lacks_memory()) throw std::bad_alloc();
+    return is_damaged(reader.complaint());
+  }
   return {std::move(decoded), is_damaged_but_readable(reader.complaint())};
 }
 

@@ -10,6 +10,7 @@
 
 #include <ctime>
 #include <exception>
+#include <new>
 
 #include <fmt/format.h>
 
@@ -89,6 +90,8 @@ Result<std::string> encode_exr(const Encodable& image) {
     FileInMemory memory;
     write_to(memory, image);
     return memory.take();
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& exception) {
     return failure(exception.what());
   }

@@ -7,6 +7,7 @@
 #include <bit>
 #include <csetjmp>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <new>
 #include <utility>
@@ -18,6 +19,7 @@ namespace {
 struct Session {
   std::string bytes;
   char complaint[160] = "";
+  bool lacks_memory = false;
 };
 
 [[noreturn]] void fail(png_structp png, png_const_charp message) {
@@ -28,19 +30,27 @@ struct Session {
 
 void ignore(png_structp, png_const_charp) {}
 
-bool append(std::string& bytes, const char* more, std::size_t size) {
+png_voidp allocate(png_structp png, png_alloc_size_t bytes) {
+  png_voidp memory = std::malloc(bytes);
+  if (memory == nullptr) static_cast<Session*>(png_get_mem_ptr(png))->lacks_memory = true;
+  return memory;
+}
+void release(png_structp, png_voidp memory) {
+  std::free(memory);
+}
+
+bool append(Session& session, const char* more, std::size_t size) {
   try {
-    bytes.append(more, size);
-    return true;
+    session.bytes.append(more, size);
   } catch (const std::bad_alloc&) {
-    return false;
+    session.lacks_memory = true;
   }
+  return !session.lacks_memory;
 }
 
 void put(png_structp png, png_bytep data, std::size_t size) {
   auto& session = *static_cast<Session*>(png_get_io_ptr(png));
-  if (!append(session.bytes, reinterpret_cast<const char*>(data), size))
-    png_error(png, "it needs more memory than there is");
+  if (!append(session, reinterpret_cast<const char*>(data), size)) png_error(png, "");
 }
 
 const std::string* text_of(const Encodable& image, const std::string& name) {
@@ -85,7 +95,8 @@ Facts facts_of(const Encodable& image) {
 class PngWriter {
  public:
   PngWriter()
-      : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, &session_, fail, ignore)),
+      : png_(png_create_write_struct_2(PNG_LIBPNG_VER_STRING, &session_, fail, ignore, &session_,
+                                       allocate, release)),
         info_(png_ != nullptr ? png_create_info_struct(png_) : nullptr) {}
   ~PngWriter() { png_destroy_write_struct(&png_, &info_); }
   PngWriter(const PngWriter&) = delete;
@@ -111,6 +122,7 @@ class PngWriter {
 
   [[nodiscard]] std::string take() { return std::move(session_.bytes); }
   [[nodiscard]] const char* complaint() const { return session_.complaint; }
+  [[nodiscard]] bool lacks_memory() const { return session_.lacks_memory; }
 
  private:
   void write_rows(const Encodable& image) {
@@ -130,7 +142,10 @@ class PngWriter {
 Result<std::string> encode_png(const Encodable& image) {
   if (image.header.channels.size() > 4) return failure("it holds at most four channels");
   PngWriter writer;
-  if (!writer.write(image, facts_of(image))) return failure(writer.complaint());
+  if (!writer.write(image, facts_of(image))) {
+    if (writer.lacks_memory()) throw std::bad_alloc();
+    return failure(writer.complaint());
+  }
   return writer.take();
 }
 

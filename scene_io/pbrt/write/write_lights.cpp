@@ -1,7 +1,6 @@
 #include "scene_io/pbrt/write/write_lights.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "renderer/math/constants.h"
@@ -15,10 +14,11 @@ using description::ImageHandle;
 
 constexpr double degrees = 180 / pi_double;
 
-// Of an image of equal areas that holds what an image of so many texels holds.
+// Of an image of equal areas that holds what an image of so many texels holds. Even, as the
+// octahedron's edges cross in the middle.
 int sky_side(double texels) {
   const double side = std::clamp(std::sqrt(texels), 64.0, 4096.0);
-  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(side))));
+  return 2 * static_cast<int>(std::ceil(side / 2));
 }
 
 // The directive in a block with the transform, where there is one.

@@ -79,6 +79,9 @@ TEST(Errors_Fields, WhatLacksBlanksAndColons) {
             "behind ':'?");
   EXPECT_EQ(warning_in("Cameras:\n  - Eye: [0, 1, 2]\n    target [0, 0, 0]:\n"),
             "3:5: unknown key 'target [0, 0, 0]' in a camera; is ':' missing behind 'target'?");
+  EXPECT_EQ(warning_in("Cameras:\n  - Eye: [0, 1, 2]\n    target:[0, 0, 0]:\n"),
+            "3:5: unknown key 'target:[0, 0, 0]' in a camera; is a blank missing behind "
+            "'target:'?");
   EXPECT_EQ(warning_in("Cameras:\n  - Eye: [0, 1, 2]\n    <<: {}\n"),
             "3:5: merge keys (<<) are not read: write the keys out");
 }

@@ -289,7 +289,7 @@ TEST(Errors_TypedMaterials, Reflectances) {
   EXPECT_EQ(error_in(materials("Type: conductor, eta: 1")),
             "2:32: eta and k belong together: the other one is missing");
   EXPECT_EQ(error_in(materials("Type: conductor, metal: gold, eta: 1, k: 1")),
-            "2:32: both eta and metal are given, expected one of F0, ior, eta and k, metal");
+            "2:32: both eta and metal are given, expected one of F0, eta and k, metal");
   EXPECT_EQ(error_in(materials("Type: cook_torrance, F0: .5, ior: 2")),
             "2:44: both F0 and ior are given, expected one of F0, ior, eta and k, metal");
   EXPECT_EQ(error_in(materials("Type: cook_torrance, fresnel: exact")),

@@ -268,6 +268,9 @@ TEST(Errors_Mtl, NameThePlaceAndWhatWasExpected) {
        "a.mtl:2:14: error: nothing stands behind '-clamp'\nmap_Kd -clamp\n             ^"},
       {"newmtl a\nmap_Kd -s 2 2 2 a.png\n",
        "a.mtl:2:8: warning: texture option '-s' is left out\nmap_Kd -s 2 2 2 a.png\n       ^"},
+      {"newmtl a\nmap_Kd a.png -s 2 2 2\n",
+       "a.mtl:2:14: warning: '-s' behind the name of an image is part of it; options stand before "
+       "it\nmap_Kd a.png -s 2 2 2\n             ^"},
       {"newmtl a\nKd spectral a.rfl 1\n",
        "a.mtl:2:4: warning: 'spectral' is left out; expected three numbers\n"
        "Kd spectral a.rfl 1\n   ^"},

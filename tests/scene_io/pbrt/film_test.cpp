@@ -187,6 +187,14 @@ TEST(Errors_PbrtFilm, WhatCannotBeHonouredIsNamed) {
             "1:8: the shutter closes at 0, expected after it opens at 1");
 }
 
+TEST(Unit_PbrtFilm, AnExposureTimeOfTheFilmAsksForNoShutter) {
+  const auto scene = pbrt_scene(
+      "Camera \"perspective\" \"float shutteropen\" 0 \"float shutterclose\" 0\n"
+      "Film \"rgb\" \"float exposuretime\" .5\nWorldBegin LightSource \"point\" \"rgb I\" [ 2 2 2 "
+      "]");
+  EXPECT_EQ(std::get<PointLight>(scene.lights.at(0).kind).intensity, Vec3d(1.0));
+}
+
 TEST(Errors_PbrtFilm, NumbersOutOfTheirRange) {
   const auto warning = [](const std::string& text) { return pbrt_warning(text + "\nWorldBegin"); };
   EXPECT_EQ(warning("Camera \"perspective\" \"float frameaspectratio\" -1"),

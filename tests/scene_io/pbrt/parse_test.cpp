@@ -179,10 +179,24 @@ TEST(Errors_PbrtParse, PlacesAndSuggestions) {
             "3:7: the current transform is singular and flattens this shape");
   EXPECT_EQ(pbrt_world_error("NamedMaterial \"x\"\nShape \"disk\""),
             "2:15: there is no material 'x'");
+  const std::string no_name = "a material without a name: expected one in the quotes";
+  EXPECT_EQ(pbrt_world_error("NamedMaterial \"\"\nShape \"disk\""), "2:15: " + no_name);
+  EXPECT_EQ(pbrt_world_error("MakeNamedMaterial \"\" \"string type\" \"diffuse\""),
+            "2:19: " + no_name);
   EXPECT_EQ(pbrt_world_error("Include \"none.pbrt\"").substr(0, 7), "2:9: '/");
   EXPECT_EQ(pbrt_error("Film \"rgb\""), "1:1: there is no WorldBegin: expected a scene of pbrt-v4");
   EXPECT_EQ(pbrt_error("Shape \"disk\"\nWorldBegin"), "1:1: Shape before WorldBegin");
   EXPECT_EQ(pbrt_world_error("Camera \"perspective\""), "2:1: Camera after WorldBegin");
+}
+
+// What was told of one thing keeps nothing from being told of another with the same name.
+TEST(Errors_PbrtParse, MessagesOfOneNameAreApart) {
+  EXPECT_EQ(
+      pbrt_world_error("Material \"hair\" Shape \"disk\"\nNamedMaterial \"hair\" Shape \"disk\""),
+      "3:15: there is no material 'hair'");
+  EXPECT_EQ(pbrt_world_error("Shape \"sphere\" \"float radius\" 2\n"
+                             "Shape \"sphere\" \"string radius\" \"2\""),
+            "3:16: 'radius' is of type string, expected float");
 }
 
 TEST(Errors_PbrtParse, TheLineIsShownWithACaret) {

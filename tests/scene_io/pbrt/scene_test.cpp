@@ -228,6 +228,14 @@ TEST(Unit_PbrtMaterials, ScaledSheetsOfTextures) {
   EXPECT_EQ(sheet.transmittance.factor, Vec3d(0.25));
 }
 
+// As in pbrt: a texture may come to less than nothing, a number is a mistake.
+TEST(Unit_PbrtMaterials, TexturesReflectAtLeastNothing) {
+  const auto scene = pbrt_world(
+      "Texture \"t\" \"spectrum\" \"scale\" \"rgb tex\" [ 3 .5 .25 ] \"float scale\" -1\n"
+      "Material \"diffuse\" \"texture reflectance\" \"t\" Shape \"disk\"");
+  EXPECT_EQ(std::get<DiffuseMaterial>(scene.materials.at(0).model).reflectance.factor, Vec3d(0.0));
+}
+
 TEST(Unit_PbrtMaterials, HairIsOfItsColour) {
   for (const std::string name : {"reflectance", "color"})
     EXPECT_EQ(

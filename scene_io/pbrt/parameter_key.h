@@ -1,0 +1,15 @@
+// Which parameters mean the same.
+#pragma once
+
+#include <string>
+
+#include "scene_io/pbrt/parameter.h"
+
+namespace candela::pbrt {
+
+// A line that two parameters share where they mean the same. Where they name files it has these
+// files' paths: equal names in files of two folders need not mean one file.
+[[nodiscard]] std::string key_of(const Parameter& parameter, bool names_files,
+                                 const std::string& scene_path);
+
+}  // namespace candela::pbrt
