@@ -193,11 +193,21 @@ Diagnostics encoder_failure(ImageFormat format, const std::string& reason) {
   return failure(fmt::format("{} encoder: {}", name_of(format), reason));
 }
 
-Result<std::string> encode_as(ImageFormat format, const Encodable& image) {
-  if (!is_encoded_by_codecs(format))
-    return format == ImageFormat::Exr ? encode_exr(image) : encode_png(image);
+Result<std::string> encode_by_codecs(ImageFormat format, const Encodable& image) {
   const Result<Codecs> others = codecs();
-  return others ? others->encode(format, image) : others.diagnostics;
+  if (!others) return others.diagnostics;
+  try {
+    return others->encode(format, image);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& exception) {
+    return failure(exception.what());
+  }
+}
+
+Result<std::string> encode_as(ImageFormat format, const Encodable& image) {
+  if (is_encoded_by_codecs(format)) return encode_by_codecs(format, image);
+  return format == ImageFormat::Exr ? encode_exr(image) : encode_png(image);
 }
 
 Result<std::string> encode(ImageFormat format, const Encodable& image) {
@@ -239,40 +249,28 @@ Result<std::string> encode_samples(const DecodedImage& image, int channel) {
   if (channel >= count) return failure(fmt::format("it has no channel {}", channel));
   if (!is_float && std::max(header.width, header.height) > longest_side(format))
     return failure("it is too large for a png");
-  try {
-    Encodable result;
-    result.header = header;
-    result.header.left = result.header.top = 0;
-    result.header.alpha_is_straight = true;
-    result.full_width = header.width;
-    result.full_height = header.height;
-    result.attributes = {{"DateTime", "2000:01:01 00:00:00"}};  // the same samples, the same bytes
-    result.samples = image.samples.get();
-    std::vector<std::byte> picked;
-    if (channel >= 0) {
-      picked = one_channel(image, static_cast<std::size_t>(channel));
-      result.header.channels = {"Y"};
-      result.header.alpha_channel = -1;
-      result.samples = picked.data();
-    }
-    return encode(format, result);
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& exception) {
-    return encoder_failure(format, exception.what());
+  Encodable result;
+  result.header = header;
+  result.header.left = result.header.top = 0;
+  result.header.alpha_is_straight = true;
+  result.full_width = header.width;
+  result.full_height = header.height;
+  result.attributes = {{"DateTime", "2000:01:01 00:00:00"}};  // the same samples, the same bytes
+  result.samples = image.samples.get();
+  std::vector<std::byte> picked;
+  if (channel >= 0) {
+    picked = one_channel(image, static_cast<std::size_t>(channel));
+    result.header.channels = {"Y"};
+    result.header.alpha_channel = -1;
+    result.samples = picked.data();
   }
+  return encode(format, result);
 }
 
 Result<std::string> encode_image(ImageFormat format, const Image& image,
                                  const WriteOptions& options) {
   if (Diagnostics found = check_encodable(format, image); found.has_errors()) return found;
-  try {
-    return encode(format, prepared(format, image, options).picture);
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& exception) {
-    return encoder_failure(format, exception.what());
-  }
+  return encode(format, prepared(format, image, options).picture);
 }
 
 }  // namespace candela
