@@ -194,9 +194,9 @@ TEST(Errors_PbrtParse, MessagesOfOneNameAreApart) {
   EXPECT_EQ(
       pbrt_world_error("Material \"hair\" Shape \"disk\"\nNamedMaterial \"hair\" Shape \"disk\""),
       "3:15: there is no material 'hair'");
-  EXPECT_EQ(pbrt_world_error("Shape \"sphere\" \"float radius\" 2\n"
-                             "Shape \"sphere\" \"string radius\" \"2\""),
-            "3:16: 'radius' is of type string, expected float");
+  EXPECT_EQ(pbrt_world_error("Shape \"sphere\" \"float radius\" 1\n"
+                             "Shape \"sphere\" \"bool radius\" true"),
+            "3:16: 'radius' is of type bool, expected float");
 }
 
 TEST(Errors_PbrtParse, TheLineIsShownWithACaret) {
