@@ -105,7 +105,11 @@ class Loop {
   // `is_sure`: with what the picture alone does not know.
   [[nodiscard]] std::optional<ErrorEstimate> state_error(bool is_sure) {
     std::optional<PixelErrors> errors = estimate_pixel_errors(film_);
-    if (!errors || (errors->is_black() && has_light_)) return {};
+    if (!errors) return {};
+    if (errors->is_black() && has_light_) {
+      if (progress_ != nullptr) progress_->miss_light();
+      return {};
+    }
     if (is_sure) counts_.add(look_.correct(film_, pass_of({}), *errors));
     ErrorEstimate estimate =
         estimate_error(film_, *errors, plan_.reuses_paths ? int{reuse_group_size} : 1);

@@ -30,6 +30,8 @@ class ProgressSink {
   // So many will be done in all, as far as can be told now.
   virtual void expect(std::uint64_t total_samples) = 0;
   virtual void state_error(const StatedError& error) = 0;
+  // No error can be stated yet: no sample has met light, though the scene has some.
+  virtual void miss_light() = 0;
 };
 
 }  // namespace candela

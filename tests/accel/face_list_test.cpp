@@ -79,6 +79,8 @@ TEST(Unit_FaceList, OtherScenesHaveNone) {
   EXPECT_EQ(face_count(test::scene_of(test::random_soup(most + 1, 0.2f, 1))), 0u);
   EXPECT_EQ(face_count(test::scene_of_all_kinds()), 0u);
   Scene with_cutouts = test::scene_of(std::vector<Geometry>{geometry_of(room())});
+  with_cutouts.materials.emplace_back();
+  with_cutouts.geometries[0].material = MaterialHandle(0);
   with_cutouts.geometries[0].has_cutouts = true;
   EXPECT_EQ(face_count(with_cutouts), 0u);
   const Scene scene = test::scene_of(std::vector<Geometry>{geometry_of(room())});

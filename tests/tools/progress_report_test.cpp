@@ -32,6 +32,8 @@ TEST(Unit_ProgressReport, ALineTellsElapsedLeftAndRate) {
             "25.0 %, 0:10 elapsed, 0:30 left, 2.50 Msamples/s, error 2.1 % (1.9 to 2.3)");
   EXPECT_EQ(progress_line({25'000'000, 100'000'000, 10, StatedError{.996, .994, 1.2}}),
             "25.0 %, 0:10 elapsed, 0:30 left, 2.50 Msamples/s, error 100 % (99 to 120)");
+  EXPECT_EQ(progress_line({25'000'000, 100'000'000, 10, std::nullopt, true}),
+            "25.0 %, 0:10 elapsed, 0:30 left, 2.50 Msamples/s, no light met yet");
   EXPECT_EQ(progress_line({0, 100, 0}), "0.0 %, 0:00 elapsed, ? left, 0.00 Msamples/s");
 }
 

@@ -48,6 +48,8 @@ TEST(Errors_Savings, AreRefusedInSentences) {
                  "--without convoys is for path, this is whitted");
   expect_refused({cornell_box, "--accel", "bvh", "--without", "high-quality"}, 2,
                  "--without high-quality is for Embree, this is --accel bvh");
+  expect_refused({cornell_box, "--robust", "off", "--accel", "bvh"}, 2,
+                 "--robust off is for Embree, this is --accel bvh");
 }
 
 // The list of faces asks no packets in so small a scene, so that all is as before.

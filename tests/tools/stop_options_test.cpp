@@ -134,6 +134,17 @@ TEST(Unit_StopOptions, APictureWithoutAnyLightTellsThatItKnowsNothing) {
   EXPECT_EQ(run.exr.find("candela:rmse"), std::string::npos);
 }
 
+// Where only an error ends the render, that is while it goes on, which may be for ever.
+TEST(Unit_StopOptions, APictureWithoutAnyLightTellsThatWhileItGoesOn) {
+  const std::string folder = fresh_folder("no_light");
+  Program program(candela_words({"render", cornell_box, "--size", "16x16", "--max-depth", "0",
+                                 "--crop", "0,12,4,16", "--error", "1%", "-o", folder + "/a.exr"}),
+                  ErrorStream::Terminal);
+  EXPECT_TRUE(program.wait_for_error_text(", no light met yet"));
+  program.send(SIGINT);
+  EXPECT_EQ(program.finish().exit_code, 130);
+}
+
 TEST(Unit_StopOptions, ReplicatesAndClampAreTold) {
   const StopRun plain = run_of({"--spp", "8"});
   EXPECT_EQ(plain.stats["replicates"], 4);

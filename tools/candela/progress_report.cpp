@@ -54,7 +54,9 @@ std::string error_text(const StatedError& error) {
 std::string progress_line(const ProgressState& state) {
   const double rate =
       state.elapsed_seconds > 0 ? static_cast<double>(state.done) / state.elapsed_seconds : 0;
-  const std::string error = state.error ? ", error " + error_text(*state.error) : "";
+  const std::string error = state.error          ? ", error " + error_text(*state.error)
+                            : state.misses_light ? ", no light met yet"
+                                                 : "";
   return fmt::format("{}, {} elapsed, {} left, {:.2f} Msamples/s{}", percent_text(state),
                      duration_text(state.elapsed_seconds), seconds_left_text(state), rate * 1e-6,
                      error);
@@ -98,7 +100,7 @@ ProgressState ProgressReport::state() const {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
   const std::lock_guard lock(error_mutex_);
   return {done_.load(std::memory_order_relaxed), total_.load(std::memory_order_relaxed),
-          elapsed.count(), error_};
+          elapsed.count(), error_, misses_light_.load(std::memory_order_relaxed)};
 }
 
 void ProgressReport::run(std::stop_token stop) {

@@ -20,6 +20,7 @@ struct ProgressState {
   std::uint64_t total = 0;
   double elapsed_seconds = 0;
   std::optional<StatedError> error = std::nullopt;  // so far
+  bool misses_light = false;                        // and so can state none
 };
 
 // "42.3 %", never "100 %": that is said when the files are on disk.
@@ -30,7 +31,8 @@ struct ProgressState {
 [[nodiscard]] std::string error_text(double rmse);
 // "2.1 % (1.9 to 2.3)".
 [[nodiscard]] std::string error_text(const StatedError& error);
-// "42.3 %, 0:12 elapsed, 0:17 left, 3.21 Msamples/s, error 2.1 % (1.9 to 2.3)".
+// "42.3 %, 0:12 elapsed, 0:17 left, 3.21 Msamples/s, error 2.1 % (1.9 to 2.3)", or "no light met
+// yet" in place of the error.
 [[nodiscard]] std::string progress_line(const ProgressState& state);
 // The same behind a bar that fills the rest of `columns` characters; cut where they do not suffice.
 [[nodiscard]] std::string progress_bar(const ProgressState& state, std::size_t columns);
@@ -54,6 +56,7 @@ class ProgressReport : public ProgressSink {
     total_.store(total_samples, std::memory_order_relaxed);
   }
   void state_error(const StatedError& error) override;
+  void miss_light() override { misses_light_.store(true, std::memory_order_relaxed); }
   // Stops reporting and removes the bar. Called by the destructor too.
   void stop();
   [[nodiscard]] ProgressState state() const;
@@ -69,6 +72,7 @@ class ProgressReport : public ProgressSink {
   std::atomic<std::uint64_t> total_{0};
   mutable std::mutex error_mutex_;
   std::optional<StatedError> error_;
+  std::atomic<bool> misses_light_{false};
   std::mutex mutex_;
   std::condition_variable_any wake_;
   std::jthread thread_;  // last: it uses the others

@@ -52,6 +52,8 @@ void refuse_savings(const RenderArguments& arguments, const RenderOptions& optio
     throw Refusal{fmt::format("--without opacity-grids is for path and report, this is {}",
                               integrator_name(options)),
                   ExitCode::Usage};
+  if (!arguments.embree.robust && arguments.accelerator == AcceleratorKind::Bvh)
+    throw Refusal{"--robust off is for Embree, this is --accel bvh", ExitCode::Usage};
   const std::string_view saving = saving_of_embree(arguments.without);
   if (!saving.empty() && arguments.accelerator == AcceleratorKind::Bvh)
     throw Refusal{fmt::format("--without {} is for Embree, this is --accel bvh", saving),

@@ -271,7 +271,7 @@ TEST(Unit_WriteLights, CubesKeepTheirEncodingAndAreAskedForAsEqualAreas) {
   ASSERT_EQ(trip.scene.images.size(), 1u);
   EXPECT_EQ(trip.scene.images[0].encoding, Encoding::LabGamma);
   ASSERT_EQ(trip.written.skies.size(), 1u);
-  EXPECT_EQ(trip.written.skies[0].side, 256);  // 245 squared are the texels of six faces
+  EXPECT_EQ(trip.written.skies[0].side, 246);  // 245 squared are the texels of six faces
   ASSERT_EQ(trip.written.images.size(), 1u);
   EXPECT_FALSE(trip.written.images[0].is_copied);
   EXPECT_TRUE(trip.written.images[0].name.ends_with("face.png"));
