@@ -77,7 +77,7 @@ std::optional<RayLimit> measure(const Scene& scene, const A& accelerator,
     limit.render_seconds += middle - start;
     limit.rays += recorder.rays().size();
   };
-  // All rays of a pixel at once would take memory without end.
+  // All rays of a tile at once would take memory without end.
   constexpr std::uint32_t most_at_once = 256;
   const auto measure_tile = [&](const PixelRect& tile) {
     for (std::uint32_t first = 0; first < samples; first += most_at_once)

@@ -3,6 +3,8 @@
 #include <dlfcn.h>
 
 #include <atomic>
+#include <new>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -20,10 +22,13 @@ extern "C" const char* __asan_default_options() {
 namespace candela {
 namespace {
 
+// Throws where memory for it lacks, of which glibc tells in these words.
 Diagnostics not_loaded() {
-  const char* const reason = dlerror();
-  return failure(fmt::format("needs candela's image codecs, which cannot be loaded: {}",
-                             reason ? reason : "no reason is given"));
+  const char* const told = dlerror();
+  const std::string_view reason = told ? told : "no reason is given";
+  for (const std::string_view lack : {"failed to map segment", "annot allocate memory"})
+    if (reason.find(lack) != std::string_view::npos) throw std::bad_alloc();
+  return failure(fmt::format("needs candela's image codecs, which cannot be loaded: {}", reason));
 }
 
 Result<Codecs> load() {

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/lack_of_threads.h"
 #include "renderer/image/codecs.h"
 #include "renderer/image/decode_limits.h"
 #include "renderer/image/formats/decode_exr.h"
@@ -152,6 +153,7 @@ Result<T> dispatch(const std::string& name, Bytes bytes, Decode&& decode) {
   } catch (const std::bad_alloc&) {
     throw;  // no picture may depend on how much memory is free
   } catch (const std::exception& exception) {
+    if (is_lack_of_threads(exception)) throw;
     return failure(fmt::format("'{}' cannot be decoded: {}", name, exception.what()));
   }
 }

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/lack_of_threads.h"
 #include "renderer/image/codecs.h"
 #include "renderer/image/display_transform.h"
 #include "renderer/image/encodable.h"
@@ -201,6 +202,7 @@ Result<std::string> encode_by_codecs(ImageFormat format, const Encodable& image)
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& exception) {
+    if (is_lack_of_threads(exception)) throw;
     return failure(exception.what());
   }
 }

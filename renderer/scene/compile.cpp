@@ -20,9 +20,10 @@ namespace {
 
 using description::SceneDescription;
 
-// An image that shines is multiplied by what makes its mean the emission.
-void check_emission(const description::Material& material, const Material& compiled,
-                    Diagnostics& diagnostics) {
+// Of an image that is multiplied by what makes its mean the emission.
+void check_emission_of_mean(const description::Material& material, const Material& compiled,
+                            Diagnostics& diagnostics) {
+  if (!compiled.emission_map || !material.emission_is_maps_mean) return;
   if (const float factor = max_component(compiled.emission);
       double{factor} > description::largest_radiance)
     diagnostics.error(
@@ -46,7 +47,7 @@ void compile_materials(const SceneDescription& description, const CompileOptions
     if (used[i]) {
       scene.materials.push_back(compile_material(material, options, n.scale, textures, coats));
       Material& compiled = scene.materials.back();
-      check_emission(material, compiled, diagnostics);
+      check_emission_of_mean(material, compiled, diagnostics);
       for (const MaterialHandle part : compiled.parts) {
         if (!part) continue;
         compiled.reads_uv |= scene.materials[part.index].reads_uv;

@@ -110,9 +110,11 @@ class Texture {
                        });
   }
 
-  // What lookups do first; returns what else they may look into.
-  std::span<const TextureValue> decode() {
+  // What lookups do first, and what else they may look into.
+  void decode() {
     if (!is_ready_.load(std::memory_order_acquire)) prepare();
+  }
+  [[nodiscard]] std::span<const TextureValue> inputs() const {
     if (!procedural_) return {};
     return procedural_->inputs;
   }

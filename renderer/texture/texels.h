@@ -47,8 +47,6 @@ class TextureFile {
   TextureFile(std::string name, TexelArray texels);
 
   [[nodiscard]] const std::string& path() const { return path_; }
-  // Where it was asked for first.
-  [[nodiscard]] const SourceSpan& span() const { return span_; }
   // Why it is broken: a sentence that begins with its path in quotes.
   [[nodiscard]] const std::string& complaint() const { return complaint_; }
   // Magenta since its header could not be read or, as texels() finds out, its pixels.

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <set>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -22,8 +21,8 @@ struct TextureStore::Files {
   std::map<std::pair<std::string, bool>, std::unique_ptr<TextureFile>> by_path;
   std::vector<std::unique_ptr<TextureFile>> calculated;
   std::map<std::tuple<const TextureFile*, Encoding, Wrap>, TextureHandle> handle_of;
-  std::set<const TextureFile*> lights;
-  std::set<const TextureFile*> refused_lights;  // among them: told of as an error already
+  // Of images that shine, in the order in which they came: where each was asked for as such first.
+  std::vector<std::pair<const TextureFile*, SourceSpan>> lights;
 };
 
 TextureStore::TextureStore() : files_(std::make_unique<Files>()) {}
@@ -33,15 +32,10 @@ TextureStore::~TextureStore() = default;
 
 namespace {
 
-// Magenta light would be a picture that looks finished.
-void tell_of(const Result<ImageHeader>& header, bool is_light, const SourceSpan& span,
-             Diagnostics& diagnostics) {
+void warn_of(const Result<ImageHeader>& header, const SourceSpan& span, Diagnostics& diagnostics) {
   for (const Diagnostic& found : header.diagnostics.list())
-    if (!header && is_light)
-      diagnostics.error(span, fmt::format("a light's image {}", found.message));
-    else
-      diagnostics.warning(
-          span, fmt::format("texture {}{}", found.message, header ? "" : "; it is magenta"));
+    diagnostics.warning(
+        span, fmt::format("texture {}{}", found.message, header ? "" : "; it is magenta"));
 }
 
 }  // namespace
@@ -59,9 +53,9 @@ TextureFile& TextureStore::file_of(const description::Image& image, bool is_ligh
   const Diagnostics missing = header ? Diagnostics{} : why_codecs_are_missing();
   for (const Diagnostic& reason : missing.list())
     diagnostics.error(image.span, fmt::format("texture '{}' {}", image.path, reason.message));
-  if (!missing.has_errors()) tell_of(header, is_light, image.span, diagnostics);
+  const bool is_told_as_light = is_light && !header;  // by broken_lights()
+  if (!missing.has_errors() && !is_told_as_light) warn_of(header, image.span, diagnostics);
   file = std::make_unique<TextureFile>(image.path, image.span, header, is_light);
-  if (!header && is_light) files_->refused_lights.insert(file.get());
   return *file;
 }
 
@@ -78,15 +72,16 @@ TextureHandle TextureStore::add(const description::Image& image, Diagnostics& di
 
 TextureHandle TextureStore::add_light(const description::Image& image, Diagnostics& diagnostics) {
   TextureFile& file = file_of(image, true, diagnostics);
-  files_->lights.insert(&file);
+  const bool is_known =
+      std::ranges::any_of(files_->lights, [&](const auto& light) { return light.first == &file; });
+  if (!is_known) files_->lights.emplace_back(&file, image.span);
   return add(file, image);
 }
 
 Diagnostics TextureStore::broken_lights() const {
   Diagnostics found;
-  for (const TextureFile* file : files_->lights)
-    if (file->is_broken() && !files_->refused_lights.contains(file))
-      found.error(file->span(), fmt::format("a light's image {}", file->complaint()));
+  for (const auto& [file, span] : files_->lights)
+    if (file->is_broken()) found.error(span, fmt::format("a light's image {}", file->complaint()));
   return found;
 }
 
@@ -250,7 +245,8 @@ void TextureStore::decode(TextureHandle texture) const {
     left.pop_back();
     if (!next || is_known[next.index]) continue;
     is_known[next.index] = true;
-    for (const TextureValue& input : textures_[next.index]->decode()) left.push_back(input.texture);
+    textures_[next.index]->decode();
+    for (const TextureValue& input : textures_[next.index]->inputs()) left.push_back(input.texture);
   }
 }
 

@@ -54,12 +54,12 @@ class TextureStore {
   // give equal handles, and equal paths share their pixels.
   TextureHandle add(const description::Image& image, Diagnostics& diagnostics);
 
-  // The same of an image that shines, whose values below 0 are no light: they count as 0. What
-  // cannot be read is an error.
+  // The same of an image that shines, whose values below 0 are no light: they count as 0. Of one
+  // that cannot be read broken_lights() tells.
   TextureHandle add_light(const description::Image& image, Diagnostics& diagnostics);
 
-  // Errors about images that shine and turned out to be broken as they were decoded, or as
-  // textures. Those of which add_light() told are not among them.
+  // Errors about the images that shine and cannot be read, as far as they were decoded: magenta
+  // light would be a picture that looks finished.
   [[nodiscard]] Diagnostics broken_lights() const;
 
   // An image that was calculated: linear, already decoded, under a name for messages, no path.

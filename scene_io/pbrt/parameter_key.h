@@ -1,4 +1,4 @@
-// Which parameters mean the same.
+// Which parameters are sure to mean the same.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace candela::pbrt {
 
-// A line that two parameters share where they mean the same. Where they name files it has these
-// files' paths: equal names in files of two folders need not mean one file.
+// Two parameters with the same key mean the same. Where they name files it has these files' paths:
+// equal names in files of two folders need not mean one file.
 [[nodiscard]] std::string key_of(const Parameter& parameter, bool names_files,
                                  const std::string& scene_path);
 

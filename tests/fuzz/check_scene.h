@@ -1,5 +1,6 @@
 // What a reader of scenes must keep: what it accepts is valid and compiles, what it does not is
-// told. Cameras further away than floats tell and broken images of lights only compiling finds.
+// told. Only compiling finds cameras further away than floats tell and images of lights that are
+// broken or too dark.
 #pragma once
 
 #include <string>
@@ -10,10 +11,10 @@
 
 namespace candela::fuzz {
 
-inline bool is_found_by_compiling(const Diagnostics& diagnostics) {
-  const std::string& message = diagnostics.list().back().message;
-  return message.find(" times the scene's size") != std::string::npos ||
-         message.starts_with("a light's image ");
+inline bool is_found_by_compiling(const Diagnostic& error) {
+  return error.message.find(" times the scene's size") != std::string::npos ||
+         error.message.find(" times the mean of its image") != std::string::npos ||
+         error.message.starts_with("a light's image ");
 }
 
 inline std::string fault_of_scene(const Result<description::SceneDescription>& read) {
@@ -21,8 +22,9 @@ inline std::string fault_of_scene(const Result<description::SceneDescription>& r
   const Diagnostics problems = description::validate(*read);
   if (problems.has_errors()) return "validation: " + to_string(problems.list().front());
   const Result<Scene> scene = compile(*read, {.width = 16, .height = 16});
-  if (!scene && !is_found_by_compiling(scene.diagnostics))
-    return "compile: " + to_string(scene.diagnostics.list().front());
+  for (const Diagnostic& found : scene.diagnostics.list())
+    if (found.severity == Severity::Error && !is_found_by_compiling(found))
+      return "compile: " + to_string(found);
   return fault_of(read.diagnostics);
 }
 

@@ -5,6 +5,7 @@
 #include "integrators/path/path_step.h"
 #include "integrators/ray_bench/record_rays.h"
 #include "renderer/accel/embree_accel.h"
+#include "renderer/description/validate.h"
 #include "tests/light/directions.h"
 #include "tests/light/map_images.h"
 #include "tests/scenes/description.h"
@@ -177,6 +178,11 @@ TEST(Errors_TexturedLamps, TooDarkForTheirMean) {
   scene.materials[0].emission = Vec3d(1000.0);
   scene.materials[0].emission_is_maps_mean = true;
   const Result<Scene> result = compile(scene, {});
+  scene.materials[0].emission = Vec3d(description::largest_radiance);
+  scene.materials[0].emission_is_maps_mean = false;
+  EXPECT_EQ(compile(scene, {}).diagnostics.error_count(), 0u) << "the image is a factor";
+  scene.materials[0].emission_map = {};
+  EXPECT_EQ(compile(scene, {}).diagnostics.error_count(), 0u);
   ASSERT_EQ(result.diagnostics.error_count(), 1u);
   const std::string message = result.diagnostics.list().back().message;
   EXPECT_NE(message.find("times the mean of its image, expected at most 1e+30"), std::string::npos)

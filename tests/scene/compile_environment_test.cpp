@@ -41,13 +41,17 @@ TEST(Errors_CompileEnvironment, ImagesThatCannotBeRead) {
     for (const bool is_on_a_wall : {false, true}) {
       SceneDescription scene = with_map();
       scene.images[0].path = path;
+      scene.images[0].span.line = 3;
+      scene.images.push_back(scene.images[0]);
+      scene.images[1].span.line = 2;
       if (is_on_a_wall)
         std::get<description::DiffuseMaterial>(scene.materials[0].model).reflectance.map =
-            ImageHandle(0);
+            ImageHandle(1);
       const Result<Scene> result = compile(scene, {});
       ASSERT_EQ(result.diagnostics.error_count(), 1u) << path;
       const std::string message = result.diagnostics.list().back().message;
       EXPECT_TRUE(message.starts_with("a light's image '" + path + "' ")) << message;
+      EXPECT_EQ(result.diagnostics.list().back().span.line, 3) << "where the light asks for it";
     }
 }
 

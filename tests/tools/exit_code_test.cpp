@@ -8,18 +8,11 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "tests/address_space.h"
 #include "tests/tools/run_program.h"
 #include "tools/candela/guarded.h"
 #include "tools/candela/output_files.h"
 #include "tools/candela/parse_arguments.h"
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define CANDELA_UNDER_ADDRESS_SANITIZER 1
-#endif
-#elif defined(__SANITIZE_ADDRESS__)
-#define CANDELA_UNDER_ADDRESS_SANITIZER 1
-#endif
 
 namespace candela::cli_test {
 namespace {
@@ -276,9 +269,8 @@ TEST(Errors_CommandLine, WhoMakesNoPictureNeedsNoMemoryForIt) {
 }
 
 TEST(Errors_CommandLine, RunningOutOfMemoryEndsWithFive) {
-#ifdef CANDELA_UNDER_ADDRESS_SANITIZER
-  GTEST_SKIP() << "the address sanitizer needs more address space than the limit";
-#endif
+  if (!test::can_limit_address_space)
+    GTEST_SKIP() << "the address sanitizer needs more address space than the limit";
   const std::string image = fresh_folder("memory") + "/a.exr";
   std::vector<std::string> words{"/bin/sh", "-c", "ulimit -v 1500000; exec \"$0\" \"$@\""};
   for (const std::string& word :

@@ -5,15 +5,8 @@
 #include <fmt/format.h>
 
 #include "renderer/image/image_io.h"
+#include "tests/address_space.h"
 #include "tests/tools/run_program.h"
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define CANDELA_NEEDS_ADDRESS_SPACE 1
-#endif
-#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define CANDELA_NEEDS_ADDRESS_SPACE 1
-#endif
 
 namespace candela::cli_test {
 namespace {
@@ -38,11 +31,12 @@ std::size_t least_kibibytes(const Words& arguments) {
   return ends_well;
 }
 
-// Within what suffices for `small` and ever more until it suffices for `large`.
+// Within what suffices for `small` and ever more until it suffices for `large`. Decoding such
+// images takes more than what the stack may still grow by, for want of which the system ends the
+// process.
 void expect_success_or_five(const Words& small, const Words& large) {
-#ifdef CANDELA_NEEDS_ADDRESS_SPACE
-  GTEST_SKIP() << "the sanitizer needs more address space than the limits";
-#endif
+  if (!test::can_limit_address_space)
+    GTEST_SKIP() << "the sanitizer needs more address space than the limits";
   constexpr std::size_t step = 1536;
   constexpr int most = 100;
   std::size_t limit = least_kibibytes(small);

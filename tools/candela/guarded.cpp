@@ -3,21 +3,10 @@
 #include <cstdio>
 #include <exception>
 #include <new>
-#include <string_view>
-#include <system_error>
+
+#include "renderer/base/lack_of_threads.h"
 
 namespace candela::cli {
-namespace {
-
-// The system has no memory for one more thread's stack, or allows no more threads.
-bool lacks_threads(const std::exception& exception) {
-  const auto* failure = dynamic_cast<const std::system_error*>(&exception);
-  if (failure) return failure->code() == std::errc::resource_unavailable_try_again;
-  return std::string_view(exception.what()).starts_with("pthread_create");  // oneTBB's own
-}
-
-}  // namespace
-
 // Plain stdio: nothing here may need memory.
 ExitCode guarded(const std::function<ExitCode()>& work) {
   try {
@@ -26,7 +15,7 @@ ExitCode guarded(const std::function<ExitCode()>& work) {
     std::fputs("error: out of memory\n", stderr);
     return ExitCode::Limit;
   } catch (const std::exception& exception) {
-    if (lacks_threads(exception)) {
+    if (is_lack_of_threads(exception)) {
       std::fputs("error: no more threads can be started\n", stderr);
       return ExitCode::Limit;
     }
