@@ -34,11 +34,12 @@ bool limit_address_space(std::size_t bytes) {
 }
 
 Outcome encode_within(std::size_t bytes, ImageFormat format, const Image& image) {
-  if (!limit_address_space(address_space())) return Unlimited;
+  const std::size_t taken = address_space();
+  if (!limit_address_space(taken)) return Unlimited;
   void* volatile freed_by_other_tests = nullptr;  // this process ends soon
   do freed_by_other_tests = std::malloc(1 << 16);
   while (freed_by_other_tests != nullptr);
-  if (!limit_address_space(address_space() + bytes)) return Unlimited;
+  if (!limit_address_space(taken + bytes)) return Unlimited;
   try {
     Outcome outcome = Refused;
     with_threads(1, [&] { outcome = encode_image(format, image, {}) ? Encoded : Refused; });
