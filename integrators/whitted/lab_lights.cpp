@@ -11,6 +11,7 @@ struct LampSums {
   double area = 0;
   double weighted_luminance = 0;  // sum of A times the mean of what it emits
   Vec3d vector_area{0.0};         // sum of A n
+  Vec3d largest{0.0};             // A n of the largest
   Vec3d weighted_place{0.0};      // sum of A times the triangle's centre
 };
 
@@ -24,6 +25,7 @@ LampSums sums_of(const Scene& scene, const Geometry& geometry) {
     sums.area += area;
     sums.weighted_luminance += area * static_cast<double>(triangle.mean_luminance);
     sums.vector_area += vector_area;
+    if (area > length(sums.largest)) sums.largest = vector_area;
     sums.weighted_place += area * (Vec3d(triangle.position) + (edge1 + edge2) / 3.0);
   }
   return sums;
@@ -41,25 +43,44 @@ double projected_area(const Scene& scene, const Geometry& geometry, const Vec3d&
   return sum;
 }
 
+// The same of the whole surface, whichever side shines.
+double projected_surface(const Scene& scene, const Geometry& geometry, const Vec3d& axis) {
+  double sum = 0;
+  for (std::size_t i = 0; i < geometry.triangles.size(); ++i) {
+    const Light& triangle = scene.lights[geometry.first_light + i];
+    sum += 0.5 * std::abs(dot(cross(Vec3d(triangle.edge1), Vec3d(triangle.edge2)), axis));
+  }
+  return sum;
+}
+
+// The area that shines far away along the lamp's axis: the direction of the vector area, or of the
+// normal of a flat lamp whose triangles face opposite ways, towards the brighter side. A closed
+// surface has none, so the mean over all directions counts, which is a quarter of the area
+// whichever sides shine: the inner one is not seen from outside [Cauchy1850].
+double seen_area_of(const Scene& scene, const Geometry& geometry, const LampSums& sums) {
+  constexpr double negligible = 1e-3;  // of the area; rounding leaves some 1e-7
+  const double axis_length = length(sums.vector_area);
+  if (axis_length > negligible * sums.area)
+    return projected_area(scene, geometry, sums.vector_area / axis_length);
+  const Vec3d normal = normalize(sums.largest);
+  if (projected_surface(scene, geometry, normal) > (1 - negligible) * sums.area)
+    return std::max(projected_area(scene, geometry, normal),
+                    projected_area(scene, geometry, -normal));
+  return 0.25 * sums.area;
+}
+
 // Of the light of a lamp's surface, what its constant opacity leaves; a map's holes are left out.
 float opacity_of(const Scene& scene, std::uint32_t geometry) {
   const Material& material = scene.materials[scene.geometries[geometry].material.index];
   return material.opacity.texture ? 1.0f : material.opacity.constant;
 }
 
-// A surface of radiance L sends the radiant intensity L times its projected area. The axis is the
-// direction of the vector area; a closed surface has none, so the mean over all directions counts,
-// which is a quarter of the area whichever sides shine: the inner one is not seen from outside
-// [Cauchy1850].
+// A surface of radiance L sends the radiant intensity L times its projected area.
 Light lamp_light(const Scene& scene, std::uint32_t index) {
-  constexpr double closed_below = 1e-3;  // of the area; rounding leaves some 1e-7
   const Geometry& geometry = scene.geometries[index];
   const Light& first = scene.lights[geometry.first_light];
   const LampSums sums = sums_of(scene, geometry);
-  const double axis_length = length(sums.vector_area);
-  const double seen_area = axis_length > closed_below * sums.area
-                               ? projected_area(scene, geometry, sums.vector_area / axis_length)
-                               : 0.25 * sums.area;
+  const double seen_area = seen_area_of(scene, geometry, sums);
   Vec3d radiance(first.emission);
   if (first.texture)  // of its factor's colour, as bright as the mean
     radiance *= sums.weighted_luminance / sums.area / luminance(radiance);

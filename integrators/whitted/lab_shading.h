@@ -34,6 +34,7 @@ template <class A>
     sum += emitted_radiance(tables, context.scene.lights[point.geometry.first_light + hit.triangle],
                             hit.u, hit.v, wo);
   for (const Light& light : context.lights) {
+    if (is_on_lamp(context.scene, light, hit)) continue;  // its point lies within the surface
     const LightSample sample = sample_light(tables, light, point.place, Vec2f(0));
     if (!sample.is_valid()) continue;
     const float highlight =

@@ -15,13 +15,17 @@ namespace candela {
 // Holes that a ray steps through: a guard against rounding; no scene has so many layers.
 inline constexpr int most_lab_layers = 10'000;
 
+// Whether the hit is on the lamp that the light stands for.
+[[nodiscard]] inline bool is_on_lamp(const Scene& scene, const Light& light, const Hit& hit) {
+  const bool is_one_lamp = scene.geometries[hit.geometry].spheres.empty();  // else one a sphere
+  return hit.geometry == light.geometry && (is_one_lamp || hit.triangle == light.triangle);
+}
+
 // Whether a shadow ray goes on behind what it met: holes, and the lamp that it is cast to.
 [[nodiscard]] inline bool passes_light(const Scene& scene, const Light& light, const Hit& hit,
                                        const SurfacePoint& place) {
   const Geometry& geometry = scene.geometries[hit.geometry];
-  const bool is_one_lamp = geometry.spheres.empty();  // those of spheres may share a geometry
-  if (hit.geometry == light.geometry && (is_one_lamp || hit.triangle == light.triangle))
-    return true;
+  if (is_on_lamp(scene, light, hit)) return true;
   const Material& worn = scene.materials[geometry.material.index];
   const TexturePoint at = texture_point_of(place);
   const Material& part = greater_part_of_mix(scene.materials, worn, scene.textures, at);

@@ -4,6 +4,7 @@
 #include "integrators/ray_bench/number_bench.h"
 #include "integrators/ray_bench/ray_bench.h"
 #include "renderer/base/parallel.h"
+#include "renderer/base/printable.h"
 #include "tools/candela/commands.h"
 #include "tools/candela/console.h"
 #include "tools/candela/json_reports.h"
@@ -36,7 +37,7 @@ std::string ratio_line(const std::array<Spread, ray_class_names.size()>& embree_
 std::string to_text(const std::string& scene, const RayBenchResult& result,
                     const NumberFigures& numbers) {
   std::string text =
-      fmt::format("{}: {} triangles, Embree {}, {} thread{}\n", scene, result.triangles,
+      fmt::format("{}: {} triangles, Embree {}, {} thread{}\n", printable(scene), result.triangles,
                   result.embree_version, result.threads, result.threads == 1 ? "" : "s");
   text += fmt::format("  {:<8}{:>9}{:>9}", "", "build s", "MB");
   for (const std::string_view name : ray_class_names) text += fmt::format("{:>18}", name);

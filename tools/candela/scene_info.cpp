@@ -113,7 +113,7 @@ std::string bytes_text(std::size_t bytes) {
 }
 
 std::string vec_text(const Vec3d& v) {
-  return fmt::format("{:g} {:g} {:g}", v.x, v.y, v.z);
+  return fmt::format("{:.9g} {:.9g} {:.9g}", v.x, v.y, v.z);
 }
 
 std::string lights_text(const SceneInfo& info) {

@@ -31,6 +31,26 @@ TEST(Unit_LabLights, ALampIsAPointOfTheSameAxialIntensity) {
   expect_near(floor_below(lamp, radiance, true), Vec3d(point));
 }
 
+// Triangles that face opposite ways leave no vector area, but the lamp is as flat.
+TEST(Unit_LabLights, AFlatLampHasAnAxisHoweverItsTrianglesAreWound) {
+  const Vec3d radiance{3, 2, 1};
+  const description::Mesh lamp = quad({-0.5, 5, -0.25}, {1, 0, 0}, {0, 0, 0.5});
+  description::Mesh crossed = lamp;
+  std::swap(crossed.triangles[1][1], crossed.triangles[1][2]);
+  const Vec3d whole(floor_below(lamp, radiance));
+  expect_near(floor_below(crossed, radiance, true), whole);
+  expect_near(floor_below(crossed, radiance), 0.5 * whole);
+}
+
+// The point that stands for it lies within its surface, where nothing bounds what it would bring.
+TEST(Unit_LabLights, ALampDoesNotLightItself) {
+  SceneDescription scene = empty_scene();
+  add_mesh(scene, quad({-0.5, 0, -0.5}, {0, 0, 1}, {1, 0, 0}),
+           add_material(scene, highlight_only(0.5, 4), Vec3d(3.0)));
+  set_camera(scene, {0.1, 2, 0}, {0.1, 0, 0}, 1, {0, 0, 1});
+  expect_near(seen(scene, lab_settings(IntegratorKind::Raster)), Vec3d(3.0));
+}
+
 // From far away the path tracer's area light looks the same.
 TEST(Unit_LabLights, FarAwayALampIsWhatThePathTracerSees) {
   SceneDescription scene = floor_seen_from(1, diffuse(Vec3d(0.5)));
