@@ -43,16 +43,6 @@ double projected_area(const Scene& scene, const Geometry& geometry, const Vec3d&
   return sum;
 }
 
-// The same of the whole surface, whichever side shines.
-double projected_surface(const Scene& scene, const Geometry& geometry, const Vec3d& axis) {
-  double sum = 0;
-  for (std::size_t i = 0; i < geometry.triangles.size(); ++i) {
-    const Light& triangle = scene.lights[geometry.first_light + i];
-    sum += 0.5 * std::abs(dot(cross(Vec3d(triangle.edge1), Vec3d(triangle.edge2)), axis));
-  }
-  return sum;
-}
-
 // The area that shines far away along the lamp's axis: the direction of the vector area, or of the
 // normal of a flat lamp whose triangles face opposite ways, towards the brighter side. A closed
 // surface has none, so the mean over all directions counts, which is a quarter of the area
@@ -63,10 +53,11 @@ double seen_area_of(const Scene& scene, const Geometry& geometry, const LampSums
   if (axis_length > negligible * sums.area)
     return projected_area(scene, geometry, sums.vector_area / axis_length);
   const Vec3d normal = normalize(sums.largest);
-  if (projected_surface(scene, geometry, normal) > (1 - negligible) * sums.area)
-    return std::max(projected_area(scene, geometry, normal),
-                    projected_area(scene, geometry, -normal));
-  return 0.25 * sums.area;
+  const double front = projected_area(scene, geometry, normal);
+  const double back = projected_area(scene, geometry, -normal);
+  const bool emits_both_sides = scene.lights[geometry.first_light].emits_both_sides;
+  const double whole = emits_both_sides ? front : front + back;
+  return whole > (1 - negligible) * sums.area ? std::max(front, back) : 0.25 * sums.area;
 }
 
 // Of the light of a lamp's surface, what its constant opacity leaves; a map's holes are left out.

@@ -43,7 +43,7 @@ class Texture {
   }
 
   [[nodiscard]] Vec4f texel(int x, int y) {
-    if (!is_ready_.load(std::memory_order_acquire)) prepare();
+    decode();
     if (is_special_) return constant_;
     // A file may have fewer pixels than its header said when it was added.
     const int column = std::min(x, view_.width - 1);
@@ -51,7 +51,7 @@ class Texture {
     return filters_.all(view_, {{column, column, 0}, {row, row, 0}});
   }
   [[nodiscard]] std::vector<Vec4f> texels(int row) {
-    if (!is_ready_.load(std::memory_order_acquire)) prepare();
+    decode();
     std::vector<Vec4f> texels(static_cast<std::size_t>(info_.width), constant_);
     if (is_special_) return texels;
     const std::span stored(texels.data(),
@@ -65,7 +65,7 @@ class Texture {
   // Inputs of procedural textures are in `store`. `at`: all of the point, or null where only uv is
   // known.
   [[nodiscard]] Vec4f lookup(const TextureStore& store, Vec2f uv, const TexturePoint* at) {
-    if (!is_ready_.load(std::memory_order_acquire)) prepare();
+    decode();
     if (is_special_) return special(store, uv, at);
     return filters_.all(view_, footprint_of(uv, view_.width, view_.height, wrap_));
   }
@@ -73,14 +73,14 @@ class Texture {
   [[nodiscard, gnu::always_inline]] TextureStore::Stored lookup_stored(const TextureStore& store,
                                                                        Vec2f uv,
                                                                        const TexturePoint* at) {
-    if (!is_ready_.load(std::memory_order_acquire)) prepare();
+    decode();
     if (is_special_) return {special(store, uv, at), false};
     return {filters_.before_gamma(view_, footprint_of(uv, view_.width, view_.height, wrap_)),
             encoding_ == Encoding::LabGamma};
   }
 
   [[nodiscard]] std::optional<Vec2f> slope(Vec2f uv) {
-    if (!is_ready_.load(std::memory_order_acquire)) prepare();
+    decode();
     if (is_special_ || slope_ == nullptr) return {};
     return slope_(view_, uv);
   }
@@ -96,7 +96,7 @@ class Texture {
   }
 
   [[nodiscard]] float lookup_alpha(const TextureStore& store, const TexturePoint& at) {
-    if (!is_ready_.load(std::memory_order_acquire)) prepare();
+    decode();
     if (is_special_) return special(store, at.uv, &at).w;
     return filters_.alpha(view_, footprint_of(at.uv, view_.width, view_.height, wrap_));
   }

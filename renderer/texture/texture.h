@@ -41,7 +41,7 @@ class TextureFile;
 
 // The scene's textures. Immutable but for this: a texture decodes itself once, on first touch, from
 // whichever thread comes first. A texture whose file is missing or broken is magenta (1, 0, 1) with
-// alpha 1.
+// alpha 1; of what shines broken_lights() makes an error of it.
 class TextureStore {
  public:
   TextureStore();

@@ -1,6 +1,7 @@
 #include "scene_io/obj/mtl_texture.h"
 
 #include <array>
+#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -9,26 +10,28 @@
 namespace candela::obj {
 namespace {
 
+enum class Takes : std::uint8_t { Words, Numbers };
 struct Option {
   std::string_view name;
+  Takes takes;
   int least_arguments;
   int most_arguments;    // those beyond the least are taken only while they are numbers
   double no_effect = 0;  // numbers of an option left out that change nothing
 };
-constexpr std::array<Option, 14> options{{{"-bm", 1, 1},
-                                          {"-clamp", 1, 1},
-                                          {"-imfchan", 1, 1},
-                                          {"-blendu", 1, 1},
-                                          {"-blendv", 1, 1},
-                                          {"-boost", 1, 1},
-                                          {"-cc", 1, 1},
-                                          {"-colorspace", 1, 1},
-                                          {"-mm", 2, 2, 0},
-                                          {"-o", 1, 3, 0},
-                                          {"-s", 1, 3, 1},
-                                          {"-t", 1, 3, 0},
-                                          {"-texres", 1, 1},
-                                          {"-type", 1, 1}}};
+constexpr std::array<Option, 14> options{{{"-bm", Takes::Numbers, 1, 1},
+                                          {"-clamp", Takes::Words, 1, 1},
+                                          {"-imfchan", Takes::Words, 1, 1},
+                                          {"-blendu", Takes::Words, 1, 1},
+                                          {"-blendv", Takes::Words, 1, 1},
+                                          {"-boost", Takes::Numbers, 1, 1},
+                                          {"-cc", Takes::Words, 1, 1},
+                                          {"-colorspace", Takes::Words, 1, 1},
+                                          {"-mm", Takes::Numbers, 2, 2, 0},
+                                          {"-o", Takes::Numbers, 1, 3, 0},
+                                          {"-s", Takes::Numbers, 1, 3, 1},
+                                          {"-t", Takes::Numbers, 1, 3, 0},
+                                          {"-texres", Takes::Numbers, 1, 1},
+                                          {"-type", Takes::Words, 1, 1}}};
 
 const Option* find_option(std::string_view word) {
   for (const Option& option : options)
@@ -67,10 +70,6 @@ class TextureParser {
   }
 
   bool take(const Option& option, std::string_view word) {
-    const bool needs_numbers = option.name != "-clamp" && option.name != "-imfchan" &&
-                               option.name != "-blendu" && option.name != "-blendv" &&
-                               option.name != "-cc" && option.name != "-colorspace" &&
-                               option.name != "-type";
     bool is_default = true;
     for (int i = 0; i < option.most_arguments; ++i) {
       text::Cursor ahead = at_;
@@ -81,7 +80,7 @@ class TextureParser {
         say(Severity::Error, argument.data(), fmt::format("nothing stands behind '{}'", word));
         return false;
       }
-      if (needs_numbers && !number) {
+      if (option.takes == Takes::Numbers && !number) {
         say(Severity::Error, argument.data(),
             fmt::format("{} {}; expected a number after '{}'", text::quoted(argument),
                         text::describe(number.fault), word));

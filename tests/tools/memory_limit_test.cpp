@@ -1,5 +1,5 @@
-// Whatever lacks the memory, the program ends with 5 and says so: no image counts as damaged, and
-// no picture comes out otherwise, since there was too little of it.
+// Where memory lacks for an image that candela decodes itself, the program ends with 5 and says so:
+// the image does not count as damaged, and no picture comes out otherwise.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>

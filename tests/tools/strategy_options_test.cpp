@@ -1,6 +1,7 @@
 // --sampling, --heuristic and --guiding on the command line.
 #include <algorithm>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/tools/refusals.h"
@@ -21,10 +22,9 @@ TEST(Errors_StrategyOptions, AreRefusedInSentences) {
   expect_refused({cornell_box, "--sampling", "light", "--heuristic", "balance"}, 2,
                  "--heuristic weights the strategies of path with --sampling mis");
   for (const char* option : {"--sky-samples", "--light-cells"})
-    expect_refused({cornell_box, "--sampling", "bsdf", option, "on"}, 2,
-                   std::string(option) +
-                       " is about samples of lights, of which --sampling bsdf "
-                       "takes none");
+    expect_refused(
+        {cornell_box, "--sampling", "bsdf", option, "on"}, 2,
+        fmt::format("{} is about samples of lights, of which --sampling bsdf takes none", option));
   expect_refused({cornell_box, "--sampling", "bsdf", "--light-sampling", "triangles"}, 2,
                  "--light-sampling is about samples of lights");
   expect_refused({cornell_box, "--sampling", "light", "--sky-compensation", "off"}, 2,

@@ -7,6 +7,7 @@
 #include "renderer/base/lack_of_threads.h"
 
 namespace candela::cli {
+
 // Plain stdio: nothing here may need memory.
 ExitCode guarded(const std::function<ExitCode()>& work) {
   try {
