@@ -179,13 +179,25 @@ Bounds3d inner_bounds(std::vector<Vec3d> points) {
   return bounds;
 }
 
+// Whether most of the points lie in `box` or no farther from it than `ratio` times its extent. Of
+// the few corners of a diamond none lies near the box of what is between on each axis by itself.
+bool are_mostly_near(const Bounds3d& box, double ratio, const std::vector<Vec3d>& points) {
+  const Vec3d reach(ratio * max_component(box.extent()));
+  const auto is_near = [&](const Vec3d& p) {
+    return glm::all(glm::greaterThanEqual(p, box.lower - reach)) &&
+           glm::all(glm::lessThanEqual(p, box.upper + reach));
+  };
+  return 2 * std::count_if(points.begin(), points.end(), is_near) >=
+         static_cast<std::ptrdiff_t>(points.size());
+}
+
 // `points` are some of what `full` bounds.
-Normalisation normalisation_of(const Bounds3d& full, std::vector<Vec3d> points) {
+Normalisation normalisation_of(const Bounds3d& full, const std::vector<Vec3d>& points) {
   constexpr double most_ratio = 100;
   Bounds3d bounds = full;
-  const Bounds3d inner = inner_bounds(std::move(points));
+  const Bounds3d inner = inner_bounds(points);
   if (max_component(full.extent()) > most_ratio * max_component(inner.extent()) &&
-      max_component(inner.extent()) > 0)
+      max_component(inner.extent()) > 0 && are_mostly_near(inner, most_ratio, points))
     bounds = inner;
   const double half_extent = 0.5 * max_component(bounds.extent());
   if (!(half_extent > 0) || !std::isfinite(half_extent)) return {bounds.centre(), 1.0};
@@ -206,7 +218,7 @@ Normalisation normalisation_of(const SceneDescription& description) {
     points.erase(at(primitives[*far].begin), at(primitives[*far].end));
   }
   const Bounds3d bounds = full_bounds(description, points, far);
-  return normalisation_of(bounds, std::move(points));
+  return normalisation_of(bounds, points);
 }
 
 Normalisation normalisation_of(const description::Mesh& mesh) {
@@ -220,7 +232,7 @@ Normalisation normalisation_of(const description::Mesh& mesh) {
     bounds.include(mesh.positions[i]);
     if (i % stride == 0) points.push_back(mesh.positions[i]);
   }
-  return points.empty() ? Normalisation{} : normalisation_of(bounds, std::move(points));
+  return points.empty() ? Normalisation{} : normalisation_of(bounds, points);
 }
 
 }  // namespace candela

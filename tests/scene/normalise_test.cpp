@@ -1,5 +1,8 @@
 #include "renderer/scene/normalise.h"
 
+#include <cmath>
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "tests/scenes/description.h"
@@ -111,6 +114,22 @@ TEST(Unit_Normalise, NorDoAThousandOfASmallOneMissAVertex) {
   const auto handle = add_mesh(scene, mesh, add_material(scene, diffuse(Vec3d(0.5))));
   for (int i = 1; i < 2048; ++i) add_instance(scene, handle, {});
   EXPECT_EQ(normalisation_of(scene).centre, Vec3d(14.5, 0, 0));
+}
+
+// Of few corners, and by sines and cosines: on each axis those between the outermost differ by
+// rounding alone.
+TEST(Unit_Normalise, PolygonsOfFewCornersHaveTheirSize) {
+  for (const int count : {4, 8}) {
+    description::Mesh polygon;
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2 * std::numbers::pi * i / count;
+      polygon.positions.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    }
+    EXPECT_NEAR(normalisation_of(polygon).scale, 0.5, 0.25) << count;
+    description::SceneDescription scene;
+    add_mesh(scene, polygon, add_material(scene, diffuse(Vec3d(0.5))));
+    EXPECT_NEAR(normalisation_of(scene).scale, 0.5, 0.25) << count;
+  }
 }
 
 TEST(Unit_Normalise, EmptyAndPointLikeScenesHaveAUnit) {
