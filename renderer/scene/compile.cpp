@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/description/lamp_surfaces.h"
 #include "renderer/description/used_materials.h"
 #include "renderer/description/validate.h"
 #include "renderer/material/plain_model.h"
@@ -120,7 +121,7 @@ bool is_triangle_light(const description::Light& light) {
 }
 
 SceneDescription with_lamp_surfaces(SceneDescription description) {
-  add_triangle_light_surfaces(description);
+  description::add_lamp_surfaces(description);
   std::erase_if(description.lights, is_triangle_light);
   return description;
 }

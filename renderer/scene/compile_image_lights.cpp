@@ -6,6 +6,7 @@
 #include "renderer/light/make_light.h"
 #include "renderer/light/textured_triangle_light.h"
 #include "renderer/scene/image_luminance.h"
+#include "renderer/scene/normalise.h"
 
 namespace candela {
 namespace {
@@ -122,23 +123,23 @@ Vec3d ImageMeans::over_sphere(TextureHandle image) {
 }
 
 Light goniometric_light(const description::GoniometricLight& light, const Vec3f& position,
-                        float unit, TextureHandle image, ImageMeans& means) {
+                        const Normalisation& n, TextureHandle image, ImageMeans& means) {
   const double mean = image ? means.of_directions(image) : 1;
   const Brightness bright = brightness_of(light.intensity, light.power, mean);
-  Light out =
-      make_goniometric_light(position, light.world_from_map, Rgb(bright.intensity) * unit, image);
-  out.mean_luminance = static_cast<float>(bright.mean_luminance) * unit;
+  Light out = make_goniometric_light(position, light.world_from_map,
+                                     normalised_intensity(n, bright.intensity), image);
+  out.mean_luminance = normalised_intensity(n, Vec3d(bright.mean_luminance)).x;
   return out;
 }
 
-Light projection_light(const description::ProjectionLight& light, const Vec3f& position, float unit,
-                       TextureHandle image, ImageMeans& means) {
+Light projection_light(const description::ProjectionLight& light, const Vec3f& position,
+                       const Normalisation& n, TextureHandle image, ImageMeans& means) {
   const Vec2d half_sides = half_sides_of(light, means.textures().info(image));
   const Brightness bright =
       brightness_of(light.intensity, light.power, means.of_projection(image, half_sides));
   Light out = make_projection_light(position, light.world_from_map, half_sides,
-                                    Rgb(bright.intensity) * unit, image);
-  out.mean_luminance = static_cast<float>(bright.mean_luminance) * unit;
+                                    normalised_intensity(n, bright.intensity), image);
+  out.mean_luminance = normalised_intensity(n, Vec3d(bright.mean_luminance)).x;
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include "renderer/description/scene_description.h"
 #include "renderer/geometry/geometry.h"
 #include "renderer/light/light.h"
+#include "renderer/scene/scene.h"
 #include "renderer/texture/texture.h"
 
 namespace candela {
@@ -34,14 +35,13 @@ class ImageMeans {
   std::map<std::size_t, Vec3d> over_spheres_;
 };
 
-// At `position` in normalised space; `unit`: an intensity of 1 there. `image` is the light's own,
-// or none.
+// At `position` in the normalised space of `n`. `image` is the light's own, or none.
 [[nodiscard]] Light goniometric_light(const description::GoniometricLight& light,
-                                      const Vec3f& position, float unit, TextureHandle image,
-                                      ImageMeans& means);
+                                      const Vec3f& position, const Normalisation& n,
+                                      TextureHandle image, ImageMeans& means);
 [[nodiscard]] Light projection_light(const description::ProjectionLight& light,
-                                     const Vec3f& position, float unit, TextureHandle image,
-                                     ImageMeans& means);
+                                     const Vec3f& position, const Normalisation& n,
+                                     TextureHandle image, ImageMeans& means);
 
 // Sets the mean luminance of the textured lights of a geometry, triangles or spheres, by which they
 // are picked: from a grid of points on each, the coarser the more such triangles the scene has, and

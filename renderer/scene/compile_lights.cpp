@@ -1,11 +1,7 @@
 #include "renderer/scene/compile_lights.h"
 
 #include <algorithm>
-#include <limits>
-#include <map>
-#include <numeric>
 #include <optional>
-#include <tuple>
 #include <vector>
 
 #include "renderer/description/validate.h"
@@ -16,71 +12,15 @@
 #include "renderer/scene/compile_environment.h"
 #include "renderer/scene/compile_image_lights.h"
 #include "renderer/scene/compile_quad_lights.h"
+#include "renderer/scene/normalise.h"
 
 namespace candela {
 namespace {
 
 using description::SceneDescription;
-using description::TriangleLight;
-
-// Only triangle lights of one kind may be parts of one lamp.
-using SurfaceKind = std::tuple<double, double, double, bool>;
-
-SurfaceKind kind_of(const TriangleLight& light) {
-  return {light.radiance.x, light.radiance.y, light.radiance.z, light.emits_both_sides};
-}
-
-description::Material black_emitter(const TriangleLight& light, const SourceSpan& span) {
-  description::Material material;
-  material.name = "area light";
-  material.span = span;
-  material.model = description::DiffuseMaterial{{Vec3d(0.0), {}}};
-  material.emission = light.radiance;
-  material.emits_both_sides = light.emits_both_sides;
-  return material;
-}
-
-std::vector<const description::Light*> triangle_lights(const SceneDescription& description) {
-  std::vector<const description::Light*> lights;
-  for (const description::Light& light : description.lights)
-    if (std::holds_alternative<TriangleLight>(light.kind)) lights.push_back(&light);
-  return lights;
-}
-
-std::size_t root_of(std::vector<std::size_t>& parents, std::size_t i) {
-  while (parents[i] != i) i = parents[i] = parents[parents[i]];
-  return i;
-}
-
-// Triangles of a kind that share corners, over others too, are one lamp: of each light the first
-// one of its lamp.
-std::vector<std::size_t> lamps_of(const std::vector<const description::Light*>& lights) {
-  std::vector<std::size_t> parents(lights.size());
-  std::iota(parents.begin(), parents.end(), std::size_t{0});
-  std::map<std::tuple<SurfaceKind, double, double, double>, std::size_t> corners;
-  for (std::size_t i = 0; i < lights.size(); ++i) {
-    const auto& triangle = std::get<TriangleLight>(lights[i]->kind);
-    for (const Vec3d& p : triangle.vertices) {
-      const auto at = corners.try_emplace({kind_of(triangle), p.x, p.y, p.z}, i).first;
-      const std::size_t other = root_of(parents, at->second);
-      const std::size_t own = root_of(parents, i);
-      parents[std::max(own, other)] = std::min(own, other);
-    }
-  }
-  for (std::size_t& parent : parents) parent = root_of(parents, parent);
-  return parents;
-}
 
 Vec3f to_normalised(const Normalisation& n, const Vec3d& p) {
   return Vec3f((p - n.centre) * n.scale);
-}
-
-// Radiant intensity has a squared length in it: irradiance at the same place must stay the same.
-// Infinite where floats do not hold it.
-Rgb scaled_intensity(const Normalisation& n, const Vec3d& intensity) {
-  constexpr double largest = std::numeric_limits<float>::max();
-  const Vec3d scaled = intensity * (n.scale * n.scale);
-  return max_component(scaled) <= largest ? Rgb(scaled) : Rgb(infinity);
 }
 
 // The delta light of a kind; nothing for surfaces and environments, which are compiled apart.
@@ -92,23 +32,22 @@ struct DeltaLightCompiler {
   Diagnostics& diagnostics;
 
   std::optional<Light> operator()(const description::PointLight& light) const {
-    return make_point_light(to_normalised(n, light.position), scaled_intensity(n, light.intensity));
+    return make_point_light(to_normalised(n, light.position),
+                            normalised_intensity(n, light.intensity));
   }
   std::optional<Light> operator()(const description::SpotLight& light) const {
     return make_spot_light(to_normalised(n, light.position), light.axis,
-                           scaled_intensity(n, light.intensity), light.inner_angle_radians,
+                           normalised_intensity(n, light.intensity), light.inner_angle_radians,
                            light.outer_angle_radians);
   }
   std::optional<Light> operator()(const description::GoniometricLight& light) const {
     const TextureHandle map = image(light.image);
     if (map)
       warn_unless_square(textures, map, description.images[light.image.index].span, diagnostics);
-    return goniometric_light(light, to_normalised(n, light.position),
-                             scaled_intensity(n, Vec3d(1.0)).x, map, means);
+    return goniometric_light(light, to_normalised(n, light.position), n, map, means);
   }
   std::optional<Light> operator()(const description::ProjectionLight& light) const {
-    return projection_light(light, to_normalised(n, light.position),
-                            scaled_intensity(n, Vec3d(1.0)).x, image(light.image), means);
+    return projection_light(light, to_normalised(n, light.position), n, image(light.image), means);
   }
   std::optional<Light> operator()(const description::DirectionalLight& light) const {
     return make_directional_light(light.to_light, Rgb(light.irradiance));
@@ -260,29 +199,6 @@ bool is_dark(const Scene& scene) {
 }
 
 }  // namespace
-
-void add_triangle_light_surfaces(SceneDescription& description) {
-  const std::vector<const description::Light*> lights = triangle_lights(description);
-  const std::vector<std::size_t> lamps = lamps_of(lights);
-  std::map<std::size_t, std::size_t> meshes;  // of the lamps
-  for (std::size_t i = 0; i < lights.size(); ++i) {
-    const auto& triangle = std::get<TriangleLight>(lights[i]->kind);
-    const auto [at, is_new] = meshes.try_emplace(lamps[i], description.meshes.size());
-    if (is_new) {
-      description::Mesh mesh;
-      mesh.name = "area light";
-      mesh.materials.emplace_back(description.materials.size());
-      description.materials.push_back(black_emitter(triangle, lights[i]->span));
-      description.instances.push_back(
-          {description::MeshHandle(description.meshes.size()), {}, {}, lights[i]->span});
-      description.meshes.push_back(std::move(mesh));
-    }
-    description::Mesh& mesh = description.meshes[at->second];
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), triangle.vertices.begin(), triangle.vertices.end());
-    mesh.triangles.push_back({first, first + 1, first + 2});
-  }
-}
 
 void compile_lights(const SceneDescription& description, const CompileOptions& options,
                     Scene& scene, DropCounts& dropped, Diagnostics& diagnostics) {

@@ -8,11 +8,6 @@
 
 namespace candela {
 
-// Appends the surfaces of triangle lights to the description's geometry: a black material and a
-// mesh for each lamp, which is triangles alike that share corners. Before materials and geometry
-// are compiled.
-void add_triangle_light_surfaces(description::SceneDescription& description);
-
 // Fills lights, environment, ambient and light_sampler, and first_light of emissive geometries.
 // Black lights are dropped and counted. Geometry, bounds and normalisation must be complete.
 void compile_lights(const description::SceneDescription& description, const CompileOptions& options,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "renderer/math/bounds.h"
@@ -233,6 +234,12 @@ Normalisation normalisation_of(const description::Mesh& mesh) {
     if (i % stride == 0) points.push_back(mesh.positions[i]);
   }
   return points.empty() ? Normalisation{} : normalisation_of(bounds, points);
+}
+
+Rgb normalised_intensity(const Normalisation& n, const Vec3d& intensity) {
+  constexpr double largest = std::numeric_limits<float>::max();
+  const Vec3d scaled = intensity * (n.scale * n.scale);
+  return max_component(scaled) <= largest ? Rgb(scaled) : Rgb(infinity);
 }
 
 }  // namespace candela

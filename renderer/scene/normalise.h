@@ -20,4 +20,8 @@ namespace candela {
 // not the scene's, so that a mesh in micrometres may be placed a million times enlarged.
 [[nodiscard]] Normalisation normalisation_of(const description::Mesh& mesh);
 
+// Radiant intensity has a squared length in it: irradiance at the same place must stay the same.
+// Infinite where floats do not hold it.
+[[nodiscard]] Rgb normalised_intensity(const Normalisation& n, const Vec3d& intensity);
+
 }  // namespace candela

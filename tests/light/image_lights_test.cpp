@@ -1,4 +1,6 @@
 // Points whose intensity an image says: goniometric lights and projections.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "renderer/light/light_power.h"
@@ -18,6 +20,8 @@ using description::ProjectionLight;
 using light_test::write_float_map;
 
 const Mat3d turned(0, 1, 0, 0, 0, 1, 1, 0, 0);  // x -> y, y -> z, z -> x
+
+const Normalisation as_in_file;
 
 // An image in a store of its own.
 struct Picture {
@@ -48,13 +52,34 @@ TEST(Unit_GoniometricLight, SendsWhatASkyOfItsImageWouldShow) {
   light.intensity = Vec3d(2.0, 3.0, 4.0);
   light.world_from_map = turned;
   ImageMeans means(picture.textures);
-  const Light compiled = goniometric_light(light, Vec3f(0), 0.5f, picture.handle, means);
+  const Light compiled =
+      goniometric_light(light, Vec3f(0), Normalisation{Vec3d(0.0), 0.5}, picture.handle, means);
   EXPECT_TRUE(compiled.is_delta());
   for (std::uint64_t i = 0; i < 1000; ++i) {
     const Vec3f w = light_test::random_direction(i, 1);
-    const Rgb expected = Rgb(1, 1.5f, 2) * sky.radiance(w);
+    const Rgb expected = Rgb(0.5f, 0.75f, 1) * sky.radiance(w);
     const Rgb found = picture.towards(compiled, w);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 1e-4f * (1 + expected[c]));
+  }
+}
+
+// A scene 10^25 times as large has 10^50 times the intensity, which no float holds in the file's
+// unit; 10^-25 times as small, the inverse.
+TEST(Unit_ImageLights, HaveNoUnitOfTheirOwn) {
+  const Picture picture("unit", 8, 8, bumps);
+  ImageMeans means(picture.textures);
+  for (const int exponent : {83, -83}) {
+    GoniometricLight light;
+    light.intensity = Vec3d(std::ldexp(3.0, 2 * exponent));
+    ProjectionLight slide;
+    slide.intensity = light.intensity;
+    const Normalisation n{Vec3d(0.0), std::ldexp(1.0, -exponent)};
+    const Light all_ways = goniometric_light(light, Vec3f(0), n, picture.handle, means);
+    EXPECT_EQ(all_ways.emission, Rgb(3));
+    EXPECT_TRUE(all_ways.mean_luminance > 0 && std::isfinite(all_ways.mean_luminance));
+    const Light ahead = projection_light(slide, Vec3f(0), n, picture.handle, means);
+    EXPECT_EQ(ahead.emission, Rgb(3));
+    EXPECT_TRUE(ahead.mean_luminance > 0 && std::isfinite(ahead.mean_luminance));
   }
 }
 
@@ -84,7 +109,7 @@ TEST(Unit_GoniometricLight, SendsThePowerThatItIsGiven) {
   GoniometricLight light;
   ImageMeans means(picture.textures);
   const auto compiled = [&] {
-    return goniometric_light(light, Vec3f(0), 1, picture.handle, means);
+    return goniometric_light(light, Vec3f(0), as_in_file, picture.handle, means);
   };
   EXPECT_NEAR(light_power(compiled(), nullptr, 1) / power_by_quadrature(picture, compiled()), 1,
               1e-3);
@@ -98,7 +123,7 @@ TEST(Unit_GoniometricLight, WithoutAnImageIsAPoint) {
   GoniometricLight light;
   light.intensity = Vec3d(3.0);
   ImageMeans means(none);
-  const Light compiled = goniometric_light(light, Vec3f(0), 1, {}, means);
+  const Light compiled = goniometric_light(light, Vec3f(0), as_in_file, {}, means);
   EXPECT_EQ(sample_light({nullptr, &none}, compiled, light_test::at({0, 2, 0}), {}).radiance,
             Rgb(0.75f));
   EXPECT_NEAR(light_power(compiled, nullptr, 1), 12 * pi_double, 1e-4);
@@ -109,7 +134,7 @@ TEST(Unit_ProjectionLight, ShowsEachTexelInItsDirection) {
   const Picture picture("slide", 4, 2, bumps);
   ProjectionLight light;
   ImageMeans means(picture.textures);
-  const Light compiled = projection_light(light, Vec3f(0), 1, picture.handle, means);
+  const Light compiled = projection_light(light, Vec3f(0), as_in_file, picture.handle, means);
   EXPECT_TRUE(compiled.is_delta());
   for (int x = 0; x < 4; ++x)
     for (int y = 0; y < 2; ++y) {
@@ -128,7 +153,9 @@ TEST(Unit_ProjectionLight, SendsThePowerThatItIsGiven) {
   light.angle_degrees = 50;
   light.world_from_map = turned;
   ImageMeans means(picture.textures);
-  const auto compiled = [&] { return projection_light(light, Vec3f(0), 1, picture.handle, means); };
+  const auto compiled = [&] {
+    return projection_light(light, Vec3f(0), as_in_file, picture.handle, means);
+  };
   EXPECT_NEAR(light_power(compiled(), nullptr, 1) / power_by_quadrature(picture, compiled()), 1,
               5e-3);
   light.power = 30;

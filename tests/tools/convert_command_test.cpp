@@ -172,11 +172,13 @@ TEST(Unit_Convert, AnImageThatBreaksOffIsMagenta) {
   const std::string converted = folder + "/a.pbrt";
   const auto expect_told = [&](const ProgramResult& result, int code) {
     EXPECT_EQ(result.exit_code, code) << result.error;
+    EXPECT_NE(result.error.find("cutouts.yaml:"), std::string::npos) << result.error;
     EXPECT_NE(result.error.find("tiles.jpg"), std::string::npos) << result.error;
     EXPECT_NE(result.error.find("; it is magenta"), std::string::npos) << result.error;
   };
   expect_told(run_candela({"convert", scene, converted, "--strict"}), 3);
   EXPECT_FALSE(fs::exists(converted));
+  EXPECT_FALSE(fs::exists(folder + "/a_files"));
   expect_told(run_candela({"convert", scene, converted}), 0);
   const ProgramResult compared =
       run_candela({"compare", picture_of(converted, folder, "after"),

@@ -2,6 +2,7 @@
 // beside it. The scene's own file is written last, so that it never names a file that is not there.
 #include <filesystem>
 #include <functional>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -104,7 +105,11 @@ class Conversion {
     return outputs;
   }
 
+  // Under --strict a warning about any file is told before the first one is written.
   ExitCode write(const std::vector<Output>& outputs, const std::string& folder) {
+    if (arguments_.scene.is_strict)
+      for (const Output& output : outputs)
+        if (const auto problem = problem_of(output.bytes())) return *problem;
     std::error_code failed;
     if (outputs.size() > 1) fs::create_directories(folder, failed);
     if (failed)
@@ -116,12 +121,7 @@ class Conversion {
         return fail(ExitCode::Interrupted,
                     fmt::format("interrupted; '{}' was not written", arguments_.output));
       const Result<std::string> bytes = output.bytes();
-      console_.print(bytes.diagnostics);
-      if (!bytes) return ExitCode::Scene;
-      if (arguments_.scene.is_strict && bytes.diagnostics.warning_count() > 0) {
-        console_.strict_error(bytes.diagnostics.warning_count(), arguments_.scene.path);
-        return ExitCode::Scene;
-      }
+      if (const auto problem = problem_of(bytes)) return *problem;
       const Diagnostics problems = write_file_atomically(output.path, *bytes);
       console_.print(problems);
       if (problems.has_errors()) return ExitCode::Output;
@@ -129,6 +129,16 @@ class Conversion {
     console_.note(fmt::format("wrote {} and {} file{} beside it", target_.string(),
                               outputs.size() - 1, outputs.size() == 2 ? "" : "s"));
     return ExitCode::Done;
+  }
+
+  // Tells what was met, and how the program is to end by it.
+  std::optional<ExitCode> problem_of(const Result<std::string>& bytes) {
+    console_.print(bytes.diagnostics);
+    if (!bytes) return ExitCode::Scene;
+    const std::size_t warnings = bytes.diagnostics.warning_count();
+    if (!arguments_.scene.is_strict || warnings == 0) return std::nullopt;
+    console_.strict_error(warnings, arguments_.scene.path);
+    return ExitCode::Scene;
   }
 
   const ConvertArguments& arguments_;

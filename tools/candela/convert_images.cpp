@@ -76,7 +76,7 @@ Result<std::string> make_image(const pbrt::WrittenImage& image) {
   const Result<DecodedImage> decoded = read_decoded_image(image.source, DecodeLimits{});
   Diagnostics found;
   for (const Diagnostic& problem : decoded.diagnostics.list())
-    found.warning({},
+    found.warning(image.span,
                   fmt::format("texture {}{}", problem.message, decoded ? "" : "; it is magenta"));
   Result<std::string> encoded = encode_samples(
       decoded ? *decoded : magenta_texel(image.name.ends_with(".exr")), image.channel);
@@ -92,6 +92,8 @@ Result<std::string> make_sky(const pbrt::WrittenSky& sky,
   Diagnostics known;  // compile() has said them
   const auto environment =
       compile_environment(scene.lights[sky.light], scene.images, textures, known);
+  Diagnostics broken = textures.broken_lights();
+  if (broken.has_errors()) return broken;
   if (environment)
     parallel_for(static_cast<std::size_t>(sky.side), [&](std::size_t row) {
       const int y = static_cast<int>(row);

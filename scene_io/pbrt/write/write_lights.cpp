@@ -84,19 +84,8 @@ struct LightWriter {
         .text();
   }
 
-  std::string operator()(const description::TriangleLight& light) const {
-    std::vector<double> corners;
-    for (const Vec3d& vertex : light.vertices)
-      corners.insert(corners.end(), {vertex.x, vertex.y, vertex.z});
-    return "AttributeBegin\n" +
-           Directive("Material", "diffuse").add("rgb reflectance", Vec3d(0.0)).text("  ") + "  " +
-           area_light(light.radiance, light.emits_both_sides) +
-           Directive("Shape", "trianglemesh")
-               .add("point3 P", corners)
-               .add("integer indices", std::vector<double>{0, 1, 2})
-               .text("  ") +
-           "AttributeEnd\n";
-  }
+  // Its surface is among the shapes.
+  std::string operator()(const description::TriangleLight& /*light*/) const { return ""; }
 
   std::string operator()(const description::ConstantEnvironment& light) const {
     Directive out("LightSource", "infinite");

@@ -1,7 +1,10 @@
 #include "scene_io/pbrt/write/write_pbrt.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
+#include "renderer/description/lamp_surfaces.h"
 #include "renderer/description/validate.h"
 #include "scene_io/pbrt/write/write_lights.h"
 #include "scene_io/pbrt/write/write_materials.h"
@@ -16,16 +19,14 @@ std::string section(std::string_view title, const std::string& text) {
   return text.empty() ? "" : fmt::format("\n# {}\n{}", title, text);
 }
 
-}  // namespace
+bool is_triangle_light(const description::Light& light) {
+  return std::holds_alternative<description::TriangleLight>(light.kind);
+}
 
 // What is asked for first is written last: shapes ask for materials, those for textures.
-Result<WrittenScene> write_pbrt(const description::SceneDescription& scene,
-                                const WriteOptions& options) {
-  Diagnostics invalid = description::validate(scene);
-  if (invalid.has_errors()) return invalid;
-  if (options.camera > 0 && options.camera >= scene.cameras.size())
-    return failure(
-        fmt::format("camera {} of a scene that has {}", options.camera, scene.cameras.size()));
+// `scene` has the surfaces of its triangle lights.
+Result<WrittenScene> write_valid(const description::SceneDescription& scene,
+                                 const WriteOptions& options) {
   WrittenScene written;
   Diagnostics diagnostics;
   WriteContext context{scene, options, written, diagnostics};
@@ -45,6 +46,21 @@ Result<WrittenScene> write_pbrt(const description::SceneDescription& scene,
                  section("Lights", lights) + section("Textures", textures.text()) +
                  section("Materials", materials.text()) + section("Shapes", shapes);
   return {std::move(written), std::move(diagnostics)};
+}
+
+}  // namespace
+
+Result<WrittenScene> write_pbrt(const description::SceneDescription& scene,
+                                const WriteOptions& options) {
+  Diagnostics invalid = description::validate(scene);
+  if (invalid.has_errors()) return invalid;
+  if (options.camera > 0 && options.camera >= scene.cameras.size())
+    return failure(
+        fmt::format("camera {} of a scene that has {}", options.camera, scene.cameras.size()));
+  if (std::ranges::none_of(scene.lights, is_triangle_light)) return write_valid(scene, options);
+  description::SceneDescription with_surfaces = scene;
+  description::add_lamp_surfaces(with_surfaces);
+  return write_valid(with_surfaces, options);
 }
 
 }  // namespace candela::pbrt

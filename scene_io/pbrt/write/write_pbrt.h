@@ -45,6 +45,7 @@ struct WrittenImage {
   std::string source;
   int channel = all_channels;  // else a grey image of this one
   bool is_copied = false;  // the source's bytes; else its samples as they are in a PNG or EXR file
+  SourceSpan span = {};    // where the scene names it
 };
 // An image of equal areas to be made of one of the scene's skies: pbrt takes no other.
 struct WrittenSky {

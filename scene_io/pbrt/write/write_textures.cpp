@@ -308,7 +308,8 @@ std::string TextureWriter::file(ImageHandle handle, int channel) {
   const std::string part = is_whole ? "" : fmt::format("-channel{}", channel);
   const std::string wish = stem_of(path) + part + (is_copied ? extension : made);
   at->second = context_.options.folder + "/" + context_.unique_name("file", wish);
-  context_.written.images.push_back({at->second, path, channel, is_copied});
+  context_.written.images.push_back(
+      {at->second, path, channel, is_copied, context_.scene.images[handle.index].span});
   return at->second;
 }
 

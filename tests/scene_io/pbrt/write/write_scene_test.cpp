@@ -1,4 +1,4 @@
-// Cameras, film, lights, textures and shapes come back as they were.
+// Cameras, film and lights come back as they were.
 #include <gtest/gtest.h>
 
 #include "scene_io/pbrt/write/write_pbrt.h"
@@ -277,123 +277,25 @@ TEST(Unit_WriteLights, CubesKeepTheirEncodingAndAreAskedForAsEqualAreas) {
   EXPECT_TRUE(trip.written.images[0].name.ends_with("face.png"));
 }
 
-// Shining triangles of no mesh are surfaces for pbrt.
+// Shining triangles of no mesh are surfaces for pbrt. Those that share corners are one lamp, last
+// as when the scene itself is compiled.
 TEST(Unit_WriteLights, TrianglesShineOnTheirOwn) {
   SceneDescription scene = room();
   const std::size_t instances = scene.instances.size();
   const TriangleLight light{{Vec3d(0, 1, 0), Vec3d(1, 1, 0), Vec3d(0, 1, 1)}, Vec3d(5), true};
+  const TriangleLight other_half{{Vec3d(1, 1, 0), Vec3d(1, 1, 1), Vec3d(0, 1, 1)}, Vec3d(5), true};
   test::add_light(scene, light);
+  test::add_light(scene, other_half);
   const SceneDescription back = test::round_trip(scene).scene;
   ASSERT_EQ(back.instances.size(), instances + 1);
-  const Mesh& mesh = back.meshes[back.instances[0].mesh.index];
+  const Mesh& mesh = back.meshes[back.instances.back().mesh.index];
+  EXPECT_EQ(mesh.triangles.size(), 2u);
   EXPECT_EQ(mesh.positions[1], Vec3d(1, 1, 0));
+  EXPECT_EQ(mesh.positions[4], Vec3d(1, 1, 1));
   const Material& material = back.materials[mesh.materials[0].index];
   EXPECT_EQ(material.emission, Vec3d(5));
   EXPECT_TRUE(material.emits_both_sides);
   EXPECT_EQ(std::get<DiffuseMaterial>(material.model).reflectance.factor, Vec3d(0));
-}
-
-// Also where the texture around them is one of colours.
-TEST(Unit_WriteTextures, ImagesAsNumbersStayNumbers) {
-  SceneDescription scene = room();
-  scene.images = {{"a.png", Encoding::Srgb, Wrap::Clamp, {}}};
-  scene.textures = {{"n", {}, ImageTexture{ImageHandle(0), {}, 1, false, true}},
-                    {"m", {}, MixTexture{{odd, {}, {}}, {Vec3d(1), {}, {}}, {}}},
-                    {"p", {}, ProductTexture{}}};
-  const auto by = [](std::size_t i) { return ColourInput{Vec3d(1), {}, TextureHandle(i)}; };
-  std::get<MixTexture>(scene.textures[1].kind).amount = by(0);
-  scene.textures[2].kind = ProductTexture{by(1), by(0)};
-  scene.materials[0].model = DiffuseMaterial{by(2)};
-  const SceneDescription back = test::round_trip(scene).scene;
-  const auto& product = std::get<ProductTexture>(back.textures.back().kind);
-  const auto is_scalar = [&](const ColourInput& input) {
-    return std::get<ImageTexture>(back.textures.at(input.texture.index).kind).is_scalar;
-  };
-  EXPECT_TRUE(is_scalar(product.second));
-  const auto& mix = std::get<MixTexture>(back.textures.at(product.first.texture.index).kind);
-  EXPECT_TRUE(is_scalar(mix.amount));
-}
-
-TEST(Unit_WriteTextures, OfEveryKind) {
-  SceneDescription scene = room();
-  scene.images = {{"a.png", Encoding::Srgb, Wrap::Clamp, {}},
-                  {"b.exr", Encoding::Linear, Wrap::Mirror, {}}};
-  const auto add = [&](auto kind) {
-    scene.textures.push_back({"t", {}, std::move(kind)});
-    ColourInput input;
-    input.texture = TextureHandle(scene.textures.size() - 1);
-    return input;
-  };
-  const UvMapping mapping{{2, 3}, {0.5, 0.25}};
-  const ColourInput image = add(ImageTexture{ImageHandle(0), mapping, 0.75, true});
-  ColourInput plain;
-  plain.map = ImageHandle(1);
-  const ColourInput product = add(ProductTexture{image, {Vec3d(1, 0.5, 0.25), {}, {}}});
-  const ColourInput mixed = add(MixTexture{product, plain, {Vec3d(0.3), {}, {}}});
-  const ColourInput checks = add(CheckerboardTexture{mapping, mixed, {Vec3d(0.1), {}, {}}});
-  const ColourInput dots = add(DotsTexture{mapping, checks, {Vec3d(0.2), {}, {}}});
-  const ColourInput corners = add(BilinearTexture{mapping, Vec3d(0), Vec3d(0.1), Vec3d(1), odd});
-  const ColourInput top = add(MixTexture{dots, corners, {Vec3d(0.5), {}, {}}});
-  scene.materials[0].model = DiffuseMaterial{top};
-  const RoundTrip trip = test::round_trip(scene);
-  const auto& back = trip.scene.textures;
-  ASSERT_EQ(back.size(), 7u) << trip.written.text;
-  EXPECT_EQ(trip.scene.images[0].wrap, Wrap::Clamp);
-  EXPECT_EQ(trip.scene.images[0].encoding, Encoding::Srgb);
-  EXPECT_EQ(trip.scene.images[1].wrap, Wrap::Mirror);
-  const auto& i = std::get<ImageTexture>(back[0].kind);
-  EXPECT_EQ(i.mapping.scale, Vec2d(2, 3));
-  EXPECT_EQ(i.mapping.offset, Vec2d(0.5, 0.25));
-  EXPECT_EQ(i.factor, 0.75);
-  EXPECT_TRUE(i.is_inverted);
-  EXPECT_EQ(std::get<ProductTexture>(back[1].kind).second.factor, Vec3d(1, 0.5, 0.25));
-  EXPECT_EQ(std::get<MixTexture>(back[2].kind).amount.factor, Vec3d(0.3));
-  EXPECT_EQ(std::get<MixTexture>(back[2].kind).second.map.index, 1u);
-  EXPECT_EQ(std::get<CheckerboardTexture>(back[3].kind).odd.factor, Vec3d(0.1));
-  EXPECT_EQ(std::get<DotsTexture>(back[4].kind).outside.factor, Vec3d(0.2));
-  EXPECT_EQ(std::get<BilinearTexture>(back[5].kind).v11, odd);
-  EXPECT_EQ(std::get<MixTexture>(back[6].kind).first.texture.index, 4u);
-}
-
-// Places are found again whatever the space, and roots that pbrt does not have.
-TEST(Unit_WriteTextures, ByPlaceAndByNormal) {
-  SceneDescription scene = room();
-  const auto add = [&](auto kind) {
-    scene.textures.push_back({"t", {}, std::move(kind)});
-    ColourInput input;
-    input.texture = TextureHandle(scene.textures.size() - 1);
-    return input;
-  };
-  const Transform turned{Mat3d(0, 2, 0, 0, 0, 2, 2, 0, 0), {0.5, -1, 0.25}};
-  const auto mapped = [&](MappingKind kind) { return UvMapping{{1, 1}, {0, 0}, kind, turned}; };
-  const ColourInput flat =
-      add(CheckerboardTexture{{{3, 2}, {0.5, 0}, MappingKind::Planar, turned}});
-  const ColourInput round = add(DotsTexture{mapped(MappingKind::Spherical), flat});
-  const ColourInput tube = add(CheckerboardTexture{mapped(MappingKind::Cylindrical), round});
-  const ColourInput cubes = add(SolidCheckerboardTexture{turned, tube});
-  const ColourInput snow = add(DirectionMixTexture{cubes, flat, {0, 0, 1}});
-  const ColourInput root = add(SquareRootTexture{snow});
-  scene.materials[0].model = DiffuseMaterial{root};
-  const RoundTrip trip = test::round_trip(scene);
-  const auto& back = trip.scene.textures;
-  ASSERT_EQ(back.size(), 6u) << trip.written.text;
-  const auto expect_at = [](const Vec3d& found, const Vec3d& expected) {
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 1e-12);
-  };
-  const Vec3d p(3, 4, 5);
-  const Vec3d there = turned.point(p);
-  const auto& plane = std::get<CheckerboardTexture>(back[0].kind).mapping;
-  EXPECT_EQ(plane.kind, MappingKind::Planar);
-  const Vec3d on_plane = plane.place_from_world.point(p);
-  EXPECT_NEAR(on_plane.x + plane.offset.x, there.x * 3 + 0.5, 1e-12);
-  EXPECT_NEAR(on_plane.y + plane.offset.y, there.y * 2, 1e-12);
-  const auto& dots = std::get<DotsTexture>(back[1].kind).mapping;
-  EXPECT_EQ(dots.kind, MappingKind::Spherical);
-  expect_at(dots.place_from_world.point(p), there);
-  EXPECT_EQ(std::get<CheckerboardTexture>(back[2].kind).mapping.kind, MappingKind::Cylindrical);
-  expect_at(std::get<SolidCheckerboardTexture>(back[3].kind).place_from_world.point(p), there);
-  EXPECT_EQ(std::get<DirectionMixTexture>(back[4].kind).direction, Vec3d(0, 0, 1));
-  EXPECT_EQ(std::get<SquareRootTexture>(back[5].kind).input.texture.index, 4u);
 }
 
 }  // namespace

@@ -171,19 +171,6 @@ TEST(Unit_WriteShapes, HeightsThatAreLengthsStayWhatTheyAre) {
   EXPECT_EQ(trip.scene.textures.size(), 1u) << trip.written.text;
 }
 
-// Of other files than PNG pbrt knows no encoding.
-TEST(Unit_WriteTextures, GammaOfAnyFileIsKept) {
-  for (const char* file : {"wood.exr", "wood.png"}) {
-    SceneDescription scene = scene_with_camera();
-    scene.images = {{file, Encoding::LabGamma, Wrap::Repeat, {}}};
-    const auto wood = test::add_material(scene, DiffuseMaterial{{Vec3d(1.0), ImageHandle(0)}});
-    test::add_mesh(scene, square(), wood);
-    const RoundTrip trip = test::round_trip(scene);
-    ASSERT_EQ(trip.scene.images.size(), 1u);
-    EXPECT_EQ(trip.scene.images[0].encoding, Encoding::LabGamma) << trip.written.text;
-  }
-}
-
 // A mixture stands for them, whose parts are no less dented.
 TEST(Unit_WriteShapes, DentsOfMixtures) {
   SceneDescription scene = scene_with_camera();

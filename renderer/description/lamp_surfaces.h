@@ -1,0 +1,12 @@
+// Triangle lights -> surfaces that shine.
+#pragma once
+
+#include "renderer/description/scene_description.h"
+
+namespace candela::description {
+
+// Appends the surfaces of triangle lights to the description's geometry: a black material and a
+// mesh for each lamp, which is triangles alike that share corners. The lights stay.
+void add_lamp_surfaces(SceneDescription& description);
+
+}  // namespace candela::description
