@@ -11,6 +11,8 @@
 namespace candela {
 namespace {
 
+constexpr double lamps_share = 0x1p-12;  // of all light: there are no more cells than 4,096 of it
+
 // One image of a map.
 struct Face {
   TextureHandle texture;
@@ -107,17 +109,33 @@ std::uint32_t index_of(float place, std::uint32_t count) {
   return std::min(static_cast<std::uint32_t>(place * static_cast<float>(count)), count - 1);
 }
 
-// Of the cell that a direction in the map's axes lies in.
-double value_at(EnvironmentMapping mapping, const CellWeights& cells, const Vec3f& direction) {
-  const auto& [columns, rows] = cells.size;
+// The cell of the map, by its place among them all, that a direction in the map's axes lies in.
+std::size_t cell_at(EnvironmentMapping mapping, GridSize size, const Vec3f& direction) {
+  const auto& [columns, rows] = size;
   if (mapping == EnvironmentMapping::Cube) {
     const CubePoint point = cube_point(direction);
-    const std::uint32_t row = index_of(point.st.y, rows / 6);
-    return cells.at(index_of(point.st.x, columns), point.face * (rows / 6) + row);
+    const std::uint32_t row = point.face * (rows / 6) + index_of(point.st.y, rows / 6);
+    return std::size_t{row} * columns + index_of(point.st.x, columns);
   }
-  Vec2f st = mapping == EnvironmentMapping::EqualArea ? equal_area_sphere_to_square(direction)
-                                                      : lat_long_point(direction);
-  return cells.at(index_of(st.x, columns), index_of(st.y, rows));
+  const Vec2f st = mapping == EnvironmentMapping::EqualArea ? equal_area_sphere_to_square(direction)
+                                                            : lat_long_point(direction);
+  return std::size_t{index_of(st.y, rows)} * columns + index_of(st.x, columns);
+}
+
+// The middle of a cell, in the map's axes; unit.
+Vec3f direction_of(EnvironmentMapping mapping, GridSize size, std::uint32_t column,
+                   std::uint32_t row) {
+  const auto middle = [](std::uint32_t i, std::uint32_t count) {
+    return (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
+  };
+  const float s = middle(column, size.columns);
+  if (mapping == EnvironmentMapping::Cube) {
+    const std::uint32_t rows = size.rows / 6;
+    return normalize(cube_direction({row / rows, {s, middle(row % rows, rows)}}));
+  }
+  const Vec2f st(s, middle(row, size.rows));
+  return mapping == EnvironmentMapping::EqualArea ? square_to_equal_area_sphere(st)
+                                                  : lat_long_direction(st);
 }
 
 SkyPatches patches_of(EnvironmentMapping mapping, GridSize cells) {
@@ -130,20 +148,49 @@ SkyPatches patches_of(EnvironmentMapping mapping, GridSize cells) {
                     : SkyPatches{count, 2 * longest, longest};
 }
 
+template <class Visit>
+void for_each_cell(GridSize size, const Visit& visit) {
+  for (std::uint32_t row = 0; row < size.rows; ++row)
+    for (std::uint32_t column = 0; column < size.columns; ++column) visit(column, row);
+}
+
+// Each of a cell's parts^2 parts with the cell's luminance.
+void add_parts(EnvironmentMapping mapping, GridSize size, std::uint32_t column, std::uint32_t row,
+               double luminance, std::uint32_t parts, const AddSkyLight& add) {
+  const GridSize fine{size.columns * parts, size.rows * parts};
+  for (std::uint32_t x = column * parts; x < (column + 1) * parts; ++x)
+    for (std::uint32_t y = row * parts; y < (row + 1) * parts; ++y)
+      add({environment_detail::to_polar(mapping, direction_of(mapping, fine, x, y)),
+           luminance * cell_solid_angle(mapping, x, y, fine)});
+}
+
 // `cells`: the light of cells of the map, which has `faces` of the same number of rows each.
 void set_distribution(Environment& environment, CellWeights cells, std::uint32_t faces) {
   const EnvironmentMapping mapping = environment.mapping;
-  environment.mean_luminance =
-      total_weight(cells) / (4 * pi_double) * luminance(Vec3d(environment.scale));
+  const GridSize size = cells.size;
+  const double all_light = total_weight(cells);
+  environment.mean_luminance = all_light / (4 * pi_double) * luminance(Vec3d(environment.scale));
   const std::uint32_t merged = merged_cells(cells, faces);
-  for (std::uint32_t row = 0; row < cells.size.rows; ++row)
-    for (std::uint32_t column = 0; column < cells.size.columns; ++column)
-      cells.at(column, row) /= cell_solid_angle(mapping, column, row, cells.size);
+  for_each_cell(size, [&](std::uint32_t column, std::uint32_t row) {
+    cells.at(column, row) /= cell_solid_angle(mapping, column, row, size);
+  });
   const auto luminance_at = [&](const Vec3f& polar) {
-    return value_at(mapping, cells, environment_detail::from_polar(mapping, polar));
+    return cells.values[cell_at(mapping, size, environment_detail::from_polar(mapping, polar))];
   };
-  environment.distribution = SkyDistribution(
-      distribution_of(sky_cells(patches_of(mapping, cells.size), merged, luminance_at)));
+  // Of cells with at least so much light, each in so many parts along its sides.
+  const auto light_of = [&](double least, std::uint32_t parts) {
+    return [&, least, parts](const AddSkyLight& add) {
+      for_each_cell(size, [&](std::uint32_t column, std::uint32_t row) {
+        const double luminance = cells.at(column, row);
+        const double flux = luminance * cell_solid_angle(mapping, column, row, size);
+        if (flux > 0 && flux >= least) add_parts(mapping, size, column, row, luminance, parts, add);
+      });
+    };
+  };
+  environment.distribution = SkyDistribution(distribution_of(
+      sky_cells(patches_of(mapping, size), merged,
+                {luminance_at, light_of(lamps_share * all_light, 8), light_of(0, 1)})));
+  if (environment.distribution.cells().is_empty()) environment.mean_luminance = 0;  // too dark
 }
 
 // Sets what follows from the one image of an environment that has its mapping and scale.

@@ -1,4 +1,4 @@
-// Directions -> points of a cube map.
+// Directions <-> points of a cube map.
 //
 // Faces count 0..5 as +X -X +Y -Y +Z -Z; (s, t) in [0, 1]^2 as in [OpenGL46, table 8.19], t from
 // the file's first row.
@@ -31,6 +31,15 @@ struct CubePoint {
   const std::uint32_t first_of_axis = is_x ? 0 : is_y ? 2 : 4;
   const float half = 0.5f / std::abs(along);
   return {first_of_axis + (is_positive ? 0u : 1u), {s * half + 0.5f, t * half + 0.5f}};
+}
+
+// The inverse; not of length 1.
+[[nodiscard]] inline Vec3f cube_direction(const CubePoint& point) {
+  const float s = 2 * point.st.x - 1;
+  const float t = 2 * point.st.y - 1;
+  const Vec3f faces[] = {{1, -t, -s}, {-1, -t, s}, {s, 1, t},
+                         {s, -1, -t}, {s, -t, 1},  {-s, -t, -1}};
+  return faces[point.face];
 }
 
 }  // namespace candela

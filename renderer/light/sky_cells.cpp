@@ -58,6 +58,28 @@ CellWeights gathered(GridSize size, GridSize points,
   return cells;
 }
 
+// As SkyDistribution::place_of().
+double& cell_towards(const Vec3f& d, CellWeights& cells) {
+  const auto [columns, rows] = cells.size;
+  const double height = std::sqrt((d.x * d.x + d.z * d.z) / (1 + std::abs(d.y)));
+  const auto from_pole = std::min(static_cast<std::uint32_t>(height * (rows / 2)), rows / 2 - 1);
+  const auto column = static_cast<std::uint32_t>(0.25 * columns * sky_quarters(d.x, d.z));
+  return cells.at(std::min(column, columns - 1), d.y < 0 ? rows - 1 - from_pole : from_pole);
+}
+
+// As bright at least as they are by this light alone.
+void brighten(const std::function<void(const AddSkyLight&)>& lights, CellWeights& cells) {
+  CellWeights fluxes(cells.size);
+  lights([&](const SkyLight& light) { cell_towards(light.direction, fluxes) += light.flux; });
+  parallel_for(cells.size.rows, [&](std::size_t i) {
+    const auto row = static_cast<std::uint32_t>(i);
+    for (std::uint32_t column = 0; column < cells.size.columns; ++column)
+      if (const double flux = fluxes.at(column, row); flux > 0)
+        cells.at(column, row) =
+            std::max(cells.at(column, row), flux / sky_cell_solid_angle(cells.size, column, row));
+  });
+}
+
 double largest_of_neighbours(const CellWeights& cells, std::uint32_t column, std::uint32_t row) {
   const std::uint32_t columns = cells.size.columns;
   double largest = 0;
@@ -93,11 +115,14 @@ double sky_cell_solid_angle(GridSize size, std::uint32_t column, std::uint32_t r
 }
 
 CellWeights sky_cells(const SkyPatches& patches, std::uint32_t merged,
-                      const std::function<double(const Vec3f&)>& luminance) {
+                      const SkyLuminance& luminance) {
   const GridSize size = size_of(patches.count / merged / merged);
   const GridSize points{points_along(size.columns, patches.around, merged),
                         points_along(size.rows, patches.down, merged)};
-  CellWeights cells = grown(gathered(size, points, luminance));
+  CellWeights cells = gathered(size, points, luminance.at);
+  brighten(luminance.lamps, cells);
+  if (std::ranges::count(cells.values, 0.0) > 0) brighten(luminance.all_light, cells);
+  cells = grown(cells);
   for (std::uint32_t column = 0; column < cells.size.columns; ++column)
     for (std::uint32_t row = 0; row < cells.size.rows; ++row)
       cells.at(column, row) *= sky_cell_solid_angle(cells.size, column, row);

@@ -18,12 +18,26 @@ struct SkyPatches {
   std::uint32_t down = 0;
 };
 
+// What comes from a part of a patch: luminance times solid angle.
+struct SkyLight {
+  Vec3f direction{0};  // unit, of the part's middle
+  double flux = 0;
+};
+using AddSkyLight = std::function<void(const SkyLight&)>;
+
+struct SkyLuminance {
+  std::function<double(const Vec3f&)> at;             // of a unit direction; constant over a patch
+  std::function<void(const AddSkyLight&)> lamps;      // patches with much of the light, in parts
+  std::function<void(const AddSkyLight&)> all_light;  // each patch that has any
+};
+
 // The light of each of about `patches.count` / `merged`^2 cells, twice as many columns as rows, by
 // `merged`^2 points of each, or at least four; by more where patches are so narrow that light in
-// two of them side by side could lie between the points. `luminance`: by unit direction, constant
-// over the patches. A cell of which no point has light, beside one that has, may yet be touched by
-// the same patch and is given a little.
+// many of them side by side could lie between the points. What lies between them all the same:
+// lamps have at least their light, and where cells are dark, patches that have light are asked for.
+// A cell without light beside one that has some may yet be touched by the same patch and is given a
+// little.
 [[nodiscard]] CellWeights sky_cells(const SkyPatches& patches, std::uint32_t merged,
-                                    const std::function<double(const Vec3f&)>& luminance);
+                                    const SkyLuminance& luminance);
 
 }  // namespace candela
