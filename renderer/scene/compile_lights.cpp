@@ -1,7 +1,9 @@
 #include "renderer/scene/compile_lights.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "renderer/description/validate.h"
@@ -190,6 +192,23 @@ LightSampler build_light_sampler(const Scene& scene) {
   return {scene.lights, powers};
 }
 
+// What is looked up in images is to be held by floats as well.
+void check_images(const Scene& scene, Diagnostics& diagnostics) {
+  std::set<std::pair<std::size_t, float>> seen;
+  const auto check = [&](TextureHandle image, const Rgb& scale, double most) {
+    const float factor = max_component(scale);
+    if (image && seen.emplace(image.index, factor).second)
+      scene.textures.check_brightness(image, double{factor}, most, diagnostics);
+  };
+  if (scene.environment)
+    for (const TextureHandle face : scene.environment->faces)
+      check(face, scene.environment->scale, description::largest_radiance);
+  for (const Light& light : scene.lights)
+    check(light.texture, light.emission,
+          light.is_delta() ? double{std::numeric_limits<float>::max()}
+                           : description::largest_radiance);
+}
+
 bool is_dark(const Scene& scene) {
   if (!is_black(scene.ambient) || (scene.environment && !scene.environment->is_black()))
     return false;
@@ -208,6 +227,7 @@ void compile_lights(const SceneDescription& description, const CompileOptions& o
   if (options.light_sampling != LightSampling::Triangles) add_quad_lights(scene, by_solid_angle);
   if (by_solid_angle) sample_triangles_by_solid_angle(scene);
   add_environment(description, options, scene, diagnostics);
+  check_images(scene, diagnostics);
   scene.ambient = ambient_of(description);
   if (has_light(description) && is_dark(scene))
     diagnostics.warning({}, "all lights are black or left out: the picture will be black");

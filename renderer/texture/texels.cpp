@@ -187,6 +187,16 @@ void TextureFile::become_magenta() {
   std::memcpy(texels_.samples.get(), magenta.data(), magenta.size());
 }
 
+float TextureFile::largest() {
+  const TexelArray& array = texels();
+  if (array.type == SampleType::Half) return largest_half;
+  if (array.type != SampleType::Float) return 1;
+  float largest = 0;
+  for (std::size_t i = 0; i < array.bytes() / sizeof(float); ++i)
+    largest = std::max(largest, value_at<float>(array.samples.get() + i * sizeof(float)));
+  return largest;
+}
+
 Diagnostics TextureFile::decoding_diagnostics() const {
   return is_decoded() ? diagnostics_ : Diagnostics{};
 }

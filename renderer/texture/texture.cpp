@@ -85,6 +85,20 @@ Diagnostics TextureStore::broken_lights() const {
   return found;
 }
 
+void TextureStore::check_brightness(TextureHandle light, double factor, double most,
+                                    Diagnostics& diagnostics) const {
+  TextureFile& used = textures_[light.index]->file();
+  for (const auto& [file, span] : files_->lights) {
+    if (file != &used) continue;
+    const double largest = used.holds_floats() ? double{used.largest()} : 1;
+    if (largest * factor > most)
+      diagnostics.error(span,
+                        fmt::format("a light's image '{}' holds {:g}, scaled by {:g}: expected "
+                                    "at most {:g}",
+                                    file->path(), largest, factor, most));
+  }
+}
+
 TextureHandle TextureStore::add(const std::string& name, TexelArray texels, Wrap wrap) {
   files_->calculated.push_back(std::make_unique<TextureFile>(name, std::move(texels)));
   textures_.push_back(

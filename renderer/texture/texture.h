@@ -62,6 +62,11 @@ class TextureStore {
   // light would be a picture that looks finished.
   [[nodiscard]] Diagnostics broken_lights() const;
 
+  // An error where the largest value of an image that shines, times `factor`, is above `most`.
+  // Decodes what holds floats.
+  void check_brightness(TextureHandle light, double factor, double most,
+                        Diagnostics& diagnostics) const;
+
   // An image that was calculated: linear, already decoded, under a name for messages, no path.
   TextureHandle add(const std::string& name, TexelArray texels, Wrap wrap);
 

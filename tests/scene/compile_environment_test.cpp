@@ -55,6 +55,29 @@ TEST(Errors_CompileEnvironment, ImagesThatCannotBeRead) {
     }
 }
 
+// Each within its bounds, and together more than numbers hold.
+TEST(Errors_CompileEnvironment, ImagesThatAreTooBrightForTheirScale) {
+  const auto expect_told = [](const SceneDescription& scene) {
+    const Result<Scene> compiled = compile(scene, {});
+    ASSERT_FALSE(compiled);
+    EXPECT_NE(compiled.diagnostics.list()[0].message.find(
+                  "holds 1e+20, scaled by 1e+15: expected at most 1e+30"),
+              std::string::npos)
+        << compiled.diagnostics.list()[0].message;
+  };
+  SceneDescription sky = small_room();
+  sky.images = {light_test::write_float_map(
+      "bright", 8, 8, [](int x, int y) { return Vec3f(x == 3 && y == 5 ? 1e20f : 1.0f); })};
+  SceneDescription lamp = sky;
+  add_light(sky, EqualAreaEnvironment{ImageHandle(0), Vec3d(1e15), Mat3d(1.0), true});
+  expect_told(sky);
+  lamp.materials[0].emission = Vec3d(1e15);
+  lamp.materials[0].emission_map = ImageHandle(0);
+  expect_told(lamp);
+  lamp.materials[0].emission = Vec3d(1e9);
+  EXPECT_TRUE(compile(lamp, {}));
+}
+
 TEST(Unit_CompileEnvironment, OneSkyIsItself) {
   SceneDescription scene = with_map();
   add_light(scene, ConstantEnvironment{Vec3d(0.0), false});  // black: no matter
