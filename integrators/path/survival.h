@@ -5,13 +5,13 @@
 #include <cstdint>
 
 #include "integrators/path_plan.h"
+#include "renderer/sampling/drawable_probability.h"
 
 namespace candela {
 
 // It stays below 1 so that paths end in closed white scenes too, by little: light that leaves a
 // trap (total reflection) in shares smaller than what roulette takes would have no variance. Nor is
-// it less than the random numbers can tell from 0, with which more paths would survive than it
-// says.
+// it 0 for any path, so that one without a number goes on and is counted.
 inline constexpr float highest_survival_on_surfaces = 0.998f;
 inline constexpr float lowest_survival = 0x1p-24f;
 
@@ -21,8 +21,8 @@ inline constexpr float lowest_survival = 0x1p-24f;
 [[nodiscard]] inline float survival_probability(std::uint32_t bounce, float roulette_throughput,
                                                 Roulette roulette, float highest) {
   if (bounce < roulette.first_bounce) return 1;
-  return std::max(std::min(roulette_throughput * roulette.inverse_threshold, highest),
-                  lowest_survival);
+  const float wish = std::min(roulette_throughput * roulette.inverse_threshold, highest);
+  return drawable_probability(std::max(wish, lowest_survival));
 }
 
 }  // namespace candela

@@ -82,9 +82,10 @@ Vec3f sample_coated_metal(const Bsdf& bsdf, const Vec3f& wo, Vec2f direction) {
   const Vec3f i = sample_ggx_reflection(refracted(bsdf, wo), bsdf.metal_widths, direction);
   if (!(i.z > 0)) return Vec3f(0);
   const float eta = bsdf.coat->eta();
-  const float cos2 = square(eta * i.z) - bend_of(eta);
+  const Vec2f across(eta * i.x, eta * i.y);
+  const float cos2 = 1 - dot(across, across);
   if (!(cos2 > 0)) return Vec3f(0);
-  return {eta * i.x, eta * i.y, std::sqrt(cos2)};
+  return {across.x, across.y, std::sqrt(cos2)};
 }
 
 Rgb coated_conductor_albedo(const Bsdf& bsdf, float cos_o) {

@@ -10,6 +10,7 @@
 #include "renderer/bsdf/fresnel.h"
 #include "renderer/bsdf/microfacet.h"
 #include "renderer/bsdf/mirror.h"
+#include "renderer/sampling/drawable_probability.h"
 
 namespace candela {
 
@@ -24,7 +25,7 @@ inline constexpr float smallest_refraction_spread = 1e-5f;
 // The probability to follow the reflection at a microfacet of this reflectance.
 [[nodiscard]] inline float reflection_probability(float reflectance, const Rgb& transmittance) {
   const float transmitted = (1 - reflectance) * max_component(transmittance);
-  return transmitted > 0 ? reflectance / (reflectance + transmitted) : 1;
+  return transmitted > 0 ? drawable_probability(reflectance / (reflectance + transmitted)) : 1;
 }
 
 // Snell's law at a microfacet m [Walter07, eq. 40]. Normalised, since 1 / eta amplifies rounding.

@@ -4,6 +4,7 @@
 
 #include "renderer/bsdf/bsdf.h"
 #include "renderer/math/colour.h"
+#include "renderer/sampling/drawable_probability.h"
 #include "renderer/sampling/warp.h"
 
 namespace candela {
@@ -11,7 +12,7 @@ namespace candela {
 [[nodiscard]] inline float sheet_reflection_probability(const Bsdf& bsdf) {
   const float reflected = average(bsdf.diffuse);
   const float transmitted = average(bsdf.transmittance);
-  return transmitted > 0 ? reflected / (reflected + transmitted) : 1;
+  return transmitted > 0 ? drawable_probability(reflected / (reflected + transmitted)) : 1;
 }
 
 [[nodiscard]] inline BsdfEvaluation evaluate_diffuse_transmission(const Bsdf& bsdf,

@@ -4,6 +4,7 @@
 
 #include "renderer/bsdf/bsdf.h"
 #include "renderer/bsdf/ggx.h"
+#include "renderer/sampling/drawable_probability.h"
 #include "renderer/sampling/warp.h"
 
 namespace candela {
@@ -11,7 +12,7 @@ namespace candela {
 // From rough albedos of the two lobes, >= 0. All specular where both are black.
 [[nodiscard]] inline float specular_probability(float specular_albedo, float diffuse_albedo) {
   if (!(diffuse_albedo > 0)) return 1;
-  return specular_albedo / (specular_albedo + diffuse_albedo);
+  return drawable_probability(specular_albedo / (specular_albedo + diffuse_albedo));
 }
 
 template <class Width>

@@ -8,6 +8,7 @@
 #include "renderer/bsdf/fresnel.h"
 #include "renderer/bsdf/mirror.h"
 #include "renderer/math/colour.h"
+#include "renderer/sampling/drawable_probability.h"
 
 namespace candela {
 
@@ -30,7 +31,7 @@ struct PaneReflectance {
   const float reflected = average(pane.reflected);
   const float transmitted = average(pane.transmitted);
   if (!(reflected + transmitted > 0)) return {};
-  const float p_reflect = reflected / (reflected + transmitted);
+  const float p_reflect = drawable_probability(reflected / (reflected + transmitted));
   if (lobe < p_reflect) return mirror_sample(wo, pane.reflected / p_reflect);
   return refraction_sample(-wo, pane.transmitted / (1 - p_reflect), 1);
 }

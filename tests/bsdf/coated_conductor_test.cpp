@@ -86,6 +86,27 @@ TEST(Unit_CoatedConductor, SmoothLayersAreOneMirror) {
   }
 }
 
+TEST(Unit_CoatedConductor, DirectionsOutOfAnyCoatAreUnit) {
+  for (const float eta : {1.5f, 10.0f, 1000.0f}) {
+    const CoatTable table(eta, 0, 0);
+    Bsdf bsdf = tests::conductor(0.3f);
+    bsdf.model = BsdfModel::CoatedConductor;
+    bsdf.coat = &table;
+    bsdf.metal_widths = Vec2f(0.3f);
+    int count = 0;
+    for (std::uint32_t i = 0; i < 20'000; ++i) {
+      const std::uint64_t bits = mix_bits(i);
+      const Vec2f u(unit_float(static_cast<std::uint32_t>(bits)),
+                    unit_float(static_cast<std::uint32_t>(bits >> 32)));
+      const Vec3f wi = sample_coated_metal(bsdf, direction_of(0.8f, 0), u);
+      if (!(wi.z > 0)) continue;
+      ++count;
+      ASSERT_NEAR(length(wi), 1, 1e-6f) << eta;
+    }
+    EXPECT_GT(count, 0) << eta;
+  }
+}
+
 // Where nothing bends it, light that comes in edge-on meets the metal edge-on.
 TEST(Unit_CoatedConductor, IsFiniteEdgeOnUnderACoatThatHardlyRefracts) {
   for (const float eta : {1.0f, 1.0000001f, 1.0001f}) {
