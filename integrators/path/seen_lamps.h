@@ -79,6 +79,8 @@ template <FeatureSet F, class A>
     const SamplerBlock samplers(*trip.pixel, trip.place.samples[0], count, k);
     const AimedRays aimed = aim_at_lamps(context, samplers, context.lamp_part, trip.place.pixels,
                                          trip.place.lanes, rays);
+    for_each_lane(trip.place.lanes & ~aimed.traced,
+                  [&](std::uint32_t i) { lose_path(trip.block, i); });
     const HitBlock hits = intersect_lanes(context.accelerator, rays, aimed.traced, 0);
     for_each_lane(aimed.traced, [&](std::uint32_t i) {
       const Rgb lamp = lamp_radiance<F>(context.scene, context.options, rays[i], hits[i]);
