@@ -36,7 +36,8 @@ struct Image {
   SourceSpan span;  // where the scene names it
 };
 
-// A factor, or a map or texture (one of the two) that replaces it.
+// A factor, or a map or texture (one of the two) that replaces it. A map as input of a texture is
+// an ImageTexture of a colour.
 struct ColourInput {
   Vec3d factor{1.0};
   ImageHandle map;
@@ -74,7 +75,8 @@ struct UvMapping {
   Transform place_from_world = {};  // but for Surface
 };
 
-// factor * texel, or 1 minus that (at least 0) where it is inverted.
+// factor * texel, or 1 minus that (at least 0) where it is inverted. Colours are those of what
+// reflects: in [0, 1], before other textures have them; numbers may be any.
 struct ImageTexture {
   ImageHandle image;
   UvMapping mapping{};

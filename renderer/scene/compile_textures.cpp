@@ -30,7 +30,8 @@ struct Builder {
   Procedural operator()(const description::ImageTexture& t) const {
     Procedural out{.kind = ProceduralKind::Image,
                    .factor = static_cast<float>(t.factor),
-                   .is_inverted = t.is_inverted};
+                   .is_inverted = t.is_inverted,
+                   .is_reflectance = !t.is_scalar};
     set_mapping(t.mapping, out);
     out.inputs[0].texture = t.is_scalar ? grey(t.image) : compile.image(t.image);
     return out;
@@ -38,33 +39,30 @@ struct Builder {
   Procedural operator()(const description::DirectionMixTexture& t) const {
     return {.kind = ProceduralKind::DirectionMix,
             .direction = Vec3f(t.direction),
-            .inputs = {compile.input(t.first), compile.input(t.second)}};
+            .inputs = {input(t.first), input(t.second)}};
   }
   Procedural operator()(const description::SolidCheckerboardTexture& t) const {
     return {.kind = ProceduralKind::SolidCheckerboard,
             .place = place_map(t.place_from_world, compile.world_from_normalised()),
-            .inputs = {compile.input(t.even), compile.input(t.odd)}};
+            .inputs = {input(t.even), input(t.odd)}};
   }
   Procedural operator()(const description::ProductTexture& t) const {
-    return {.kind = ProceduralKind::Product,
-            .inputs = {compile.input(t.first), compile.input(t.second)}};
+    return {.kind = ProceduralKind::Product, .inputs = {input(t.first), input(t.second)}};
   }
   Procedural operator()(const description::SquareRootTexture& t) const {
-    return {.kind = ProceduralKind::SquareRoot, .inputs = {compile.input(t.input)}};
+    return {.kind = ProceduralKind::SquareRoot, .inputs = {input(t.input)}};
   }
   Procedural operator()(const description::MixTexture& t) const {
     return {.kind = ProceduralKind::Mix,
-            .inputs = {compile.input(t.first), compile.input(t.second), compile.input(t.amount)}};
+            .inputs = {input(t.first), input(t.second), input(t.amount)}};
   }
   Procedural operator()(const description::CheckerboardTexture& t) const {
-    Procedural out{.kind = ProceduralKind::Checkerboard,
-                   .inputs = {compile.input(t.even), compile.input(t.odd)}};
+    Procedural out{.kind = ProceduralKind::Checkerboard, .inputs = {input(t.even), input(t.odd)}};
     set_mapping(t.mapping, out);
     return out;
   }
   Procedural operator()(const description::DotsTexture& t) const {
-    Procedural out{.kind = ProceduralKind::Dots,
-                   .inputs = {compile.input(t.inside), compile.input(t.outside)}};
+    Procedural out{.kind = ProceduralKind::Dots, .inputs = {input(t.inside), input(t.outside)}};
     set_mapping(t.mapping, out);
     return out;
   }
@@ -77,6 +75,15 @@ struct Builder {
   }
 
  private:
+  // As what reflects, where it is an image that may hold more.
+  [[nodiscard]] TextureValue input(const description::ColourInput& from) const {
+    const TextureValue value = compile.input(from);
+    if (!compile.is_colour_image(from) || !compile.store().may_exceed_one(value.texture))
+      return value;
+    Procedural clamped{.kind = ProceduralKind::Image, .is_reflectance = true};
+    clamped.inputs[0] = value;
+    return {Vec4f(1), compile.store().add(clamped)};
+  }
   // With the number in all channels.
   [[nodiscard]] TextureHandle grey(description::ImageHandle image) const {
     const TextureCompiler::Scalar scalar = compile.scalar(image);
@@ -103,6 +110,12 @@ const description::ImageTexture* plain_image(const description::Texture& texture
 }
 
 }  // namespace
+
+bool TextureCompiler::is_colour_image(const description::ColourInput& input) const {
+  if (!input.texture) return input.map.is_valid();
+  const auto* const plain = plain_image(scene_.textures[input.texture.index]);
+  return plain && !plain->is_scalar;
+}
 
 TextureHandle TextureCompiler::image(description::ImageHandle image) {
   return image ? store_.add(scene_.images[image.index], diagnostics_) : TextureHandle{};

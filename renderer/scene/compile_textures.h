@@ -35,6 +35,8 @@ class TextureCompiler {
   };
   [[nodiscard]] Scalar scalar(description::ImageHandle image);
   [[nodiscard]] TextureValue texture(description::TextureHandle texture);
+  // Whether texture() or image() of it is the image itself, and not as one number.
+  [[nodiscard]] bool is_colour_image(const description::ColourInput& input) const;
   [[nodiscard]] const Transform& world_from_normalised() const { return world_from_normalised_; }
   // A constant, an image or a texture.
   [[nodiscard]] TextureValue input(const description::ColourInput& input);

@@ -1,5 +1,6 @@
 #include "renderer/texture/procedural.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -49,7 +50,8 @@ Vec2f place_in(const Procedural& p, const TexturePoint& at) {
 Vec4f image_value(const Procedural& p, const Vec4f& texel) {
   const auto value = [&](float x) {
     const float scaled = p.factor * x;
-    return p.is_inverted ? std::max(0.0f, 1 - scaled) : scaled;
+    const float shown = p.is_inverted ? std::max(0.0f, 1 - scaled) : scaled;
+    return p.is_reflectance ? std::min(std::max(0.0f, shown), 1.0f) : shown;
   };
   return {value(texel.x), value(texel.y), value(texel.z), texel.w};
 }

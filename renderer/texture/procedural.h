@@ -1,7 +1,7 @@
 // Textures that are made of others: image maps moved and scaled, products, mixtures, patterns.
 //
-// Values may lie above 1; materials clamp what they read. Alpha goes along as a fourth number, 1
-// where nothing else says it. What of uv is not finite counts as 0.
+// Values may lie above 1, but for images of reflectance; materials clamp what they read. Alpha goes
+// along as a fourth number, 1 where nothing else says it. What of uv is not finite counts as 0.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct TextureValue {
 };
 
 enum class ProceduralKind : std::uint8_t {
-  Image,    // factor * inputs[0], inverted or not
+  Image,    // factor * inputs[0], inverted or not, clamped or not
   Alpha,    // of input 0, as a grey
   Mean,     // of the colours of input 0, as a grey
   Product,  // of inputs 0 and 1
@@ -54,8 +54,9 @@ struct Procedural {
   Vec2f uv_offset{0};
   float factor = 1;
   bool is_inverted = false;
-  PlaceMap place{};    // SolidCheckerboard, and mappings by place
-  Vec3f direction{0};  // DirectionMix; unit
+  bool is_reflectance = false;  // of an image: in [0, 1]
+  PlaceMap place{};             // SolidCheckerboard, and mappings by place
+  Vec3f direction{0};           // DirectionMix; unit
   std::array<TextureValue, 4> inputs{};
 
   // Whether it looks at more than uv, its inputs aside.

@@ -235,6 +235,10 @@ TextureStore::ScalarKind TextureStore::scalar_kind(TextureHandle texture) const 
   return is_grey(texels) ? ScalarKind::First : ScalarKind::Mean;
 }
 
+bool TextureStore::may_exceed_one(TextureHandle texture) const {
+  return textures_[texture.index]->file().holds_floats();
+}
+
 const TextureInfo& TextureStore::info(TextureHandle texture) const {
   return textures_[texture.index]->info();
 }

@@ -132,6 +132,8 @@ class TextureStore {
   enum class ScalarKind : std::uint8_t { First, Alpha, Mean };  // First: all colours are equal
   [[nodiscard]] ScalarKind scalar_kind(TextureHandle texture) const;
 
+  // Of images: whether the file holds floats. Decodes nothing.
+  [[nodiscard]] bool may_exceed_one(TextureHandle texture) const;
   [[nodiscard]] const TextureInfo& info(TextureHandle texture) const;
   // Whether it is an image file and no procedural texture; only images have paths.
   [[nodiscard]] bool is_image(TextureHandle texture) const;

@@ -226,21 +226,24 @@ ColourInput Textures::input(Kind kind, Arguments& arguments, std::string_view na
 UvMapping Textures::mapping(const TextureStatement& texture, Arguments& arguments) {
   const std::string kind = arguments.string("mapping").value_or("uv");
   UvMapping mapping;
-  mapping.offset = {arguments.number("udelta").value_or(0), arguments.number("vdelta").value_or(0)};
-  mapping.scale = {arguments.number("uscale").value_or(1), arguments.number("vscale").value_or(1)};
-  const Vec3d v1 = arguments.point("v1").value_or(Vec3d(1, 0, 0));
-  const Vec3d v2 = arguments.point("v2").value_or(Vec3d(0, 1, 0));
-  if (kind == "uv") return mapping;
-  mapping.scale = Vec2d(1.0);
+  if (kind == "uv" || kind == "planar")
+    mapping.offset = {arguments.number("udelta").value_or(0),
+                      arguments.number("vdelta").value_or(0)};
+  if (kind == "uv") {
+    mapping.scale = {arguments.number("uscale").value_or(1),
+                     arguments.number("vscale").value_or(1)};
+    return mapping;
+  }
   mapping.place_from_world = place_from_world(texture);
   if (kind == "planar") {
     mapping.kind = MappingKind::Planar;
+    const Vec3d v1 = arguments.point("v1").value_or(Vec3d(1, 0, 0));
+    const Vec3d v2 = arguments.point("v2").value_or(Vec3d(0, 1, 0));
     const Mat3d rows(v1, v2, Vec3d(0.0));
     mapping.place_from_world =
         Transform{glm::transpose(rows), Vec3d(0.0)} * mapping.place_from_world;
     return mapping;
   }
-  mapping.offset = Vec2d(0.0);
   if (kind == "spherical")
     mapping.kind = MappingKind::Spherical;
   else if (kind == "cylindrical")
@@ -258,19 +261,45 @@ Transform Textures::place_from_world(const TextureStatement& texture) {
   return {};
 }
 
-// pbrt-v3 names the two factors tex1 and tex2, and so does candela where the second is a colour.
+// pbrt-v3 names the two factors tex1 and tex2, and so does candela where the second is a colour or
+// the first an image whose values are to be multiplied as they come out.
 Textures::Value Textures::scale(Kind kind, Arguments& arguments, const std::string& name) {
-  const bool is_v3 = arguments.has("tex1");
-  if (is_v3) arguments.accept({"tex", "scale"});
+  const bool is_product = arguments.has("tex1");
+  if (is_product) arguments.accept({"tex", "scale"});
   description::ProductTexture texture;
-  texture.first = input(kind, arguments, is_v3 ? "tex1" : "tex", Vec3d(1.0));
+  texture.first = input(kind, arguments, is_product ? "tex1" : "tex", Vec3d(1.0));
   if (arguments.flag("root", false))  // candela's own
     return add(description::SquareRootTexture{texture.first}, name, arguments.statement().place);
-  texture.second = is_v3 ? input(kind, arguments, "tex2", Vec3d(1.0))
-                         : input(Kind::Float, arguments, "scale", Vec3d(1.0));
+  texture.second = is_product ? input(kind, arguments, "tex2", Vec3d(1.0))
+                              : input(Kind::Float, arguments, "scale", Vec3d(1.0));
   if (texture.first.is_constant() && texture.second.is_constant())
     return ColourInput{texture.first.factor * texture.second.factor, {}, {}};
-  return add(texture, name, arguments.statement().place);
+  const Place& place = arguments.statement().place;
+  if (!is_product) {
+    if (const auto image = scaled_image(texture.first, texture.second, name, place)) return *image;
+    if (kind == Kind::Float)
+      if (const auto image = scaled_image(texture.second, texture.first, name, place))
+        return *image;
+  }
+  return add(texture, name, place);
+}
+
+// As pbrt has it: a number scales what an image holds, before that is inverted or clamped.
+Textures::Value Textures::scaled_image(const ColourInput& input, const ColourInput& scale,
+                                       const std::string& name, const Place& place) {
+  if (!scale.is_constant()) return std::nullopt;
+  description::ImageTexture image;
+  if (input.map) {
+    image.image = input.map;
+  } else {
+    if (!input.texture) return std::nullopt;
+    const auto& textures = context_.scene.textures;
+    const auto* known = std::get_if<description::ImageTexture>(&textures[input.texture.index].kind);
+    if (!known) return std::nullopt;
+    image = *known;
+  }
+  image.factor *= scale.factor.x;
+  return add(image, name, place);
 }
 
 Textures::Value Textures::mix(Kind kind, Arguments& arguments, const std::string& name) {
@@ -304,7 +333,6 @@ Textures::Value Textures::checkerboard(Kind kind, const TextureStatement& statem
   const ColourInput even = input(kind, arguments, "tex1", Vec3d(1.0));
   const ColourInput odd = input(kind, arguments, "tex2", Vec3d(0.0));
   arguments.accept({"aamode"});  // pbrt-v3
-  const UvMapping squares = mapping(statement, arguments);
   const Place& place = arguments.statement().place;
   const auto dimension = arguments.integer("dimension").value_or(2);
   if (dimension != 2 && dimension != 3)
@@ -312,7 +340,8 @@ Textures::Value Textures::checkerboard(Kind kind, const TextureStatement& statem
   if (dimension == 3)
     return add(description::SolidCheckerboardTexture{place_from_world(statement), even, odd}, name,
                place);
-  return add(description::CheckerboardTexture{squares, even, odd}, name, place);
+  return add(description::CheckerboardTexture{mapping(statement, arguments), even, odd}, name,
+             place);
 }
 
 Textures::Value Textures::dots(Kind kind, const TextureStatement& statement, Arguments& arguments,

@@ -51,6 +51,8 @@ class Textures {
   Value image(Kind kind, const TextureStatement& statement, Arguments& arguments,
               const std::string& name);
   Value scale(Kind kind, Arguments& arguments, const std::string& name);
+  Value scaled_image(const description::ColourInput& input, const description::ColourInput& scale,
+                     const std::string& name, const Place& place);
   Value mix(Kind kind, Arguments& arguments, const std::string& name);
   Value direction_mix(Kind kind, const TextureStatement& statement, Arguments& arguments,
                       const std::string& name);

@@ -7,6 +7,7 @@
 #include "renderer/scene/compile.h"
 #include "tests/image/crafted_files.h"
 #include "tests/image/temporary_folder.h"
+#include "tests/light/map_images.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
 
@@ -66,6 +67,24 @@ TEST(Unit_Procedural, PlainImagesStayImages) {
   EXPECT_EQ(t.store.size(), 1u);
 }
 
+// As pbrt's: before others have their part of them; numbers may be any.
+TEST(Unit_Procedural, ColoursOfImagesEndAtOne) {
+  Textures t;
+  t.scene.images.push_back(
+      light_test::write_float_map("two", 2, 2, [](int, int) { return Vec3f(2, 0.5f, -0.5f); }));
+  const description::ImageHandle two(1u);
+  const auto half_of = [&](const ColourInput& input) {
+    const auto mix = t.add(description::MixTexture{input, constant(0), constant(0.5)});
+    return Vec3f(t.at(t.compiled(mix), Vec2f(0.3f)));
+  };
+  EXPECT_EQ(half_of({Vec3d(1.0), two, {}}), Vec3f(0.5f, 0.25f, 0));
+  EXPECT_EQ(half_of(by(t.add(ImageTexture{two}))), Vec3f(0.5f, 0.25f, 0));
+  EXPECT_EQ(half_of(by(t.add(ImageTexture{two, {}, 3}))), Vec3f(0.5f, 0.5f, 0));
+  EXPECT_EQ(half_of(by(t.add(ImageTexture{two, {}, 0.25}))), Vec3f(0.25f, 0.0625f, 0));
+  const float number = half_of(by(t.add(ImageTexture{two, {}, 3, false, true}))).x;
+  EXPECT_NEAR(number, 0.5f * 3 * (2.0f / 3), 1e-6f);
+}
+
 // pbrt's: alpha where it says something, else the mean of the colours; what is grey stays an image.
 TEST(Unit_Procedural, ImagesAsNumbersAreAlphaOrTheMean) {
   Textures t;
@@ -120,7 +139,8 @@ TEST(Unit_Procedural, ImagesAreMovedScaledAndInverted) {
   const TextureValue inverted = t.compiled(t.add(ImageTexture{image, {}, 1.5, true}));
   for (const Vec2f uv : places) {
     const Vec4f there = t.at(plain, {2 * uv.x + 0.25f, -3 * uv.y + 0.5f});
-    EXPECT_LT(length(t.at(moved, uv) - Vec4f(Vec3f(there) * 3.0f, there.w)), 1e-5f);
+    EXPECT_LT(length(t.at(moved, uv) - Vec4f(glm::min(Vec3f(there) * 3.0f, Vec3f(1)), there.w)),
+              1e-5f);
     for (int c = 0; c < 3; ++c)
       EXPECT_NEAR(t.at(inverted, uv)[c], std::max(0.0f, 1 - 1.5f * t.at(plain, uv)[c]), 1e-6);
   }

@@ -107,12 +107,12 @@ struct TextureDirectives {
     if (t.is_scalar && kind == TextureWriter::Kind::Spectrum) out.add_own("bool scalar", true);
     return out;
   }
-  // pbrt scales by numbers only.
+  // pbrt scales by numbers only, and what an image holds instead of what comes of it.
   Directive operator()(const description::ProductTexture& t) const {
     Directive out = directive("scale");
     out.add(input("tex", t.first)).add(writer.input(TextureWriter::Kind::Float, "scale", t.second));
-    if (kind == TextureWriter::Kind::Spectrum &&
-        !(t.second.is_constant() && is_grey(t.second.factor)))
+    const bool is_by_number = t.second.is_constant() && is_grey(t.second.factor);
+    if (!is_by_number || writer.is_image(t.first) || writer.is_image(t.second))
       out.add_own(input("tex1", t.first)).add_own(input("tex2", t.second));
     return out;
   }
@@ -320,6 +320,12 @@ WrittenParameter TextureWriter::texture(Kind kind, std::string_view name, Textur
   const std::string made = make(kind, texture);
   textures_[{kind, handle.index}] = made;
   return named(name, made);
+}
+
+bool TextureWriter::is_image(const description::ColourInput& input) const {
+  if (!input.texture) return input.map.is_valid();
+  return std::holds_alternative<description::ImageTexture>(
+      context_.scene.textures[input.texture.index].kind);
 }
 
 // Its inputs' directives come before its own.

@@ -60,6 +60,7 @@ class TextureWriter {
   Directive image_directive(const std::string& name, Kind kind, description::ImageHandle image,
                             Channel channel);
 
+  [[nodiscard]] bool is_image(const description::ColourInput& input) const;
   std::string make(Kind kind, const description::Texture& texture);
   Directive directive(const std::string& name, Kind kind, std::string_view type) const;
 

@@ -1,4 +1,6 @@
 // Textures of pbrt scenes as the reader leaves them.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "renderer/description/validate.h"
@@ -10,6 +12,7 @@ namespace {
 using namespace description;
 using test::pbrt_world;
 using test::pbrt_world_error;
+using test::pbrt_world_warning;
 
 void expect_near(const Vec3d& vector, const Vec3d& expected) {
   EXPECT_LT(length(vector - expected), 1e-9) << vector.x << " " << vector.y << " " << vector.z;
@@ -61,13 +64,47 @@ TEST(Unit_PbrtTextures, FloatImagesAreNumbers) {
   EXPECT_TRUE(is_scalar(mix.amount.texture));
 }
 
+// A number scales what an image holds, as in pbrt, and so comes before inverting and clamping; what
+// "tex1" and "tex2" name is multiplied.
+TEST(Unit_PbrtTextures, NumbersScaleImages) {
+  const auto scene = pbrt_world(R"(
+    Texture "dark" "spectrum" "imagemap" "string filename" "picture.png" "bool invert" true
+      "float scale" 2
+    Texture "half" "spectrum" "scale" "texture tex" "dark" "float scale" .25
+    Texture "plain" "spectrum" "imagemap" "string filename" "picture.png"
+    Texture "third" "spectrum" "scale" "texture tex" "plain" "float scale" .3
+    Texture "product" "spectrum" "scale" "texture tex1" "plain" "rgb tex2" [ .3 .3 .3 ]
+    Texture "both" "spectrum" "mix" "texture tex1" "half" "texture tex2" "third"
+    Texture "all" "spectrum" "mix" "texture tex1" "both" "texture tex2" "product"
+    Texture "number" "float" "imagemap" "string filename" "picture.png"
+    Texture "width" "float" "scale" "float tex" .5 "texture scale" "number"
+    Material "conductor" "texture reflectance" "all" "texture roughness" "width"
+    Shape "disk")");
+  const auto texture = [&](const ColourInput& input) {
+    return scene.textures.at(input.texture.index).kind;
+  };
+  const auto& metal = std::get<ConductorMaterial>(scene.materials.at(0).model);
+  const auto all = std::get<MixTexture>(texture(*metal.reflectance));
+  const auto both = std::get<MixTexture>(texture(all.first));
+  const auto half = std::get<ImageTexture>(texture(both.first));
+  EXPECT_EQ(half.factor, 0.5);
+  EXPECT_TRUE(half.is_inverted);
+  EXPECT_EQ(std::get<ImageTexture>(texture(both.second)).factor, 0.3);
+  EXPECT_TRUE(std::holds_alternative<ProductTexture>(texture(all.second)));
+  const auto is_half_of_a_number = [](const Texture& made) {
+    const auto* image = std::get_if<ImageTexture>(&made.kind);
+    return image && image->is_scalar && image->factor == 0.5;
+  };
+  EXPECT_EQ(std::ranges::count_if(scene.textures, is_half_of_a_number), 1);
+}
+
 TEST(Unit_PbrtTextures, ByPlaceAndByNormal) {
   const auto scene = pbrt_world(R"(
     AttributeBegin
     Translate 5 0 0
     Scale 2 2 2
     Texture "flat" "spectrum" "checkerboard" "string mapping" "planar" "vector3 v1" [ 0 0 3 ]
-      "float udelta" .5 "float uscale" 9
+      "float udelta" .5
     Texture "round" "spectrum" "imagemap" "string filename" "picture.png"
       "string mapping" "spherical"
     Texture "cubes" "spectrum" "checkerboard" "integer dimension" 3
@@ -99,6 +136,22 @@ TEST(Errors_PbrtTextures, Mappings) {
       pbrt_world_error("Texture \"t\" \"spectrum\" \"directionmix\" \"vector3 dir\" [ 0 0 0 ] "
                        "Material \"diffuse\" \"texture reflectance\" \"t\""),
       "2:24: \"dir\" is [0, 0, 0], expected a direction");
+}
+
+// Each mapping has its own.
+TEST(Errors_PbrtTextures, ParametersOfOtherMappings) {
+  const auto warning = [](const std::string& parameters) {
+    return pbrt_world_warning("Texture \"t\" \"spectrum\" \"checkerboard\" " + parameters +
+                              " Material \"diffuse\" \"texture reflectance\" \"t\" Shape \"disk\"");
+  };
+  const auto expect_told = [&](const std::string& parameters, const std::string& name) {
+    EXPECT_NE(warning(parameters).find("'" + name + "' is not a parameter of"), std::string::npos)
+        << warning(parameters);
+  };
+  expect_told("\"string mapping\" \"planar\" \"float uscale\" 9", "uscale");
+  expect_told("\"string mapping\" \"spherical\" \"float udelta\" 9", "udelta");
+  expect_told("\"vector3 v1\" [1 0 0]", "v1");
+  expect_told("\"integer dimension\" 3 \"float uscale\" 9", "uscale");
 }
 
 TEST(Errors_PbrtTextures, NamesThatAreNotThere) {

@@ -75,6 +75,20 @@ TEST(Unit_WriteTextures, OfEveryKind) {
   EXPECT_EQ(std::get<MixTexture>(back[6].kind).first.texture.index, 4u);
 }
 
+// A number would scale what the image holds and not what comes of it.
+TEST(Unit_WriteTextures, ProductsOfImagesStayProducts) {
+  SceneDescription scene = test::small_room();
+  scene.images = {{"a.png", Encoding::Srgb, Wrap::Clamp, {}}};
+  scene.textures = {{"n", {}, ImageTexture{ImageHandle(0), {}, 1, true}},
+                    {"p", {}, ProductTexture{}}};
+  const ColourInput image{Vec3d(1.0), {}, TextureHandle(0)};
+  scene.textures[1].kind = ProductTexture{image, {Vec3d(0.5), {}, {}}};
+  scene.materials[0].model = DiffuseMaterial{{Vec3d(1.0), {}, TextureHandle(1)}};
+  const SceneDescription back = test::round_trip(scene).scene;
+  ASSERT_EQ(back.textures.size(), 2u);
+  EXPECT_EQ(std::get<ProductTexture>(back.textures[1].kind).second.factor, Vec3d(0.5));
+}
+
 // Places are found again whatever the space, and roots that pbrt does not have.
 TEST(Unit_WriteTextures, ByPlaceAndByNormal) {
   SceneDescription scene = test::small_room();
