@@ -30,6 +30,13 @@ template <class Real>
           extinction_of_reflectance(reflectance.z)};
 }
 
+// The same of any eta; 0 where eta alone reflects more.
+template <class Real>
+[[nodiscard]] Real extinction_of_reflectance(Real eta, Real reflectance) {
+  const Real k2 = (eta + 1) * (eta + 1) * reflectance - (eta - 1) * (eta - 1);
+  return std::sqrt(std::max(k2, Real{0}) / (1 - reflectance));
+}
+
 // The GGX width with the highlight of Blinn-Phong's exponent [Walter07, section 5.2]; of those
 // below 0 as of 0.
 template <class Real>

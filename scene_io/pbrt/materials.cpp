@@ -117,6 +117,24 @@ Widths read_widths(MaterialReader& reader, std::string_view prefix) {
   return widths;
 }
 
+namespace {
+
+// Of a metal by two lists of samples and nothing else.
+std::optional<std::array<Vec3d, 2>> read_metal_spectra(MaterialReader& reader,
+                                                       std::string_view prefix) {
+  Arguments& arguments = reader.arguments;
+  const Parameter* eta = arguments.find(fmt::format("{}eta", prefix));
+  const Parameter* k = arguments.find(fmt::format("{}k", prefix));
+  const auto is_sampled = [](const Parameter* parameter) {
+    return parameter && parameter->type == ParameterType::Spectrum && !names_a_spectrum(*parameter);
+  };
+  if (!is_sampled(eta) || !is_sampled(k) || arguments.has("reflectance")) return std::nullopt;
+  return metal_of_spectra(*eta, *k, reader.context.scene, arguments.report())
+      .value_or(*metal_named("metal-Cu-eta"));
+}
+
+}  // namespace
+
 // By a reflectance r: n = 1 and k = 2 sqrt(r) / sqrt(1 - r), as pbrt has it.
 std::array<Vec3d, 2> read_metal(MaterialReader& reader, std::string_view prefix) {
   const auto colour = [&](std::string_view name) -> std::optional<ColourInput> {
@@ -131,6 +149,7 @@ std::array<Vec3d, 2> read_metal(MaterialReader& reader, std::string_view prefix)
                              "used");
     return otherwise;
   };
+  if (const auto metal = read_metal_spectra(reader, prefix)) return *metal;
   const auto eta = colour("eta");
   const auto k = colour("k");
   const auto reflectance = reader.textures.colour(reader.arguments, "reflectance");

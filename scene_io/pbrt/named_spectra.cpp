@@ -3,16 +3,17 @@
 namespace candela::pbrt {
 namespace {
 
-// Measured spectra of n and k (gold, silver, copper [Johnson72]), averaged with the CIE's colour
-// matching functions, in linear Rec.709 with a constant spectrum as (1, 1, 1).
+// Measured spectra of n and k (gold, silver, copper [Johnson72]) as metal_of_spectra() has them;
+// those of brass averaged with the CIE's colour matching functions, in linear Rec.709 with a
+// constant spectrum as (1, 1, 1).
 const NamedMetal metals[] = {
-    {"metal-Ag-eta", "metal-Ag-k", {0.1289, 0.1231, 0.1523}, {4.0076, 3.2925, 2.3623}},
-    {"metal-Al-eta", "metal-Al-k", {1.3757, 0.9284, 0.5735}, {7.656, 6.6113, 5.3222}},
-    {"metal-Au-eta", "metal-Au-k", {0.1188, 0.3954, 1.5872}, {3.3061, 2.5158, 1.764}},
-    {"metal-Cu-eta", "metal-Cu-k", {0.1664, 0.9744, 1.2128}, {3.2478, 2.5866, 2.3571}},
+    {"metal-Ag-eta", "metal-Ag-k", {0.1285, 0.1236, 0.1509}, {4.0947, 3.3263, 2.4079}},
+    {"metal-Al-eta", "metal-Al-k", {1.4073, 0.9266, 0.5841}, {7.6838, 6.5958, 5.3309}},
+    {"metal-Au-eta", "metal-Au-k", {0.0795, 0.4066, 1.5595}, {56.3923, 2.3388, 1.7195}},
+    {"metal-Cu-eta", "metal-Cu-k", {0.1071, 0.9772, 1.2047}, {2.861, 2.6244, 2.3604}},
     {"metal-CuZn-eta", "metal-CuZn-k", {0.4314, 0.5151, 1.1465}, {3.5945, 2.687, 1.7516}},
-    {"metal-MgO-eta", "metal-MgO-k", {1.7344, 1.7407, 1.7548}, {0.0, 0.0, 0.0}},
-    {"metal-TiO2-eta", "metal-TiO2-k", {2.8691, 2.9545, 3.1965}, {0.0001, 0.0, 0.0007}},
+    {"metal-MgO-eta", "metal-MgO-k", {1.7337, 1.741, 1.7535}, {0.0, 0.0, 0.0}},
+    {"metal-TiO2-eta", "metal-TiO2-k", {2.8603, 2.9567, 3.1854}, {0.0047, 0.0333, 0.0217}},
 };
 
 // [Schott] n_d.

@@ -7,6 +7,7 @@
 
 #include "renderer/math/cie.h"
 #include "renderer/math/colour.h"
+#include "renderer/math/reflectance.h"
 #include "renderer/math/white_balance.h"
 #include "scene_io/pbrt/named_spectra.h"
 #include "scene_io/pbrt/source_files.h"
@@ -57,8 +58,7 @@ std::optional<SampledSpectrum> spectrum_of_file(const Parameter& parameter,
                                                 description::SceneDescription& scene,
                                                 const Report& report) {
   const std::string& name = parameter.strings[0];
-  const std::vector<std::string_view> names = spectrum_names();
-  if (std::find(names.begin(), names.end(), name) != names.end()) {
+  if (names_a_spectrum(parameter)) {
     error(parameter, report,
           fmt::format("is {}, which is a spectrum of another kind: illuminants are for lights, "
                       "metals and glasses for what reflects",
@@ -70,7 +70,7 @@ std::optional<SampledSpectrum> spectrum_of_file(const Parameter& parameter,
   if (!bytes) {
     error(parameter, report,
           fmt::format("{} is no named spectrum, and as a file it {}{}", text::quoted(path),
-                      bytes.diagnostics.list()[0].message, did_you_mean(name, names)));
+                      bytes.diagnostics.list()[0].message, did_you_mean(name, spectrum_names())));
     return std::nullopt;
   }
   scene.files.push_back(path);
@@ -120,7 +120,12 @@ std::optional<Vec3d> triple(const Parameter& parameter, const Report& report) {
   return std::nullopt;
 }
 
-std::optional<Vec3d> black_body_colour(const Parameter& parameter, const Report& report) {
+// A temperature and, as pbrt-v3 has it, a scale.
+struct BlackBody {
+  double kelvin = 0;
+  double scale = 1;
+};
+std::optional<BlackBody> read_black_body(const Parameter& parameter, const Report& report) {
   constexpr std::string_view expected = "expected a temperature in kelvins, above 0";
   const std::size_t count = parameter.numbers.size();
   if (count == 0 || count > 2) {
@@ -131,9 +136,24 @@ std::optional<Vec3d> black_body_colour(const Parameter& parameter, const Report&
     error(parameter, report, fmt::format("is {}, {}", parameter.numbers[0], expected));
     return std::nullopt;
   }
-  const double kelvin = std::clamp(parameter.numbers[0], coolest_kelvins, hottest_kelvins);
-  const double scale = count == 2 ? std::max(parameter.numbers[1], 0.0) : 1.0;
-  return scale * colour_of_light([&](double nm) { return black_body(nm, kelvin); });
+  return BlackBody{std::clamp(parameter.numbers[0], coolest_kelvins, hottest_kelvins),
+                   count == 2 ? std::max(parameter.numbers[1], 0.0) : 1.0};
+}
+
+std::optional<Vec3d> black_body_light(const Parameter& parameter, const Report& report) {
+  const auto body = read_black_body(parameter, report);
+  if (!body) return std::nullopt;
+  return body->scale * colour_of_light([&](double nm) { return black_body(nm, body->kelvin); });
+}
+
+// As what reflects: of its largest value, at Wien's wavelength [Planck01].
+std::optional<Vec3d> black_body_factor(const Parameter& parameter, const Report& report) {
+  constexpr double wien = 2.897771955e6;  // nanometre kelvins
+  const auto body = read_black_body(parameter, report);
+  if (!body) return std::nullopt;
+  const double largest = black_body(wien / body->kelvin, body->kelvin);
+  return body->scale *
+         colour_of_factor([&](double nm) { return black_body(nm, body->kelvin) / largest; });
 }
 
 std::optional<Vec3d> spectrum_light(const Parameter& parameter,
@@ -173,6 +193,12 @@ std::optional<Vec3d> spectrum_factor(const Parameter& parameter,
 
 }  // namespace
 
+bool names_a_spectrum(const Parameter& parameter) {
+  if (!is_one_name(parameter)) return false;
+  const std::vector<std::string_view> names = spectrum_names();
+  return std::ranges::find(names, parameter.strings[0]) != names.end();
+}
+
 std::optional<Vec3d> light_colour(Arguments& arguments, std::string_view name,
                                   description::SceneDescription& scene) {
   const Parameter* parameter = arguments.find(
@@ -180,7 +206,7 @@ std::optional<Vec3d> light_colour(Arguments& arguments, std::string_view name,
       {ParameterType::Rgb, ParameterType::Xyz, ParameterType::Blackbody, ParameterType::Spectrum});
   if (!parameter) return std::nullopt;
   const Report& report = arguments.report();
-  if (parameter->type == ParameterType::Blackbody) return black_body_colour(*parameter, report);
+  if (parameter->type == ParameterType::Blackbody) return black_body_light(*parameter, report);
   if (parameter->type == ParameterType::Spectrum) return spectrum_light(*parameter, scene, report);
   return triple(*parameter, report);
 }
@@ -188,7 +214,7 @@ std::optional<Vec3d> light_colour(Arguments& arguments, std::string_view name,
 std::optional<Vec3d> factor_colour(const Parameter& parameter, description::SceneDescription& scene,
                                    const Report& report) {
   if (parameter.type == ParameterType::Spectrum) return spectrum_factor(parameter, scene, report);
-  if (parameter.type == ParameterType::Blackbody) return black_body_colour(parameter, report);
+  if (parameter.type == ParameterType::Blackbody) return black_body_factor(parameter, report);
   if (parameter.type == ParameterType::Float || parameter.type == ParameterType::Integer) {
     if (parameter.numbers.size() == 1 && parameter.numbers[0] >= 0)
       return Vec3d(parameter.numbers[0]);
@@ -216,6 +242,23 @@ std::optional<double> mean_value(const Parameter& parameter, description::SceneD
   const auto spectrum = sampled(parameter, scene, report);
   if (!spectrum) return std::nullopt;
   return luminous_mean(*spectrum);
+}
+
+std::optional<std::array<Vec3d, 2>> metal_of_spectra(const Parameter& eta, const Parameter& k,
+                                                     description::SceneDescription& scene,
+                                                     const Report& report) {
+  const auto n = sampled(eta, scene, report);
+  const auto extinction = sampled(k, scene, report);
+  if (!n || !extinction) return std::nullopt;
+  const Vec3d mean = colour_of_factor(*n);
+  const Vec3d reflectance = colour_of_factor([&](double wavelength) {
+    return normal_reflectance((*n)(wavelength), (*extinction)(wavelength));
+  });
+  Vec3d result;
+  for (int c = 0; c < 3; ++c)
+    result[c] =
+        extinction_of_reflectance(mean[c], std::min(reflectance[c], largest_metal_reflectance));
+  return std::array<Vec3d, 2>{mean, result};
 }
 
 std::optional<std::array<Vec3d, 2>> metal_named(std::string_view spectrum) {

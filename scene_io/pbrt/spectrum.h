@@ -11,6 +11,9 @@
 
 namespace candela::pbrt {
 
+// Whether it is the name of a spectrum that candela knows, of whatever kind.
+[[nodiscard]] bool names_a_spectrum(const Parameter& parameter);
+
 // For light: rgb as it is; all other spectra scaled to luminance 1, as pbrt does
 // (docs/pbrt.md, Lights). Nothing where it is absent or, after an error, no colour.
 [[nodiscard]] std::optional<Vec3d> light_colour(Arguments& arguments, std::string_view name,
@@ -25,6 +28,14 @@ namespace candela::pbrt {
 [[nodiscard]] std::optional<double> mean_value(const Parameter& parameter,
                                                description::SceneDescription& scene,
                                                const Report& report);
+
+// eta and k of a metal whose spectra are given, a channel each: eta as factor_colour() has it, and
+// k so that white light that falls straight on it has the colour that it has by the reflectance of
+// each wavelength, of each channel at most largest_metal_reflectance. Nothing where
+// one of them is no list of samples, and after an error.
+[[nodiscard]] std::optional<std::array<Vec3d, 2>> metal_of_spectra(
+    const Parameter& eta, const Parameter& k, description::SceneDescription& scene,
+    const Report& report);
 
 // eta and k of a metal by name, e.g. for "metal-Au-eta" and "metal-Au-k" alike.
 [[nodiscard]] std::optional<std::array<Vec3d, 2>> metal_named(std::string_view spectrum);

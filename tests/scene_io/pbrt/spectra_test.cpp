@@ -2,6 +2,7 @@
 
 #include "renderer/math/cie.h"
 #include "renderer/math/colour.h"
+#include "renderer/math/reflectance.h"
 #include "tests/scene_io/pbrt/pbrt_text.h"
 
 namespace candela {
@@ -70,11 +71,36 @@ TEST(Unit_PbrtSpectra, MetalsByName) {
       "Shape "
       "\"disk\"");
   const auto& gold = std::get<description::ConductorMaterial>(scene.materials.at(0).model);
-  // At normal incidence, within what tables of gold differ in.
-  const Vec3d below = gold.eta - 1.0;
-  const Vec3d above = gold.eta + 1.0;
-  expect_near((below * below + gold.k * gold.k) / (above * above + gold.k * gold.k),
-              {0.97, 0.79, 0.35}, 0.03);
+  // The colour of pbrt's tables' reflectance by wavelength, whose red of 1.022 no surface has.
+  expect_near(normal_reflectance(gold.eta, gold.k), {largest_metal_reflectance, 0.7816, 0.3439},
+              2e-4);
+}
+
+// White light has the colour after it that it has by the reflectance of each wavelength.
+TEST(Unit_PbrtSpectra, MetalsBySamples) {
+  const auto scene = pbrt_world(
+      "Material \"conductor\" \"spectrum eta\" [ 360 1.6 480 1.2 560 .6 830 .9 ] "
+      "\"spectrum k\" [ 360 1.9 480 1.8 600 2.9 830 5 ] Shape \"disk\"");
+  const auto& metal = std::get<description::ConductorMaterial>(scene.materials.at(0).model);
+  const SampledSpectrum eta{{360, 480, 560, 830}, {1.6, 1.2, 0.6, 0.9}};
+  const SampledSpectrum k{{360, 480, 600, 830}, {1.9, 1.8, 2.9, 5}};
+  const Vec3d colour = colour_of_factor(
+      [&](double wavelength) { return normal_reflectance(eta(wavelength), k(wavelength)); });
+  EXPECT_LT(max_component(colour), 1);
+  expect_near(normal_reflectance(metal.eta, metal.k), colour, 1e-9);
+  expect_near(metal.eta, colour_of_factor(eta), 1e-9);
+}
+
+TEST(Errors_PbrtSpectra, MetalsAreToldOfOnce) {
+  EXPECT_EQ(test::pbrt_world_message("Material \"conductor\" \"spectrum eta\" [ 400 1 300 1 ] "
+                                     "\"spectrum k\" [ 400 1 700 1 ] Shape \"disk\""),
+            "2:22: 'eta' has the wavelength 300 in place 2: expected rising ones");
+}
+
+// pbrt's BlackbodySpectrum is 1 at its largest, and only lights scale it further.
+TEST(Unit_PbrtSpectra, BlackBodiesThatReflect) {
+  expect_near(reflectance_of("\"blackbody reflectance\" 3000"), {0.630, 0.369, 0.132}, 2e-3);
+  expect_near(reflectance_of("\"blackbody reflectance\" 6500"), {0.756, 0.919, 1.0}, 2e-3);
 }
 
 TEST(Unit_PbrtSpectra, LightThatNobodySeesIsBlack) {
