@@ -32,11 +32,14 @@ void warn_of_blind_cameras(const SceneDescription& scene, Diagnostics& diagnosti
   if (box.is_empty()) return;
   for (const Camera& camera : scene.cameras) {
     if (camera.kind == CameraKind::LatLong || camera.kind == CameraKind::EqualArea) continue;
-    const Vec3d look = camera.target - camera.eye;
+    const Vec3d sight = camera.target - camera.eye;
+    const Vec3d look = sight / max_component(glm::abs(sight));  // of which no product vanishes
     Vec3d farthest;  // the box's corner that lies most in the direction of sight
     for (int axis = 0; axis < 3; ++axis)
       farthest[axis] = look[axis] > 0 ? box.upper[axis] : box.lower[axis];
-    if (dot(farthest - camera.eye, look) <= 0)
+    const Vec3d towards = farthest - camera.eye;
+    const double size = max_component(glm::abs(towards));
+    if (!(size > 0) || dot(towards / size, look) <= 0)
       diagnostics.warning(camera.span, "all of the scene lies behind this camera");
   }
 }

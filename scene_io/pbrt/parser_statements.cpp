@@ -171,6 +171,10 @@ void Parser::light_source() {
 void Parser::area_light_source() {
   auto statement = read_statement(AttributeTarget::Light);
   if (!statement) return;
+  if (statement->type.empty()) {  // as pbrt: shapes shine no longer
+    state_.area_light = none;
+    return;
+  }
   state_.area_light = program_.area_lights.size();
   program_.area_lights.push_back(std::move(*statement));
 }

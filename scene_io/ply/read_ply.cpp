@@ -14,44 +14,13 @@
 #include "scene_io/mesh/triangulate.h"
 #include "scene_io/ply/header.h"
 #include "scene_io/ply/values.h"
+#include "scene_io/ply/vertex_slots.h"
 #include "scene_io/text/file.h"
 
 namespace candela::ply {
 namespace {
 
 using description::Mesh;
-
-// What a property of a vertex is, for us.
-enum Slot : std::size_t { X, Y, Z, NormalX, NormalY, NormalZ, U, V, SlotCount };
-constexpr std::size_t unused = SlotCount;
-
-constexpr std::array<std::pair<std::string_view, Slot>, 6> slot_names{
-    {{"x", X}, {"y", Y}, {"z", Z}, {"nx", NormalX}, {"ny", NormalY}, {"nz", NormalZ}}};
-
-// What texture coordinates may be called; the first that there is counts, as in pbrt.
-struct UvNames {
-  std::string_view u, v;
-};
-constexpr UvNames uv_names[] = {
-    {"u", "v"}, {"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}};
-
-UvNames uv_names_of(const Element& element) {
-  const auto has = [&](std::string_view name) {
-    return std::any_of(element.properties.begin(), element.properties.end(),
-                       [&](const Property& p) { return !p.count_type && p.name == name; });
-  };
-  for (const UvNames& names : uv_names)
-    if (has(names.u) && has(names.v)) return names;
-  return {};
-}
-
-std::size_t slot_of(const Property& property, const UvNames& uv) {
-  if (property.count_type) return unused;
-  for (const auto& [name, slot] : slot_names)
-    if (name == property.name) return slot;
-  if (property.name == uv.u) return U;
-  return property.name == uv.v ? std::size_t{V} : unused;
-}
 
 bool is_index_list(const Property& property) {
   return property.count_type &&
@@ -172,8 +141,15 @@ class BodyReader {
   bool skip(const Property& property) {
     if (!property.count_type) return values_.skip(property.type, 1);
     const std::optional<double> count = values_.next(*property.count_type);
-    return count && *count >= 0.0 && *count <= static_cast<double>(values_.bytes_left()) &&
+    if (!count) return false;
+    if (!is_count(*count))
+      return say(fmt::format("a list of {} values, expected a number of them", *count));
+    return *count <= static_cast<double>(values_.bytes_left()) &&
            values_.skip(property.type, static_cast<std::uint64_t>(*count));
+  }
+
+  static bool is_count(double number) {
+    return std::isgreaterequal(number, 0.0) && number == std::floor(number);
   }
 
   bool say(std::string message) {
@@ -251,7 +227,10 @@ class BodyReader {
     if (!count) return false;
     const std::uint64_t least = Values::least_bytes(property.type);
     const auto most = static_cast<double>(values_.bytes_left() / least);
-    if (!(std::isgreaterequal(*count, 0.0) && std::islessequal(*count, most))) {
+    if (!is_count(*count))
+      return say(fmt::format("{} announces {} corners, expected a number of them",
+                             nth(element, index), *count));
+    if (*count > most) {
       return say(fmt::format("{} announces {} corners, more than the file has bytes for",
                              nth(element, index), *count));
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 
 #include <fmt/format.h>
 
@@ -15,18 +16,15 @@ class Inflater {
  public:
   explicit Inflater(std::string_view bytes) {
     constexpr int gzip_only = 16;
-    is_ready_ = inflateInit2(&stream_, MAX_WBITS + gzip_only) == Z_OK;
+    if (inflateInit2(&stream_, MAX_WBITS + gzip_only) != Z_OK) throw std::bad_alloc();
     // zlib does not write through next_in; its type only predates const.
     stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
     left_ = bytes.size();
   }
-  ~Inflater() {
-    if (is_ready_) inflateEnd(&stream_);
-  }
+  ~Inflater() { inflateEnd(&stream_); }
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
 
-  [[nodiscard]] bool is_ready() const { return is_ready_; }
   [[nodiscard]] bool is_at_end() const { return left_ == 0; }
   [[nodiscard]] std::size_t bytes_left() const { return left_; }
   // Fills as much of [out, out + size) as it can; adds to `filled`. zlib counts in 32 bits.
@@ -43,11 +41,14 @@ class Inflater {
     return status;
   }
   void restart() { inflateReset(&stream_); }
+  // Whether only zeros follow, which tapes and disks pad files with.
+  [[nodiscard]] bool is_padding_left() const {
+    return std::all_of(stream_.next_in, stream_.next_in + left_, [](Bytef b) { return b == 0; });
+  }
 
  private:
   z_stream stream_{};
   std::size_t left_ = 0;
-  bool is_ready_ = false;
 };
 
 }  // namespace
@@ -59,7 +60,6 @@ Result<std::string> inflate_gzip(std::string_view bytes, const std::string& name
                     std::max(limits.small_bytes, compressed * limits.inflation));
   };
   Inflater inflater(bytes);
-  if (!inflater.is_ready()) return file_error(name, "cannot be inflated: out of memory");
   std::string out;
   std::size_t filled = 0;
   while (true) {
@@ -75,7 +75,8 @@ Result<std::string> inflate_gzip(std::string_view bytes, const std::string& name
     const std::uint64_t most = allowed(bytes.size() - inflater.bytes_left());
     if (filled > most)
       return file_error(name, fmt::format("inflates to more than {} bytes; no more is read", most));
-    if (status == Z_STREAM_END && inflater.is_at_end()) break;
+    if (status == Z_MEM_ERROR) throw std::bad_alloc();
+    if (status == Z_STREAM_END && inflater.is_padding_left()) break;
     if (status == Z_STREAM_END) {
       inflater.restart();  // files may be put behind one another
     } else if (status != Z_OK || (filled == before && inflater.is_at_end())) {

@@ -364,6 +364,20 @@ TEST(Unit_Lint, FindsWhatIsProbablyNotMeant) {
   EXPECT_EQ(warnings[2], "all of the scene lies behind this camera");
 }
 
+// Whatever its unit.
+TEST(Unit_Lint, CamerasSeeScenesOfAnySize) {
+  for (const double size : {1e-300, 1e-160, 1e150, 1e300}) {
+    description::SceneDescription scene;
+    test::add_mesh(scene, test::quad({-size, -size, 0}, {2 * size, 0, 0}, {0, 2 * size, 0}),
+                   test::add_material(scene, description::DiffuseMaterial{}));
+    description::Camera camera;
+    camera.eye = {0, 0, 4 * size};
+    camera.target = {0, 0, 0};
+    scene.cameras.push_back(camera);
+    EXPECT_TRUE(messages(lint(scene), Severity::Warning).empty()) << size;
+  }
+}
+
 TEST(Unit_Lint, LeavesUnusedMaterialsOfLibrariesAlone) {
   description::SceneDescription scene = test::small_room();
   scene.path = "room.yaml";

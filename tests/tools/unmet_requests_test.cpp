@@ -87,6 +87,23 @@ TEST(Unit_UnmetRequests, WhatPathsInMediaDoNot) {
   EXPECT_EQ(warnings_of({media, "--size", "8x8", "--spp", "4"}), Sentences{});
 }
 
+TEST(Unit_UnmetRequests, WhatNoMaterialSkyOrOutputHas) {
+  const std::string lights = assets + "/pbrt_lights/pbrt_lights.pbrt";
+  const auto with = [](const std::string& scene, std::vector<std::string> words) {
+    words.insert(words.begin(), {scene, "--size", "8x8", "--spp", "4"});
+    return warnings_of(words);
+  };
+  EXPECT_EQ(with(lights, {"--fresnel", "schlick"}),
+            Sentences{"--fresnel: no material that is seen is cook_torrance"});
+  EXPECT_EQ(with(lights, {"--geometry", "smith"}),
+            Sentences{"--geometry: no material that is seen is cook_torrance"});
+  EXPECT_EQ(with(lights, {"--sky-samples", "on"}), Sentences{});
+  EXPECT_EQ(with(cornell_box, {"--sky-samples", "on"}),
+            Sentences{"--sky-samples on: there is no sky of one colour"});
+  EXPECT_EQ(with(cornell_box, {"--exposure", "1"}),
+            Sentences{"--exposure: no output is for screens; expected PNG or JPEG"});
+}
+
 TEST(Unit_UnmetRequests, PathsThatNothingShares) {
   EXPECT_EQ(
       warnings_of(

@@ -72,6 +72,11 @@ bool lacks_alpha(const std::string& path) {
   return format == ImageFormat::Jpeg || format == ImageFormat::Hdr;
 }
 
+bool is_for_display(const std::string& path) {
+  const auto format = format_of_extension(path);
+  return format == ImageFormat::Png || format == ImageFormat::Jpeg;
+}
+
 std::uint64_t triangle_count(const Scene& scene) {
   std::uint64_t count = 0;
   for (const Geometry& geometry : scene.geometries) count += geometry.triangles.size();
@@ -181,6 +186,10 @@ std::vector<std::string> RenderRun::warnings_of_options() const {
     warnings.push_back("--aov: only an EXR output can hold further layers, and none is asked for");
   if (arguments_.is_transparent && std::all_of(paths.begin(), paths.end(), lacks_alpha))
     warnings.push_back("--transparent: no output can hold alpha; expected EXR, PNG or TIFF");
+  const bool is_for_screens = arguments_.exposure || arguments_.tone_map != ToneMap::Srgb;
+  if (is_for_screens && std::none_of(paths.begin(), paths.end(), is_for_display))
+    warnings.push_back(fmt::format("{}: no output is for screens; expected PNG or JPEG",
+                                   arguments_.exposure ? "--exposure" : "--tonemap"));
   for (const std::string& bias : biases_of(options()))
     if (bias.starts_with("clamp"))
       warnings.push_back(bias + ": the picture is biased, it lacks light");

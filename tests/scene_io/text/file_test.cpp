@@ -45,6 +45,13 @@ TEST(Unit_TextFile, InflatesGzipOfSeveralMembers) {
   EXPECT_EQ(*read_file(folder.put("empty.gz", gzip(""))), "");
 }
 
+// As gzip itself takes them.
+TEST(Unit_TextFile, GzipMayBePaddedWithZeros) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(*read_file(folder.put("a.gz", gzip("text") + std::string(700, '\0'))), "text");
+  EXPECT_FALSE(read_file(folder.put("b.gz", gzip("text") + std::string(700, '\0') + "x")));
+}
+
 // What inflates far more than scenes do is refused before it fills the memory.
 TEST(Errors_TextFile, GzipThatInflatesTooOften) {
   const TemporaryFolder folder;
