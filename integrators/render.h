@@ -39,7 +39,7 @@ struct RenderResult {
 // Whether there is any light; for whitted and raster of the kinds that they know.
 [[nodiscard]] bool has_light(const Scene& scene, const RenderOptions& options);
 
-// The name of the kernel that render() would run with Embree.
+// The name of the kernel that render() would run with Embree, unless it guides paths.
 [[nodiscard]] std::string kernel_name(const Scene& scene, const RenderOptions& options);
 
 }  // namespace candela

@@ -55,7 +55,7 @@ Vec3d run_block(TilePass pass, const TrialBlock& place, const RenderOptions& opt
 inline constexpr std::size_t noisy_tiles = 16;
 inline constexpr std::size_t noisy_pixels = 32;
 
-// Of all tiles but those.
+// Of all tiles but the noisiest of them.
 [[nodiscard]] double trimmed_sum(std::vector<double> noise);
 
 // `pixels`: each has a mean(). 0: there are none.

@@ -65,12 +65,13 @@ struct BsdfSample {
   bool is_delta = false;
 };
 
-// Which models a scene has: kernels specialised on a set leave the others out of their switches.
+// Which models there may be: code that is given a set leaves the others out of its switches.
 using ModelSet = std::uint32_t;
 constexpr ModelSet model_bit(BsdfModel model) {
   return 1u << static_cast<unsigned>(model);
 }
-inline constexpr ModelSet all_models = 0x1fff;
+inline constexpr ModelSet all_models =
+    2 * model_bit(BsdfModel::AnisotropicDielectric) - 1;  // the last
 
 // The functions over these: is_only_delta, evaluate_bsdf and sample_bsdf in
 // renderer/bsdf/dispatch.h, albedo_estimate in albedo.h.

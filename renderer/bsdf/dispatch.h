@@ -1,7 +1,7 @@
 // One switch over the models for each question that integrators ask of a BSDF.
-// Kernels pass the set of models their scene has: the others leave no code behind. A model outside
-// of the set would be black, or taken for the set's only one; bsdf_at() never makes one
-// (material/bsdf_at.h: bsdf_models).
+// Who knows which models there may be passes their set (loops over lanes of one model do): the
+// others leave no code behind. A model outside of the set would be black, or taken for the set's
+// only one; bsdf_at() never makes one (material/bsdf_at.h: bsdf_models).
 #pragma once
 
 #include <bit>

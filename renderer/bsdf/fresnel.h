@@ -1,5 +1,6 @@
 // Fresnel reflectances of unpolarised light: Schlick's approximation, exact for dielectrics, exact
-// for conductors. All results lie in [0, 1] and are never NaN, whatever the arguments.
+// for conductors. All results lie in [0, 1] and are never NaN, whatever the angles and indices;
+// Schlick's as far as its f0 does.
 #pragma once
 
 #include "renderer/math/vec.h"

@@ -18,10 +18,7 @@ Bounds3d bounds_of(const Mesh& mesh) {
 // The corners' bounds: at most a little wider than those of the vertices.
 Bounds3d transformed(const Bounds3d& box, const Transform& transform) {
   Bounds3d bounds;
-  for (int corner = 0; corner < 8; ++corner)
-    bounds.include(transform.point({(corner & 1) != 0 ? box.upper.x : box.lower.x,
-                                    (corner & 2) != 0 ? box.upper.y : box.lower.y,
-                                    (corner & 4) != 0 ? box.upper.z : box.lower.z}));
+  for (int corner = 0; corner < 8; ++corner) bounds.include(transform.point(box.corner(corner)));
   return bounds;
 }
 

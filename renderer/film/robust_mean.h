@@ -19,7 +19,7 @@ struct RobustMean {
   Vec3d rare{0.0};      // the pixel's mean less `mean`: 0 on average where noise is normal
 };
 
-// Of the i-th pixel, from three or four replicates (more are put together four by four): the mean
+// Of the i-th pixel, from three or four replicates (more are put together to four groups): the mean
 // without the brightest of them, and as much more as would be missing on average were all of them
 // normal. With two replicates no light is known to be rare.
 [[nodiscard]] RobustMean robust_mean(const Film& film, std::size_t i);

@@ -50,10 +50,7 @@ struct WorldToObject {
 // The box of an instance: of its object's corners, moved.
 [[nodiscard]] inline Bounds3f bounds_of(const Instance& instance, const Bounds3f& object) {
   Bounds3f box;
-  for (int corner = 0; corner < 8; ++corner)
-    box.include(instance.point({(corner & 1 ? object.upper : object.lower).x,
-                                (corner & 2 ? object.upper : object.lower).y,
-                                (corner & 4 ? object.upper : object.lower).z}));
+  for (int corner = 0; corner < 8; ++corner) box.include(instance.point(object.corner(corner)));
   return box;
 }
 

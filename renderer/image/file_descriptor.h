@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 namespace candela {
@@ -32,7 +33,7 @@ class FileDescriptor {
 
 // 0 or the errno of the first write that failed. A short write is tried again: the next call tells
 // why.
-[[nodiscard]] inline int write_all(int descriptor, const std::string& bytes) {
+[[nodiscard]] inline int write_all(int descriptor, std::string_view bytes) {
   std::size_t count = 0;
   while (count < bytes.size()) {
     const ssize_t put = ::write(descriptor, bytes.data() + count, bytes.size() - count);

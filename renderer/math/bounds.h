@@ -23,6 +23,11 @@ struct Bounds {
     lower = glm::min(lower, other.lower);
     upper = glm::max(upper, other.upper);
   }
+  // One of the eight, by its bits: 1 for the upper x, 2 for y, 4 for z.
+  [[nodiscard]] V corner(int bits) const {
+    return {(bits & 1) != 0 ? upper.x : lower.x, (bits & 2) != 0 ? upper.y : lower.y,
+            (bits & 4) != 0 ? upper.z : lower.z};
+  }
   [[nodiscard]] V centre() const { return lower * Number(0.5) + upper * Number(0.5); }
   [[nodiscard]] V extent() const { return upper - lower; }
   // 0 for an empty box.

@@ -16,7 +16,7 @@
 namespace candela {
 
 // Splits `total` whole steps among weights in proportion as near as rounding allows; positive
-// weights get at least 1, others (also NaN) 0. Infinite weights share everything. All 0 where no
+// weights get at least 1, others (also NaN) 0. Infinite weights share all but that. All 0 where no
 // weight is positive. There must be at most total / 2 weights.
 [[nodiscard]] std::vector<std::uint64_t> proportional_steps(std::span<const double> weights,
                                                             std::uint64_t total);

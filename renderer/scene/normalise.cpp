@@ -17,11 +17,10 @@ constexpr std::size_t most_points_an_instance = 4096;
 // The box of a placed sphere, by its corners.
 void append_corners(const description::Sphere& sphere, const Transform& object_to_world,
                     std::vector<Vec3d>& points) {
-  const double half = sphere.radius * similarity_scale(object_to_world);
+  const Vec3d half(sphere.radius * similarity_scale(object_to_world));
+  const Bounds3d box{-half, half};
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3d p = object_to_world.translation + Vec3d((corner & 1) != 0 ? half : -half,
-                                                        (corner & 2) != 0 ? half : -half,
-                                                        (corner & 4) != 0 ? half : -half);
+    const Vec3d p = object_to_world.translation + box.corner(corner);
     if (is_finite(p)) points.push_back(p);
   }
 }
@@ -79,9 +78,7 @@ bool is_well_within(const Bounds3d& bounds, const Bounds3d& box, const Transform
   const Vec3d margin = 1e-12 * bounds.extent();
   const Vec3d lower = bounds.lower + margin, upper = bounds.upper - margin;
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3d p = object_to_world.point({(corner & 1) != 0 ? box.upper.x : box.lower.x,
-                                           (corner & 2) != 0 ? box.upper.y : box.lower.y,
-                                           (corner & 4) != 0 ? box.upper.z : box.lower.z});
+    const Vec3d p = object_to_world.point(box.corner(corner));
     for (int axis = 0; axis < 3; ++axis)
       if (!(p[axis] >= lower[axis] && p[axis] <= upper[axis])) return false;
   }

@@ -37,7 +37,7 @@ inline constexpr std::string_view height_map_names[] = {"HeightMap", "bump_map"}
 // Of all Types, and of none: some are there several times.
 [[nodiscard]] Names all_material_keys();
 
-// "'roughness' is a key of materials with a Type", or "" for what no material knows.
+// That 'roughness' belongs to materials of some Types, or "" for what no material knows.
 [[nodiscard]] std::string hint_of_material_key(MaterialType type, std::string_view key);
 
 }  // namespace candela::lab3

@@ -81,10 +81,6 @@ void read_scene(Reader& reader, const Node& node) {
   }
 }
 
-std::string_view without_byte_order_mark(std::string_view text) {
-  return text.substr(0, 3) == "\xef\xbb\xbf" ? text.substr(3) : text;
-}
-
 }  // namespace
 
 Result<description::SceneDescription> read_lab3(const std::string& path,
@@ -102,7 +98,7 @@ Result<description::SceneDescription> parse_lab3(const std::string& path, std::s
   description::SceneDescription scene;
   scene.path = path;
   scene.files.push_back(path);
-  Reader reader(path, without_byte_order_mark(text), options, scene, diagnostics);
+  Reader reader(path, text::without_byte_order_mark(text), options, scene, diagnostics);
   const std::optional<Document> document = parse_yaml(reader.source, diagnostics);
   if (document) read_scene(reader, *document->root);
   if (diagnostics.has_errors()) return diagnostics;

@@ -1,35 +1,26 @@
 #include "scene_io/lab3/reader.h"
 
 #include <algorithm>
+#include <functional>
+
+#include "renderer/base/printable.h"
 
 namespace candela::lab3 {
-namespace {
-
-bool begins_a_character(char c) {
-  return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u;  // not a continuation byte of UTF-8
-}
-
-}  // namespace
-
 Reader::Reader(const std::string& path, std::string_view text, const LoadOptions& load_options,
                description::SceneDescription& target, Diagnostics& found)
     : options(load_options),
       scene(target),
       diagnostics(found),
-      source(text::make_source(path, text)) {
-  line_begins_.push_back(0);
-  for (std::size_t i = 0; i < text.size(); ++i)
-    if (text[i] == '\n') line_begins_.push_back(i + 1);
-}
+      source(text::make_source(path, text)),
+      lines_(text) {}
 
 SourceSpan Reader::span(std::size_t offset) const {
   const std::size_t place = std::min(offset, source.text.size());
-  const auto next = std::upper_bound(line_begins_.begin(), line_begins_.end(), place);
-  const std::size_t line = static_cast<std::size_t>(next - line_begins_.begin());
-  const std::string_view before =
-      source.text.substr(line_begins_[line - 1], place - line_begins_[line - 1]);
-  const auto column = std::count_if(before.begin(), before.end(), begins_a_character);
-  return {source.name, static_cast<std::uint32_t>(line), static_cast<std::uint32_t>(column + 1)};
+  const std::size_t line = lines_.line_of(place);
+  const std::string_view before = source.text.substr(lines_[line], place - lines_[line]);
+  const auto column = std::ranges::count_if(before, std::not_fn(is_utf8_continuation));
+  return {source.name, static_cast<std::uint32_t>(line + 1),
+          static_cast<std::uint32_t>(column + 1)};
 }
 
 void Reader::add(Severity severity, std::size_t offset, std::string message) {

@@ -12,6 +12,7 @@
 #include "renderer/description/scene_description.h"
 #include "scene_io/image_index.h"
 #include "scene_io/load.h"
+#include "scene_io/text/line_begins.h"
 #include "scene_io/text/source.h"
 
 namespace candela::lab3 {
@@ -52,7 +53,7 @@ class Reader {
  private:
   void add(Severity severity, std::size_t offset, std::string message);
 
-  std::vector<std::size_t> line_begins_;
+  text::LineBegins lines_;
 };
 
 }  // namespace candela::lab3

@@ -13,6 +13,8 @@
 #include <yaml-cpp/mark.h>
 #include <yaml-cpp/parser.h>
 
+#include "scene_io/text/line_begins.h"
+
 namespace candela::lab3 {
 namespace {
 
@@ -29,15 +31,11 @@ struct SecondDocument {
 // ends are foreign.
 class LineTable {
  public:
-  explicit LineTable(std::string_view text) : text_(text) {
-    begins_.push_back(0);
-    for (std::size_t i = 0; i < text.size(); ++i)
-      if (text[i] == '\n') begins_.push_back(i + 1);
-  }
+  explicit LineTable(std::string_view text) : text_(text), begins_(text) {}
   [[nodiscard]] std::size_t offset(const YAML::Mark& mark) const {
     if (mark.line < 0) return 0;
-    const std::size_t line = std::min(static_cast<std::size_t>(mark.line), begins_.size() - 1);
-    const std::size_t end = line + 1 < begins_.size() ? begins_[line + 1] - 1 : text_.size();
+    const std::size_t line = std::min(static_cast<std::size_t>(mark.line), begins_.count() - 1);
+    const std::size_t end = line + 1 < begins_.count() ? begins_[line + 1] - 1 : text_.size();
     return std::min(begins_[line] + static_cast<std::size_t>(std::max(mark.column, 0)), end);
   }
   // The '-' of an empty entry of a list, behind which only blanks and comments stand before
@@ -77,7 +75,7 @@ class LineTable {
 
  private:
   std::string_view text_;
-  std::vector<std::size_t> begins_;
+  text::LineBegins begins_;
 };
 
 // A stream over memory that is not copied.

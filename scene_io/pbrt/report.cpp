@@ -19,16 +19,12 @@ std::string with_newlines(std::string bytes) {
 SourceFile::SourceFile(const std::string& path, std::string bytes)
     : bytes_(with_newlines(std::move(bytes))),
       source_(text::make_source(path, bytes_)),
-      line_begins_{0} {
-  for (std::size_t at = bytes_.find('\n'); at != std::string::npos; at = bytes_.find('\n', at + 1))
-    line_begins_.push_back(at + 1);
-}
+      lines_(bytes_) {}
 
 SourceSpan SourceFile::span(std::size_t offset) const {
-  const auto above = std::upper_bound(line_begins_.begin(), line_begins_.end(), offset);
-  const std::size_t begin = *(above - 1);
-  const std::string_view line = source_.text.substr(begin, offset - begin);
-  const auto number = static_cast<std::uint32_t>(above - line_begins_.begin());
+  const std::size_t index = lines_.line_of(offset);
+  const std::string_view line = source_.text.substr(lines_[index], offset - lines_[index]);
+  const auto number = static_cast<std::uint32_t>(index + 1);
   // Far into a line bytes are counted: whole scenes stand on one.
   if (line.size() > longest_counted)
     return {source_.name, number, static_cast<std::uint32_t>(line.size() + 1)};

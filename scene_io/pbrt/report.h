@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/base/diagnostic.h"
+#include "scene_io/text/line_begins.h"
 #include "scene_io/text/source.h"
 
 namespace candela::pbrt {
@@ -25,7 +26,7 @@ class SourceFile {
  private:
   std::string bytes_;
   text::Source source_;
-  std::vector<std::size_t> line_begins_;
+  text::LineBegins lines_;
 };
 
 struct Place {

@@ -1,6 +1,5 @@
 #include "tools/candela/console.h"
 
-#include <cerrno>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -8,20 +7,10 @@
 #include <unistd.h>
 
 #include "renderer/base/printable.h"
+#include "renderer/image/file_descriptor.h"
 
 namespace candela::cli {
 namespace {
-
-// 0, or the errno that ended it.
-int write_all(int file_descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(file_descriptor, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return errno;
-    text.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return 0;
-}
 
 constexpr std::string_view erase_line = "\r\x1b[K";
 
