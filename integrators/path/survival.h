@@ -10,10 +10,8 @@
 namespace candela {
 
 // It stays below 1 so that paths end in closed white scenes too, by little: light that leaves a
-// trap (total reflection) in shares smaller than what roulette takes would have no variance. Nor is
-// it 0 for any path, so that one without a number goes on and is counted.
+// trap (total reflection) in shares smaller than what roulette takes would have no variance.
 inline constexpr float highest_survival_on_surfaces = 0.998f;
-inline constexpr float lowest_survival = 0x1p-24f;
 
 // `roulette_throughput`: the eta^2 of refraction is taken out, since it comes back when the path
 // leaves the glass [Pharr23, section 14.5.4]; so is what a guide takes of the throughput where it
@@ -21,8 +19,7 @@ inline constexpr float lowest_survival = 0x1p-24f;
 [[nodiscard]] inline float survival_probability(std::uint32_t bounce, float roulette_throughput,
                                                 Roulette roulette, float highest) {
   if (bounce < roulette.first_bounce) return 1;
-  const float wish = std::min(roulette_throughput * roulette.inverse_threshold, highest);
-  return drawable_probability(std::max(wish, lowest_survival));
+  return drawable_probability(std::min(roulette_throughput * roulette.inverse_threshold, highest));
 }
 
 }  // namespace candela

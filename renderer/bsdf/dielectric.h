@@ -24,8 +24,7 @@ inline constexpr float smallest_refraction_spread = 1e-5f;
 
 // The probability to follow the reflection at a microfacet of this reflectance.
 [[nodiscard]] inline float reflection_probability(float reflectance, const Rgb& transmittance) {
-  const float transmitted = (1 - reflectance) * max_component(transmittance);
-  return transmitted > 0 ? drawable_probability(reflectance / (reflectance + transmitted)) : 1;
+  return drawable_share(reflectance, (1 - reflectance) * max_component(transmittance));
 }
 
 // Snell's law at a microfacet m [Walter07, eq. 40]. Normalised, since 1 / eta amplifies rounding.
@@ -79,8 +78,7 @@ template <class Width>
   const float cos_i = -dot(wi, h);
   if (!(cos_o > 0) || !(cos_i > 0)) return {};
   const float transmitted = fresnel_transmittance(cos_o, cos_i, eta);
-  const float tinted = transmitted * max_component(bsdf.transmittance);
-  const float p_refract = tinted > 0 ? tinted / (1 - transmitted + tinted) : 0;
+  const float p_refract = 1 - reflection_probability(1 - transmitted, bsdf.transmittance);
   const float distribution = ggx_distribution(h, a);
   const float solid_angles = cos_i / length2;  // dh / dwi over eta^2: |across| = |cos_o + eta wi.h|
   const float normal_pdf = ggx_visible_normal_pdf(distribution, cos_o, wo, a);

@@ -10,9 +10,7 @@
 namespace candela {
 
 [[nodiscard]] inline float sheet_reflection_probability(const Bsdf& bsdf) {
-  const float reflected = average(bsdf.diffuse);
-  const float transmitted = average(bsdf.transmittance);
-  return transmitted > 0 ? drawable_probability(reflected / (reflected + transmitted)) : 1;
+  return drawable_share(average(bsdf.diffuse), average(bsdf.transmittance));
 }
 
 [[nodiscard]] inline BsdfEvaluation evaluate_diffuse_transmission(const Bsdf& bsdf,

@@ -11,8 +11,7 @@ namespace candela {
 
 // From rough albedos of the two lobes, >= 0. All specular where both are black.
 [[nodiscard]] inline float specular_probability(float specular_albedo, float diffuse_albedo) {
-  if (!(diffuse_albedo > 0)) return 1;
-  return drawable_probability(specular_albedo / (specular_albedo + diffuse_albedo));
+  return drawable_share(specular_albedo, diffuse_albedo);
 }
 
 template <class Width>

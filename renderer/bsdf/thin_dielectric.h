@@ -31,7 +31,7 @@ struct PaneReflectance {
   const float reflected = average(pane.reflected);
   const float transmitted = average(pane.transmitted);
   if (!(reflected + transmitted > 0)) return {};
-  const float p_reflect = drawable_probability(reflected / (reflected + transmitted));
+  const float p_reflect = drawable_share(reflected, transmitted);
   if (lobe < p_reflect) return mirror_sample(wo, pane.reflected / p_reflect);
   return refraction_sample(-wo, pane.transmitted / (1 - p_reflect), 1);
 }

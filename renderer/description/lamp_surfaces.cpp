@@ -29,7 +29,7 @@ Material black_emitter(const TriangleLight& light, const SourceSpan& span) {
 std::vector<const Light*> triangle_lights(const SceneDescription& description) {
   std::vector<const Light*> lights;
   for (const Light& light : description.lights)
-    if (std::holds_alternative<TriangleLight>(light.kind)) lights.push_back(&light);
+    if (is_triangle_light(light)) lights.push_back(&light);
   return lights;
 }
 
@@ -58,6 +58,10 @@ std::vector<std::size_t> lamps_of(const std::vector<const Light*>& lights) {
 }
 
 }  // namespace
+
+bool is_triangle_light(const Light& light) {
+  return std::holds_alternative<TriangleLight>(light.kind);
+}
 
 void add_lamp_surfaces(SceneDescription& description) {
   const std::vector<const Light*> lights = triangle_lights(description);

@@ -154,12 +154,12 @@ void for_each_cell(GridSize size, const Visit& visit) {
     for (std::uint32_t column = 0; column < size.columns; ++column) visit(column, row);
 }
 
-// Each of a cell's parts^2 parts with the cell's luminance.
+// Each of the cell's `parts` with the cell's luminance.
 void add_parts(EnvironmentMapping mapping, GridSize size, std::uint32_t column, std::uint32_t row,
-               double luminance, std::uint32_t parts, const AddSkyLight& add) {
-  const GridSize fine{size.columns * parts, size.rows * parts};
-  for (std::uint32_t x = column * parts; x < (column + 1) * parts; ++x)
-    for (std::uint32_t y = row * parts; y < (row + 1) * parts; ++y)
+               double luminance, GridSize parts, const AddSkyLight& add) {
+  const GridSize fine{size.columns * parts.columns, size.rows * parts.rows};
+  for (std::uint32_t x = column * parts.columns; x < (column + 1) * parts.columns; ++x)
+    for (std::uint32_t y = row * parts.rows; y < (row + 1) * parts.rows; ++y)
       add({environment_detail::to_polar(mapping, direction_of(mapping, fine, x, y)),
            luminance * cell_solid_angle(mapping, x, y, fine)});
 }
@@ -178,7 +178,12 @@ void set_distribution(Environment& environment, CellWeights cells, std::uint32_t
     return cells.values[cell_at(mapping, size, environment_detail::from_polar(mapping, polar))];
   };
   // Of cells with at least so much light, each in so many parts along its sides.
-  const auto light_of = [&](double least, std::uint32_t parts) {
+  const SkyPatches patches = patches_of(mapping, size);
+  const GridSize sky = sky_size(patches, merged);
+  const auto light_of = [&](double least, std::uint32_t least_parts) {
+    // A patch may be a ring: two parts at least for each of the sky's cells along it.
+    const GridSize parts{std::max(least_parts, 2 * sky.columns / patches.around),
+                         std::max(least_parts, 2 * sky.rows / patches.down)};
     return [&, least, parts](const AddSkyLight& add) {
       for_each_cell(size, [&](std::uint32_t column, std::uint32_t row) {
         const double luminance = cells.at(column, row);
@@ -187,9 +192,8 @@ void set_distribution(Environment& environment, CellWeights cells, std::uint32_t
       });
     };
   };
-  environment.distribution = SkyDistribution(distribution_of(
-      sky_cells(patches_of(mapping, size), merged,
-                {luminance_at, light_of(lamps_share * all_light, 8), light_of(0, 1)})));
+  environment.distribution = SkyDistribution(distribution_of(sky_cells(
+      patches, merged, {luminance_at, light_of(lamps_share * all_light, 8), light_of(0, 1)})));
   if (environment.distribution.cells().is_empty()) environment.mean_luminance = 0;  // too dark
 }
 

@@ -67,14 +67,18 @@ double& cell_towards(const Vec3f& d, CellWeights& cells) {
   return cells.at(std::min(column, columns - 1), d.y < 0 ? rows - 1 - from_pole : from_pole);
 }
 
+enum class Brighten : std::uint8_t { All, DarkOnes };
+
 // As bright at least as they are by this light alone.
-void brighten(const std::function<void(const AddSkyLight&)>& lights, CellWeights& cells) {
+void brighten(const std::function<void(const AddSkyLight&)>& lights, Brighten which,
+              CellWeights& cells) {
   CellWeights fluxes(cells.size);
   lights([&](const SkyLight& light) { cell_towards(light.direction, fluxes) += light.flux; });
   parallel_for(cells.size.rows, [&](std::size_t i) {
     const auto row = static_cast<std::uint32_t>(i);
     for (std::uint32_t column = 0; column < cells.size.columns; ++column)
-      if (const double flux = fluxes.at(column, row); flux > 0)
+      if (const double flux = fluxes.at(column, row);
+          flux > 0 && (which == Brighten::All || cells.at(column, row) == 0))
         cells.at(column, row) =
             std::max(cells.at(column, row), flux / sky_cell_solid_angle(cells.size, column, row));
   });
@@ -114,14 +118,19 @@ double sky_cell_solid_angle(GridSize size, std::uint32_t column, std::uint32_t r
   return cosines * (azimuth(column % quarter + 1) - azimuth(column % quarter));
 }
 
+GridSize sky_size(const SkyPatches& patches, std::uint32_t merged) {
+  return size_of(patches.count / merged / merged);
+}
+
 CellWeights sky_cells(const SkyPatches& patches, std::uint32_t merged,
                       const SkyLuminance& luminance) {
-  const GridSize size = size_of(patches.count / merged / merged);
+  const GridSize size = sky_size(patches, merged);
   const GridSize points{points_along(size.columns, patches.around, merged),
                         points_along(size.rows, patches.down, merged)};
   CellWeights cells = gathered(size, points, luminance.at);
-  brighten(luminance.lamps, cells);
-  if (std::ranges::count(cells.values, 0.0) > 0) brighten(luminance.all_light, cells);
+  brighten(luminance.lamps, Brighten::All, cells);
+  if (std::ranges::count(cells.values, 0.0) > 0)
+    brighten(luminance.all_light, Brighten::DarkOnes, cells);
   cells = grown(cells);
   for (std::uint32_t column = 0; column < cells.size.columns; ++column)
     for (std::uint32_t row = 0; row < cells.size.rows; ++row)

@@ -31,10 +31,14 @@ struct SkyLuminance {
   std::function<void(const AddSkyLight&)> all_light;  // each patch that has any
 };
 
+// Columns and rows of sky_cells().
+[[nodiscard]] GridSize sky_size(const SkyPatches& patches, std::uint32_t merged);
+
 // The light of each of about `patches.count` / `merged`^2 cells, twice as many columns as rows, by
 // `merged`^2 points of each, or at least four; by more where patches are so narrow that light in
 // many of them side by side could lie between the points. What lies between them all the same:
-// lamps have at least their light, and where cells are dark, patches that have light are asked for.
+// lamps have at least their light, and where cells are dark, they have what patches say that have
+// light.
 // A cell without light beside one that has some may yet be touched by the same patch and is given a
 // little.
 [[nodiscard]] CellWeights sky_cells(const SkyPatches& patches, std::uint32_t merged,

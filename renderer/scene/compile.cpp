@@ -116,13 +116,9 @@ void warn_of_lost_surfaces(const SceneDescription& description, const Scene& sce
                       shows_more_than_surfaces(scene) ? "the background alone" : "nothing to see"));
 }
 
-bool is_triangle_light(const description::Light& light) {
-  return std::holds_alternative<description::TriangleLight>(light.kind);
-}
-
 SceneDescription with_lamp_surfaces(SceneDescription description) {
   description::add_lamp_surfaces(description);
-  std::erase_if(description.lights, is_triangle_light);
+  std::erase_if(description.lights, description::is_triangle_light);
   return description;
 }
 
@@ -166,7 +162,7 @@ Result<Scene> compile(const SceneDescription& description, const CompileOptions&
     diagnostics.error({}, fmt::format("a picture of {} x {} pixels, expected at least 1 x 1",
                                       options.width, options.height));
   if (diagnostics.has_errors()) return diagnostics;
-  if (std::ranges::none_of(description.lights, is_triangle_light))
+  if (std::ranges::none_of(description.lights, description::is_triangle_light))
     return compile_valid(description, options, std::move(diagnostics));
   return compile_valid(with_lamp_surfaces(description), options, std::move(diagnostics));
 }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/description/validate.h"
 #include "renderer/description/validate_light.h"
 #include "renderer/light/build_environment.h"
 #include "renderer/light/sum_environments.h"
@@ -77,7 +78,14 @@ Environment sum_of(const SceneDescription& description, const std::vector<const 
 std::optional<Environment> compile_environment(const Light& light,
                                                std::span<const description::Image> images,
                                                TextureStore& textures, Diagnostics& diagnostics) {
-  return std::visit(EnvironmentCompiler{images, textures, diagnostics}, light.kind);
+  std::optional<Environment> environment =
+      std::visit(EnvironmentCompiler{images, textures, diagnostics}, light.kind);
+  if (environment)
+    for (const TextureHandle face : environment->faces)
+      if (face)
+        textures.check_brightness(face, double{max_component(environment->scale)},
+                                  description::largest_radiance, diagnostics);
+  return environment;
 }
 
 std::optional<Environment> compile_environments(const SceneDescription& description,

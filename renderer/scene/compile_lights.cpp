@@ -200,9 +200,6 @@ void check_images(const Scene& scene, Diagnostics& diagnostics) {
     if (image && seen.emplace(image.index, factor).second)
       scene.textures.check_brightness(image, double{factor}, most, diagnostics);
   };
-  if (scene.environment)
-    for (const TextureHandle face : scene.environment->faces)
-      check(face, scene.environment->scale, description::largest_radiance);
   for (const Light& light : scene.lights)
     check(light.texture, light.emission,
           light.is_delta() ? double{std::numeric_limits<float>::max()}

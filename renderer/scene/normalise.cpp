@@ -177,15 +177,15 @@ Bounds3d inner_bounds(std::vector<Vec3d> points) {
   return bounds;
 }
 
-// Whether most of the points lie in `box` or no farther from it than `ratio` times its extent. Of
-// the few corners of a diamond none lies near the box of what is between on each axis by itself.
-bool are_mostly_near(const Bounds3d& box, double ratio, const std::vector<Vec3d>& points) {
+// Whether a quarter of the points lie in `box` or no farther from it than `ratio` times its extent.
+// Of the few corners of a diamond none lies near the box of what is between on each axis by itself.
+bool are_often_near(const Bounds3d& box, double ratio, const std::vector<Vec3d>& points) {
   const Vec3d reach(ratio * max_component(box.extent()));
   const auto is_near = [&](const Vec3d& p) {
     return glm::all(glm::greaterThanEqual(p, box.lower - reach)) &&
            glm::all(glm::lessThanEqual(p, box.upper + reach));
   };
-  return 2 * std::count_if(points.begin(), points.end(), is_near) >=
+  return 4 * std::count_if(points.begin(), points.end(), is_near) >=
          static_cast<std::ptrdiff_t>(points.size());
 }
 
@@ -195,7 +195,7 @@ Normalisation normalisation_of(const Bounds3d& full, const std::vector<Vec3d>& p
   Bounds3d bounds = full;
   const Bounds3d inner = inner_bounds(points);
   if (max_component(full.extent()) > most_ratio * max_component(inner.extent()) &&
-      max_component(inner.extent()) > 0 && are_mostly_near(inner, most_ratio, points))
+      max_component(inner.extent()) > 0 && are_often_near(inner, most_ratio, points))
     bounds = inner;
   const double half_extent = 0.5 * max_component(bounds.extent());
   if (!(half_extent > 0) || !std::isfinite(half_extent)) return {bounds.centre(), 1.0};

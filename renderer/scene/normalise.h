@@ -10,10 +10,10 @@ namespace candela {
 // The centre of the scene's geometry and the power of two that brings its half extent into
 // [0.5, 1). One far outlier does not spoil the rest: where the bounds are more than a hundred times
 // the box that holds all but the outermost 2 % of the vertices on each axis (three at either end at
-// the least), that box counts if most of them lie near it. Nor does one far mesh or sphere as a
-// whole, however many points it has at its end of an axis: one that is more than ten thousand times
-// farther from all others than they are wide does not count.
-// Multiplying the file's coordinates by a power of two gives the same normalised scene, bit by bit.
+// the least), that box counts if a quarter of them lie near it. Nor does one far mesh or sphere as
+// a whole, however many points it has at its end of an axis: one that is more than ten thousand
+// times farther from all others than they are wide does not count. Multiplying the file's
+// coordinates by a power of two gives the same normalised scene, bit by bit.
 [[nodiscard]] Normalisation normalisation_of(const description::SceneDescription& description);
 
 // The same of a mesh alone: the space of an object that instances share. Its unit is its own and

@@ -67,7 +67,7 @@ class TextureFile {
   [[nodiscard]] double decoding_seconds() const { return is_decoded() ? decoding_seconds_ : 0; }
   // What was wrong with pixels whose header was fine. Empty until decoded.
   [[nodiscard]] Diagnostics decoding_diagnostics() const;
-  // The largest of all samples, of whole numbers and halfs the largest that there is; decodes.
+  // The largest of all samples, of whole numbers the largest that there is. Decodes floats.
   [[nodiscard]] float largest();
   // Builds the tree of a channel at the first call. `channel` < channels of texels().
   const RangeTree& range_tree(int channel);

@@ -90,12 +90,10 @@ void TextureStore::check_brightness(TextureHandle light, double factor, double m
   TextureFile& used = textures_[light.index]->file();
   for (const auto& [file, span] : files_->lights) {
     if (file != &used) continue;
-    const double largest = used.holds_floats() ? double{used.largest()} : 1;
-    if (largest * factor > most)
-      diagnostics.error(span,
-                        fmt::format("a light's image '{}' holds {:g}, scaled by {:g}: expected "
-                                    "at most {:g}",
-                                    file->path(), largest, factor, most));
+    if (double{used.largest()} * factor > most)
+      diagnostics.error(span, fmt::format("a light's image '{}' holds {:g}, which its scale makes "
+                                          "more than {:g}",
+                                          file->path(), used.largest(), most));
   }
 }
 

@@ -63,7 +63,6 @@ class TextureStore {
   [[nodiscard]] Diagnostics broken_lights() const;
 
   // An error where the largest value of an image that shines, times `factor`, is above `most`.
-  // Decodes what holds floats.
   void check_brightness(TextureHandle light, double factor, double most,
                         Diagnostics& diagnostics) const;
 

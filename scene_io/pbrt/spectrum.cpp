@@ -247,9 +247,12 @@ std::optional<double> mean_value(const Parameter& parameter, description::SceneD
 std::optional<std::array<Vec3d, 2>> metal_of_spectra(const Parameter& eta, const Parameter& k,
                                                      description::SceneDescription& scene,
                                                      const Report& report) {
-  const auto n = sampled(eta, scene, report);
-  const auto extinction = sampled(k, scene, report);
+  auto n = sampled(eta, scene, report);
+  auto extinction = sampled(k, scene, report);
   if (!n || !extinction) return std::nullopt;
+  constexpr double largest = 1e6;  // what no metal has, and squares of which are numbers
+  for (SampledSpectrum* spectrum : {&*n, &*extinction})
+    for (double& value : spectrum->values) value = std::clamp(value, 0.0, largest);
   const Vec3d mean = colour_of_factor(*n);
   const Vec3d reflectance = colour_of_factor([&](double wavelength) {
     return normal_reflectance((*n)(wavelength), (*extinction)(wavelength));

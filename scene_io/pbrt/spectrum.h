@@ -31,8 +31,8 @@ namespace candela::pbrt {
 
 // eta and k of a metal whose spectra are given, a channel each: eta as factor_colour() has it, and
 // k so that white light that falls straight on it has the colour that it has by the reflectance of
-// each wavelength, of each channel at most largest_metal_reflectance. Nothing where
-// one of them is no list of samples, and after an error.
+// each wavelength, of each channel at most largest_metal_reflectance, if eta alone reflects no
+// more. Nothing where one of them is no list of samples, and after an error.
 [[nodiscard]] std::optional<std::array<Vec3d, 2>> metal_of_spectra(
     const Parameter& eta, const Parameter& k, description::SceneDescription& scene,
     const Report& report);

@@ -127,6 +127,7 @@ std::map<std::string, TextureStatement>& Textures::statements(Kind kind) const {
 
 void Textures::check_unused() const {
   description::SceneDescription unused;
+  unused.textures = context_.scene.textures;  // which handles of those that are made lead to
   Context context = context_.for_unused(unused);
   Textures textures(context);
   textures.made_ = made_;
@@ -262,7 +263,7 @@ Transform Textures::place_from_world(const TextureStatement& texture) {
 }
 
 // pbrt-v3 names the two factors tex1 and tex2, and so does candela where the second is a colour or
-// the first an image whose values are to be multiplied as they come out.
+// one of them an image whose values are to be multiplied as they come out.
 Textures::Value Textures::scale(Kind kind, Arguments& arguments, const std::string& name) {
   const bool is_product = arguments.has("tex1");
   if (is_product) arguments.accept({"tex", "scale"});

@@ -143,7 +143,7 @@ class BodyReader {
     const std::optional<double> count = values_.next(*property.count_type);
     if (!count) return false;
     if (!is_count(*count))
-      return say(fmt::format("a list of {} values, expected a number of them", *count));
+      return say(fmt::format("a list of {} values, expected a whole number of at least 0", *count));
     return *count <= static_cast<double>(values_.bytes_left()) &&
            values_.skip(property.type, static_cast<std::uint64_t>(*count));
   }
@@ -228,7 +228,7 @@ class BodyReader {
     const std::uint64_t least = Values::least_bytes(property.type);
     const auto most = static_cast<double>(values_.bytes_left() / least);
     if (!is_count(*count))
-      return say(fmt::format("{} announces {} corners, expected a number of them",
+      return say(fmt::format("{} announces {} corners, expected a whole number of at least 0",
                              nth(element, index), *count));
     if (*count > most) {
       return say(fmt::format("{} announces {} corners, more than the file has bytes for",

@@ -232,37 +232,6 @@ TEST(Unit_Environment, NoTexelLiesBetweenTheTablesPoints) {
     }
 }
 
-// Nor what is between the points where they are fewer than the patches: a lamp in one of 16 x 16
-// patches of a dim sky.
-TEST(Unit_Environment, LampsBetweenTheTablesPointsKeepTheirShare) {
-  constexpr int side = 64;
-  for (int row = 2; row < side; row += 4)
-    for (int column = 2; column < side; column += 4) {
-      const description::Image image = write_float_map("lamp", side, side, [&](int x, int y) {
-        return Vec3f(x == column && y == row ? 1e4f : 0.01f);
-      });
-      const MapEnvironment map = equal_area(image, Mat3d(1.0), 256);
-      const Vec2f st = (Vec2f(Vec2i(column, row)) + 0.5f) / float{side};
-      const float pdf = environment_pdf(map.environment, square_to_equal_area_sphere(st));
-      EXPECT_GT(pdf, 0.5f) << column << ',' << row;  // of 7 where the lamp has all
-    }
-}
-
-// Nor one of so many stars that none is a lamp.
-TEST(Unit_Environment, NoStarIsLost) {
-  constexpr int side = 1024;
-  const auto star = [](int x, int y) { return Vec3f(x % 12 == 6 && y % 12 == 6 ? 1.0f : 0.0f); };
-  const MapEnvironment map =
-      equal_area(write_float_map("stars", side, side, star), Mat3d(1.0), 65536);
-  int lost = 0;
-  for (int y = 6; y < side; y += 12)
-    for (int x = 6; x < side; x += 12) {
-      const Vec2f st = (Vec2f(Vec2i(x, y)) + 0.5f) / float{side};
-      lost += environment_pdf(map.environment, square_to_equal_area_sphere(st)) > 0 ? 0 : 1;
-    }
-  EXPECT_EQ(lost, 0);
-}
-
 TEST(Unit_Environment, LargeMapsGetCoarserGrids) {
   const description::Image image = write_float_map("large", 64, 32, sparse_texel);
   const MapEnvironment map = lat_long(image, Mat3d(1.0), 128);

@@ -41,17 +41,43 @@ TEST(Unit_DrawableProbability, RouletteKeepsTheMean) {
   }
 }
 
+// The mean weight of the samples above the surface and of those below, over all numbers.
+struct Halves {
+  double above = 0, below = 0;
+};
+Halves halves_of(const Bsdf& bsdf) {
+  Halves sum;
+  for (std::uint32_t i = 0; i < all_numbers; ++i) {
+    const BsdfSample sample = sample_bsdf(bsdf, Vec3f(0, 0, 1), number(i), Vec2f(0.3f, 0.6f));
+    (sample.wi.z > 0 ? sum.above : sum.below) += static_cast<double>(sample.weight.x);
+  }
+  return {sum.above / all_numbers, sum.below / all_numbers};
+}
+
 // As glass of hardly another index than what is around it reflects.
 TEST(Unit_DrawableProbability, RareReflectionsKeepTheirMean) {
   for (const float ior : {1.01f, 1.001f, 1.0003f}) {
     const Bsdf glass{.model = BsdfModel::Dielectric, .is_smooth = true, .eta = Rgb(ior)};
-    double reflected = 0;
-    for (std::uint32_t i = 0; i < all_numbers; ++i) {
-      const BsdfSample sample = sample_bsdf(glass, Vec3f(0, 0, 1), number(i), Vec2f(0));
-      if (sample.wi.z > 0) reflected += static_cast<double>(sample.weight.x);
-    }
-    const float reflectance = fresnel_dielectric(1, ior).reflectance;
-    EXPECT_NEAR(reflected / all_numbers / static_cast<double>(reflectance), 1, 1e-6) << ior;
+    const auto reflectance = static_cast<double>(fresnel_dielectric(1, ior).reflectance);
+    EXPECT_NEAR(halves_of(glass).above / reflectance, 1, 1e-6) << ior;
+  }
+}
+
+// As what is nearly black lets through.
+TEST(Unit_DrawableProbability, RareTransmissionsKeepTheirMean) {
+  for (const float tint : {1e-3f, 1e-7f, 1e-9f}) {
+    const auto expected = static_cast<double>(tint);
+    const Bsdf sheet{
+        .model = BsdfModel::DiffuseTransmission, .diffuse = Rgb(0.5f), .transmittance = Rgb(tint)};
+    EXPECT_NEAR(halves_of(sheet).below / expected, 1, 1e-6) << tint;
+    Bsdf glass{.model = BsdfModel::Dielectric, .is_smooth = true, .eta = Rgb(1.5f)};
+    const double clear = halves_of(glass).below;
+    glass.transmittance = Rgb(tint);
+    EXPECT_NEAR(halves_of(glass).below / (clear * expected), 1, 1e-6) << tint;
+    Bsdf rough{.model = BsdfModel::Dielectric, .alpha = 0.2f, .eta = Rgb(1.5f)};
+    const double through = halves_of(rough).below;
+    rough.transmittance = Rgb(tint);
+    EXPECT_NEAR(halves_of(rough).below / (through * expected), 1, 1e-4) << tint;
   }
 }
 

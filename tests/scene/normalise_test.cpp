@@ -116,6 +116,23 @@ TEST(Unit_Normalise, NorDoAThousandOfASmallOneMissAVertex) {
   EXPECT_EQ(normalisation_of(scene).centre, Vec3d(14.5, 0, 0));
 }
 
+TEST(Unit_Normalise, NorDoOutliersOnSeveralAxesOfASmallOne) {
+  description::SceneDescription scene;
+  const auto material = add_material(scene, diffuse(Vec3d(0.5)));
+  add_mesh(scene, quad({-1, 0, 1}, {2, 0, 0}, {0, 0, -2}), material);
+  const double alone = normalisation_of(scene).scale;
+  const auto triangle_at = [](const Vec3d& p) {
+    description::Mesh mesh;
+    mesh.positions = {p, p + Vec3d(1, 0, 0), p + Vec3d(0, 1, 0)};
+    mesh.triangles.push_back({0, 1, 2});
+    return mesh;
+  };
+  add_mesh(scene, triangle_at({1e8, 0, 0}), material);
+  add_mesh(scene, triangle_at({0, 1e8, 0}), material);
+  EXPECT_GE(normalisation_of(scene).scale / alone, 0.5);
+  EXPECT_LE(normalisation_of(scene).scale / alone, 2);
+}
+
 // Of few corners, and by sines and cosines: on each axis those between the outermost differ by
 // rounding alone.
 TEST(Unit_Normalise, PolygonsOfFewCornersHaveTheirSize) {

@@ -94,14 +94,15 @@ TEST(Unit_UnmetRequests, WhatNoMaterialSkyOrOutputHas) {
     return warnings_of(words);
   };
   EXPECT_EQ(with(lights, {"--fresnel", "schlick"}),
-            Sentences{"--fresnel: no material that is seen is cook_torrance"});
+            Sentences{"--fresnel and --geometry: there is no material of the type cook_torrance"});
   EXPECT_EQ(with(lights, {"--geometry", "smith"}),
-            Sentences{"--geometry: no material that is seen is cook_torrance"});
+            Sentences{"--fresnel and --geometry: there is no material of the type cook_torrance"});
   EXPECT_EQ(with(lights, {"--sky-samples", "on"}), Sentences{});
   EXPECT_EQ(with(cornell_box, {"--sky-samples", "on"}),
             Sentences{"--sky-samples on: there is no sky of one colour"});
   EXPECT_EQ(with(cornell_box, {"--exposure", "1"}),
-            Sentences{"--exposure: no output is for screens; expected PNG or JPEG"});
+            Sentences{"--exposure and --tonemap: no output is for screens; expected PNG or JPEG"});
+  EXPECT_EQ(with(cornell_box, {"--fresnel", "schlick"}), Sentences{});
 }
 
 TEST(Unit_UnmetRequests, PathsThatNothingShares) {

@@ -72,6 +72,10 @@ bool lacks_alpha(const std::string& path) {
   return format == ImageFormat::Jpeg || format == ImageFormat::Hdr;
 }
 
+bool is_cook_torrance(const description::Material& material) {
+  return std::holds_alternative<description::CookTorranceMaterial>(material.model);
+}
+
 bool is_for_display(const std::string& path) {
   const auto format = format_of_extension(path);
   return format == ImageFormat::Png || format == ImageFormat::Jpeg;
@@ -171,7 +175,7 @@ bool RenderRun::settles(const description::SceneDescription& description) {
   if (too_large.has_errors()) return stop(ExitCode::Output);
   report_.display = settled.settings->display;
   std::vector<std::string> warnings = settled.settings->warnings;
-  for (const std::string& sentence : warnings_of_options()) warnings.push_back(sentence);
+  for (const std::string& sentence : warnings_of_options(description)) warnings.push_back(sentence);
   for (const std::string& sentence : warnings) warn(sentence);
   if (!allows(warnings.size())) return false;
   if (!accepts(check_integrator(description, report_.options), true)) return false;
@@ -179,7 +183,8 @@ bool RenderRun::settles(const description::SceneDescription& description) {
   return true;
 }
 
-std::vector<std::string> RenderRun::warnings_of_options() const {
+std::vector<std::string> RenderRun::warnings_of_options(
+    const description::SceneDescription& description) const {
   std::vector<std::string> warnings;
   const std::vector<std::string> paths = output_paths(arguments_);
   if (arguments_.aovs != 0 && std::none_of(paths.begin(), paths.end(), is_exr))
@@ -188,8 +193,11 @@ std::vector<std::string> RenderRun::warnings_of_options() const {
     warnings.push_back("--transparent: no output can hold alpha; expected EXR, PNG or TIFF");
   const bool is_for_screens = arguments_.exposure || arguments_.tone_map != ToneMap::Srgb;
   if (is_for_screens && std::none_of(paths.begin(), paths.end(), is_for_display))
-    warnings.push_back(fmt::format("{}: no output is for screens; expected PNG or JPEG",
-                                   arguments_.exposure ? "--exposure" : "--tonemap"));
+    warnings.push_back("--exposure and --tonemap: no output is for screens; expected PNG or JPEG");
+  const LoadOptions& load = arguments_.scene.load;
+  if ((load.fresnel || load.geometry) &&
+      std::ranges::none_of(description.materials, is_cook_torrance))
+    warnings.push_back("--fresnel and --geometry: there is no material of the type cook_torrance");
   for (const std::string& bias : biases_of(options()))
     if (bias.starts_with("clamp"))
       warnings.push_back(bias + ": the picture is biased, it lacks light");

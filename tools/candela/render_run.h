@@ -76,7 +76,8 @@ class RenderRun {
   void warn(const std::string& sentence);
   void record(const Diagnostics& diagnostics);
   // Of those that do nothing, or harm.
-  [[nodiscard]] std::vector<std::string> warnings_of_options() const;
+  [[nodiscard]] std::vector<std::string> warnings_of_options(
+      const description::SceneDescription& description) const;
   void report_invalid_samples();
   void report_reliability();
   void report_samples();

@@ -1,7 +1,5 @@
 #include "tools/candela/unmet_requests.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "integrators/feasible_options.h"
@@ -14,12 +12,6 @@ std::string why_no_pilot(const RenderOptions& options) {
   if (!is_wide_enough_for_pilot(options)) return "the picture has but one row or column";
   return fmt::format("with {} samples a pixel there is no pilot, which takes {}",
                      options.samples_per_pixel, least_samples_for_pilot(options));
-}
-
-bool has_cook_torrance(const Scene& scene) {
-  return std::ranges::any_of(scene.materials, [](const Material& material) {
-    return material.model == MaterialModel::CookTorrance;
-  });
 }
 
 bool has_constant_sky(const Scene& scene) {
@@ -41,10 +33,6 @@ std::vector<std::string> unmet_requests(const RenderArguments& arguments, const 
   if (options.plan.reuses_paths && !feasible.plan.reuses_paths)
     sentences.emplace_back(
         "--reuse on: the scene and the options have no paths that pixels could share");
-  const LoadOptions& load = arguments.scene.load;
-  if ((load.fresnel || load.geometry) && !has_cook_torrance(scene))
-    sentences.push_back(fmt::format("{}: no material that is seen is cook_torrance",
-                                    load.fresnel ? "--fresnel" : "--geometry"));
   if (arguments.samples_constant_sky.value_or(false) && !has_constant_sky(scene))
     sentences.emplace_back("--sky-samples on: there is no sky of one colour");
   if (options.guiding == Guiding::On && feasible.guiding == Guiding::Off)

@@ -19,10 +19,6 @@ std::string section(std::string_view title, const std::string& text) {
   return text.empty() ? "" : fmt::format("\n# {}\n{}", title, text);
 }
 
-bool is_triangle_light(const description::Light& light) {
-  return std::holds_alternative<description::TriangleLight>(light.kind);
-}
-
 // What is asked for first is written last: shapes ask for materials, those for textures.
 // `scene` has the surfaces of its triangle lights.
 Result<WrittenScene> write_valid(const description::SceneDescription& scene,
@@ -57,7 +53,8 @@ Result<WrittenScene> write_pbrt(const description::SceneDescription& scene,
   if (options.camera > 0 && options.camera >= scene.cameras.size())
     return failure(
         fmt::format("camera {} of a scene that has {}", options.camera, scene.cameras.size()));
-  if (std::ranges::none_of(scene.lights, is_triangle_light)) return write_valid(scene, options);
+  if (std::ranges::none_of(scene.lights, description::is_triangle_light))
+    return write_valid(scene, options);
   description::SceneDescription with_surfaces = scene;
   description::add_lamp_surfaces(with_surfaces);
   return write_valid(with_surfaces, options);

@@ -322,6 +322,13 @@ WrittenParameter TextureWriter::texture(Kind kind, std::string_view name, Textur
   return named(name, made);
 }
 
+// What a missing image shows.
+Vec3d magenta_of(const description::ImageTexture& image) {
+  const Vec3d scaled = magenta * image.factor;
+  const Vec3d shown = image.is_inverted ? glm::max(1.0 - scaled, 0.0) : scaled;
+  return image.is_scalar ? shown : glm::clamp(shown, 0.0, 1.0);
+}
+
 bool TextureWriter::is_image(const description::ColourInput& input) const {
   if (!input.texture) return input.map.is_valid();
   return std::holds_alternative<description::ImageTexture>(
@@ -334,7 +341,7 @@ std::string TextureWriter::make(Kind kind, const description::Texture& texture) 
   const auto* image = std::get_if<description::ImageTexture>(&texture.kind);
   if (image && !facts_of(image->image)) {
     text_ += directive(name, kind, "constant")
-                 .add(input(kind, "value", {magenta * image->factor, {}, {}}))
+                 .add(input(kind, "value", {magenta_of(*image), {}, {}}))
                  .text();
     return name;
   }

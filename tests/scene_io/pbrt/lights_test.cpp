@@ -94,7 +94,6 @@ TEST(Errors_PbrtLights, InvisibleLampsAreNamed) {
       "supported: it is left out");
 }
 
-// 2 pi r^2 of a disk: pbrt gives each of a mesh's triangles the whole power.
 TEST(Unit_PbrtLights, AnEmptyTypeEndsAnAreaLight) {
   const auto scene = pbrt_world(R"(AreaLightSource "diffuse" Shape "disk"
                                    AreaLightSource "" Shape "sphere")");
@@ -107,6 +106,7 @@ TEST(Unit_PbrtLights, AnEmptyTypeEndsAnAreaLight) {
   EXPECT_EQ(emission_of(1), Vec3d(0.0));
 }
 
+// 2 pi r^2 of a disk: pbrt gives each of a mesh's triangles the whole power.
 TEST(Unit_PbrtLights, AreaLightsOfAPower) {
   const std::string disk = "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  2 0 0  0 2 0 ]";
   const auto emission = [&](const std::string& parameters) {

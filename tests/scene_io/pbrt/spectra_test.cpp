@@ -1,5 +1,7 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "renderer/description/validate.h"
 #include "renderer/math/cie.h"
 #include "renderer/math/colour.h"
 #include "renderer/math/reflectance.h"
@@ -89,6 +91,16 @@ TEST(Unit_PbrtSpectra, MetalsBySamples) {
   EXPECT_LT(max_component(colour), 1);
   expect_near(normal_reflectance(metal.eta, metal.k), colour, 1e-9);
   expect_near(metal.eta, colour_of_factor(eta), 1e-9);
+}
+
+TEST(Unit_PbrtSpectra, MetalsThatNoneIsAreMetals) {
+  for (const char* eta : {"[ 400 -1 700 -1 ]", "[ 400 1e200 700 1e200 ]"}) {
+    const auto scene = pbrt_world(
+        fmt::format("Material \"conductor\" \"spectrum eta\" {} \"spectrum k\" [ 400 0 700 0 ] "
+                    "Shape \"disk\"",
+                    eta));
+    EXPECT_FALSE(description::validate(scene).has_errors()) << eta;
+  }
 }
 
 TEST(Errors_PbrtSpectra, MetalsAreToldOfOnce) {

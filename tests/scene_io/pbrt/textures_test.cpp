@@ -98,6 +98,15 @@ TEST(Unit_PbrtTextures, NumbersScaleImages) {
   EXPECT_EQ(std::ranges::count_if(scene.textures, is_half_of_a_number), 1);
 }
 
+TEST(Unit_PbrtTextures, UnusedOnesMayScaleUsedOnes) {
+  const auto scene = pbrt_world(R"(
+    Texture "image" "spectrum" "imagemap" "string filename" "picture.png" "float uscale" 2
+    Texture "unused" "spectrum" "scale" "texture tex" "image" "float scale" .5
+    Material "diffuse" "texture reflectance" "image"
+    Shape "disk")");
+  EXPECT_EQ(scene.textures.size(), 1u);
+}
+
 TEST(Unit_PbrtTextures, ByPlaceAndByNormal) {
   const auto scene = pbrt_world(R"(
     AttributeBegin

@@ -266,10 +266,12 @@ TEST(Errors_Ply, NameThePlaceAndWhatWasExpected) {
        "bytes "
        "for\n4000000000 0 1\n^"},
       {triangle_header() + vertices + "-3 0 1\n",
-       "a.ply:13:1: error: 'face' 1 of 1 announces -3 corners, expected a number of them\n"
+       "a.ply:13:1: error: 'face' 1 of 1 announces -3 corners, expected a whole number of at least "
+       "0\n"
        "-3 0 1\n^"},
       {triangle_header() + vertices + "3.7 0 1 2\n",
-       "a.ply:13:1: error: 'face' 1 of 1 announces 3.7 corners, expected a number of them\n"
+       "a.ply:13:1: error: 'face' 1 of 1 announces 3.7 corners, expected a whole number of at "
+       "least 0\n"
        "3.7 0 1 2\n^"},
       {triangle_header("", "2") + vertices + "3 0 1 2\n",
        "a.ply:14:1: error: found the end of the file, expected a number of 'face' 2 of 2\n\n^"},
