@@ -1,19 +1,9 @@
 #include "renderer/camera/camera.h"
 
-#include "renderer/math/transcendental.h"
+#include "renderer/math/lat_long_map.h"
 #include "renderer/sampling/equal_area.h"
 
 namespace candela {
-namespace {
-
-// Up the picture to +y, its centre along +z, its right half towards +x.
-Vec3f lat_long_direction(Vec2f film) {
-  const SinCos polar = sin_cos(pi * film.y);
-  const SinCos azimuth = sin_cos(two_pi * (film.x - 0.5f));
-  return {polar.sin * azimuth.sin, polar.cos, polar.sin * azimuth.cos};
-}
-
-}  // namespace
 
 Ray Camera::generate_other_ray(Vec2f film, Vec2f lens) const {
   if (kind == CameraKind::Orthographic) {
@@ -23,8 +13,8 @@ Ray Camera::generate_other_ray(Vec2f film, Vec2f lens) const {
     return {origin + offset, normalize(look * focus_distance - offset), infinity};
   }
   if (kind == CameraKind::LatLong) {
-    const Vec3f d = lat_long_direction(film);
-    return {eye, normalize(right * d.x + up * d.y + look * d.z), infinity};
+    const Vec3f d = lat_long_direction(film);  // whose middle looks along -z
+    return {eye, normalize(right * d.x + up * d.y - look * d.z), infinity};
   }
   const Vec3f d = square_to_equal_area_sphere(wrap_equal_area_square(film));  // filters reach out
   return {eye, normalize(right * d.x + look * d.y + up * d.z), infinity};

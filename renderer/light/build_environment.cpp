@@ -11,8 +11,6 @@
 namespace candela {
 namespace {
 
-constexpr double lamps_share = 0x1p-12;  // of all light: there are no more cells than 4,096 of it
-
 // One image of a map.
 struct Face {
   TextureHandle texture;
@@ -177,9 +175,9 @@ void set_distribution(Environment& environment, CellWeights cells, std::uint32_t
   const auto luminance_at = [&](const Vec3f& polar) {
     return cells.values[cell_at(mapping, size, environment_detail::from_polar(mapping, polar))];
   };
-  // Of cells with at least so much light, each in so many parts along its sides.
   const SkyPatches patches = patches_of(mapping, size);
   const GridSize sky = sky_size(patches, merged);
+  // Of cells with at least so much light, each in so many parts along its sides.
   const auto light_of = [&](double least, std::uint32_t least_parts) {
     // A patch may be a ring: two parts at least for each of the sky's cells along it.
     const GridSize parts{std::max(least_parts, 2 * sky.columns / patches.around),
@@ -192,6 +190,7 @@ void set_distribution(Environment& environment, CellWeights cells, std::uint32_t
       });
     };
   };
+  constexpr double lamps_share = 0x1p-12;  // of all light: of no more than 4,096 cells
   environment.distribution = SkyDistribution(distribution_of(sky_cells(
       patches, merged, {luminance_at, light_of(lamps_share * all_light, 8), light_of(0, 1)})));
   if (environment.distribution.cells().is_empty()) environment.mean_luminance = 0;  // too dark

@@ -16,9 +16,9 @@
 
 #include "renderer/light/cube_map.h"
 #include "renderer/light/image_radiance.h"
-#include "renderer/light/lat_long_map.h"
 #include "renderer/light/sky_distribution.h"
 #include "renderer/math/constants.h"
+#include "renderer/math/lat_long_map.h"
 #include "renderer/math/vec.h"
 #include "renderer/sampling/equal_area.h"
 #include "renderer/sampling/warp.h"

@@ -58,13 +58,10 @@ CellWeights gathered(GridSize size, GridSize points,
   return cells;
 }
 
-// As SkyDistribution::place_of().
 double& cell_towards(const Vec3f& d, CellWeights& cells) {
   const auto [columns, rows] = cells.size;
-  const double height = std::sqrt((d.x * d.x + d.z * d.z) / (1 + std::abs(d.y)));
-  const auto from_pole = std::min(static_cast<std::uint32_t>(height * (rows / 2)), rows / 2 - 1);
-  const auto column = static_cast<std::uint32_t>(0.25 * columns * sky_quarters(d.x, d.z));
-  return cells.at(std::min(column, columns - 1), d.y < 0 ? rows - 1 - from_pole : from_pole);
+  const std::uint32_t row = sky_row_from_pole(d, rows / 2);
+  return cells.at(sky_column(d, columns), d.y < 0 ? rows - 1 - row : row);
 }
 
 enum class Brighten : std::uint8_t { All, DarkOnes };

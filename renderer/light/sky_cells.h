@@ -18,17 +18,17 @@ struct SkyPatches {
   std::uint32_t down = 0;
 };
 
-// What comes from a part of a patch: luminance times solid angle.
+// What comes from a patch or a part of one: luminance times solid angle.
 struct SkyLight {
-  Vec3f direction{0};  // unit, of the part's middle
+  Vec3f direction{0};  // unit, of its middle
   double flux = 0;
 };
 using AddSkyLight = std::function<void(const SkyLight&)>;
 
 struct SkyLuminance {
   std::function<double(const Vec3f&)> at;             // of a unit direction; constant over a patch
-  std::function<void(const AddSkyLight&)> lamps;      // patches with much of the light, in parts
-  std::function<void(const AddSkyLight&)> all_light;  // each patch that has any
+  std::function<void(const AddSkyLight&)> lamps;      // of patches with much of the light, in parts
+  std::function<void(const AddSkyLight&)> all_light;  // of all patches that have any
 };
 
 // Columns and rows of sky_cells().
@@ -37,10 +37,8 @@ struct SkyLuminance {
 // The light of each of about `patches.count` / `merged`^2 cells, twice as many columns as rows, by
 // `merged`^2 points of each, or at least four; by more where patches are so narrow that light in
 // many of them side by side could lie between the points. What lies between them all the same:
-// lamps have at least their light, and where cells are dark, they have what patches say that have
-// light.
-// A cell without light beside one that has some may yet be touched by the same patch and is given a
-// little.
+// lamps have at least their light, and cells without any have what all patches say. A cell that is
+// still dark beside one that is not may yet be touched by the same patch and is given a little.
 [[nodiscard]] CellWeights sky_cells(const SkyPatches& patches, std::uint32_t merged,
                                     const SkyLuminance& luminance);
 

@@ -35,6 +35,30 @@ namespace candela {
   return z >= 0 ? 2 - t : 2 + t;
 }
 
+namespace sky_detail {
+
+// Numbers of cells, by way of signed ones, which every processor's vectors convert.
+[[nodiscard]] inline float as_float(std::uint32_t number) {
+  return static_cast<float>(static_cast<std::int32_t>(number));
+}
+[[nodiscard]] inline std::uint32_t as_number(float x) {
+  return static_cast<std::uint32_t>(static_cast<std::int32_t>(x));
+}
+
+}  // namespace sky_detail
+
+// The cell of a unit direction: its row, counted from the nearer pole, and its column.
+[[nodiscard]] inline std::uint32_t sky_row_from_pole(const Vec3f& d, std::uint32_t half_rows) {
+  // sin(theta / 2) / sin(pi / 4), without 1 - cos, which would cancel.
+  const float height = std::sqrt((d.x * d.x + d.z * d.z) / (1 + std::abs(d.y)));
+  return std::min(sky_detail::as_number(height * sky_detail::as_float(half_rows)), half_rows - 1);
+}
+[[nodiscard]] inline std::uint32_t sky_column(const Vec3f& d, std::uint32_t columns) {
+  return std::min(
+      sky_detail::as_number(sky_quarters(d.x, d.z) * (0.25f * sky_detail::as_float(columns))),
+      columns - 1);
+}
+
 // A cell, and one over its solid angle as it is at one of its directions.
 struct SkyPlace {
   std::uint32_t column = 0;
@@ -58,15 +82,15 @@ class SkyDistribution {
   // Within a cell cosines are uniform, and so is the place along a chord.
   [[nodiscard]] SkySample at(const GridDistribution::Cell& cell) const {
     const bool is_south = 2 * cell.row >= cells_.rows();
-    const float row = as_float(is_south ? cells_.rows() - 1 - cell.row : cell.row);
+    const float row = sky_detail::as_float(is_south ? cells_.rows() - 1 - cell.row : cell.row);
     const float below = is_south ? 1 - cell.offset.y : cell.offset.y;
-    const float half_rows = 0.5f * as_float(cells_.rows());
+    const float half_rows = 0.5f * sky_detail::as_float(cells_.rows());
     // (1 - cos) / 2 = sin^2(theta / 2), 1 / 2 at the horizon.
     const float versine = 0.5f * (row * row + (2 * row + 1) * below) / (half_rows * half_rows);
     const float cos_theta = 1 - 2 * versine;
     const float sin_theta = 2 * std::sqrt(versine * (1 - versine));
-    Vec2f chord =
-        sky_chord((as_float(cell.column) + cell.offset.x) * 4 / as_float(cells_.columns()));
+    Vec2f chord = sky_chord((sky_detail::as_float(cell.column) + cell.offset.x) * 4 /
+                            sky_detail::as_float(cells_.columns()));
     const float reach2 = dot(chord, chord);
     const float across = sin_theta / std::sqrt(reach2);
     return {{chord.x * across, is_south ? -cos_theta : cos_theta, chord.y * across},
@@ -75,17 +99,13 @@ class SkyDistribution {
 
   // Of a unit direction.
   [[nodiscard]] SkyPlace place_of(const Vec3f& d) const {
+    const std::uint32_t row = sky_row_from_pole(d, cells_.rows() / 2);
+    const std::uint32_t column = sky_column(d, cells_.columns());
     const float sin2_theta = d.x * d.x + d.z * d.z;
-    const std::uint32_t half_rows = cells_.rows() / 2;
-    // sin(theta / 2) / sin(pi / 4), without 1 - cos, which would cancel.
-    const float height = std::sqrt(sin2_theta / (1 + std::abs(d.y)));
-    const std::uint32_t row = std::min(as_number(height * as_float(half_rows)), half_rows - 1);
-    const float columns_a_quarter = 0.25f * as_float(cells_.columns());
-    const std::uint32_t column =
-        std::min(as_number(sky_quarters(d.x, d.z) * columns_a_quarter), cells_.columns() - 1);
     const float reach = std::abs(d.x) + std::abs(d.z);
     const float reach2 = reach > 0 ? sin2_theta / (reach * reach) : 1;
-    return {column, d.y < 0 ? cells_.rows() - 1 - row : row, density(as_float(row), reach2)};
+    return {column, d.y < 0 ? cells_.rows() - 1 - row : row,
+            density(sky_detail::as_float(row), reach2)};
   }
   // The density there of at() for cells by their light.
   [[nodiscard]] float pdf(const SkyPlace& place) const {
@@ -93,18 +113,12 @@ class SkyDistribution {
   }
 
  private:
-  // Of numbers of cells, by way of signed ones, which every processor's vectors convert.
-  [[nodiscard]] static float as_float(std::uint32_t number) {
-    return static_cast<float>(static_cast<std::int32_t>(number));
-  }
-  [[nodiscard]] static std::uint32_t as_number(float x) {
-    return static_cast<std::uint32_t>(static_cast<std::int32_t>(x));
-  }
   // One over a cell's solid angle, as it is where the chord is sqrt(reach2) away: a step of the
   // cosine of (2 row + 1) / half_rows^2, times one of the azimuth of 4 / columns / reach2.
   [[nodiscard]] float density(float row, float reach2) const {
-    const float half_rows = 0.5f * as_float(cells_.rows());
-    return reach2 * as_float(cells_.columns()) * (half_rows * half_rows) / (4 * (2 * row + 1));
+    const float half_rows = 0.5f * sky_detail::as_float(cells_.rows());
+    return reach2 * sky_detail::as_float(cells_.columns()) * (half_rows * half_rows) /
+           (4 * (2 * row + 1));
   }
 
   GridDistribution cells_;

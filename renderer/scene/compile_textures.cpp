@@ -39,30 +39,34 @@ struct Builder {
   Procedural operator()(const description::DirectionMixTexture& t) const {
     return {.kind = ProceduralKind::DirectionMix,
             .direction = Vec3f(t.direction),
-            .inputs = {input(t.first), input(t.second)}};
+            .inputs = {compile.inner_input(t.first), compile.inner_input(t.second)}};
   }
   Procedural operator()(const description::SolidCheckerboardTexture& t) const {
     return {.kind = ProceduralKind::SolidCheckerboard,
             .place = place_map(t.place_from_world, compile.world_from_normalised()),
-            .inputs = {input(t.even), input(t.odd)}};
+            .inputs = {compile.inner_input(t.even), compile.inner_input(t.odd)}};
   }
   Procedural operator()(const description::ProductTexture& t) const {
-    return {.kind = ProceduralKind::Product, .inputs = {input(t.first), input(t.second)}};
+    return {.kind = ProceduralKind::Product,
+            .inputs = {compile.inner_input(t.first), compile.inner_input(t.second)}};
   }
   Procedural operator()(const description::SquareRootTexture& t) const {
-    return {.kind = ProceduralKind::SquareRoot, .inputs = {input(t.input)}};
+    return {.kind = ProceduralKind::SquareRoot, .inputs = {compile.inner_input(t.input)}};
   }
   Procedural operator()(const description::MixTexture& t) const {
     return {.kind = ProceduralKind::Mix,
-            .inputs = {input(t.first), input(t.second), input(t.amount)}};
+            .inputs = {compile.inner_input(t.first), compile.inner_input(t.second),
+                       compile.inner_input(t.amount)}};
   }
   Procedural operator()(const description::CheckerboardTexture& t) const {
-    Procedural out{.kind = ProceduralKind::Checkerboard, .inputs = {input(t.even), input(t.odd)}};
+    Procedural out{.kind = ProceduralKind::Checkerboard,
+                   .inputs = {compile.inner_input(t.even), compile.inner_input(t.odd)}};
     set_mapping(t.mapping, out);
     return out;
   }
   Procedural operator()(const description::DotsTexture& t) const {
-    Procedural out{.kind = ProceduralKind::Dots, .inputs = {input(t.inside), input(t.outside)}};
+    Procedural out{.kind = ProceduralKind::Dots,
+                   .inputs = {compile.inner_input(t.inside), compile.inner_input(t.outside)}};
     set_mapping(t.mapping, out);
     return out;
   }
@@ -75,15 +79,6 @@ struct Builder {
   }
 
  private:
-  // As what reflects, where it is an image that may hold more.
-  [[nodiscard]] TextureValue input(const description::ColourInput& from) const {
-    const TextureValue value = compile.input(from);
-    if (!compile.is_colour_image(from) || !compile.store().may_exceed_one(value.texture))
-      return value;
-    Procedural clamped{.kind = ProceduralKind::Image, .is_reflectance = true};
-    clamped.inputs[0] = value;
-    return {Vec4f(1), compile.store().add(clamped)};
-  }
   // With the number in all channels.
   [[nodiscard]] TextureHandle grey(description::ImageHandle image) const {
     const TextureCompiler::Scalar scalar = compile.scalar(image);
@@ -111,6 +106,7 @@ const description::ImageTexture* plain_image(const description::Texture& texture
 
 }  // namespace
 
+// Whether texture() or image() of it is the image itself, and not as one number.
 bool TextureCompiler::is_colour_image(const description::ColourInput& input) const {
   if (!input.texture) return input.map.is_valid();
   const auto* const plain = plain_image(scene_.textures[input.texture.index]);
@@ -147,6 +143,18 @@ TextureCompiler::Scalar TextureCompiler::scalar(description::ImageHandle handle)
 TextureValue TextureCompiler::input(const description::ColourInput& input) {
   if (input.texture) return texture(input.texture);
   return {constant_of(input.factor), image(input.map)};
+}
+
+TextureValue TextureCompiler::inner_input(const description::ColourInput& from) {
+  const TextureValue value = input(from);
+  if (!is_colour_image(from) || !store_.may_exceed_one(value.texture)) return value;
+  const auto [at, is_new] = clamped_.try_emplace(value.texture.index);
+  if (is_new) {
+    Procedural clamped{.kind = ProceduralKind::Image, .is_reflectance = true};
+    clamped.inputs[0] = value;
+    at->second = store_.add(clamped);
+  }
+  return {Vec4f(1), at->second};
 }
 
 // Where nothing varies the value is that of any place.

@@ -35,13 +35,14 @@ class TextureCompiler {
   };
   [[nodiscard]] Scalar scalar(description::ImageHandle image);
   [[nodiscard]] TextureValue texture(description::TextureHandle texture);
-  // Whether texture() or image() of it is the image itself, and not as one number.
-  [[nodiscard]] bool is_colour_image(const description::ColourInput& input) const;
   [[nodiscard]] const Transform& world_from_normalised() const { return world_from_normalised_; }
   // A constant, an image or a texture.
   [[nodiscard]] TextureValue input(const description::ColourInput& input);
+  // The same as an input of another texture: colours of images end at 1.
+  [[nodiscard]] TextureValue inner_input(const description::ColourInput& input);
 
  private:
+  [[nodiscard]] bool is_colour_image(const description::ColourInput& input) const;
   [[nodiscard]] TextureValue added(const Procedural& procedural);
 
   const description::SceneDescription& scene_;
@@ -49,7 +50,8 @@ class TextureCompiler {
   Diagnostics& diagnostics_;
   Transform world_from_normalised_;
   std::vector<std::optional<TextureValue>> compiled_;
-  std::map<std::size_t, TextureHandle> means_;  // by the image's texture
+  std::map<std::size_t, TextureHandle> means_;    // by the image's texture
+  std::map<std::size_t, TextureHandle> clamped_;  // likewise
 };
 
 }  // namespace candela

@@ -190,9 +190,10 @@ void TextureFile::become_magenta() {
 float TextureFile::largest() {
   if (!holds_floats()) return 1;
   const TexelArray& array = texels();
+  if (is_broken_) return 1;
   const bool is_half = array.type == SampleType::Half;
-  float largest = is_broken_ ? 1.0f : 0.0f;
-  for (std::size_t i = 0; !is_broken_ && i < array.bytes() / size_of(array.type); ++i) {
+  float largest = 0;
+  for (std::size_t i = 0; i < array.bytes() / size_of(array.type); ++i) {
     const std::byte* const place = array.samples.get() + i * size_of(array.type);
     largest = std::max(
         largest, is_half ? half_to_float(value_at<std::uint16_t>(place)) : value_at<float>(place));

@@ -6,6 +6,7 @@
 #include "renderer/base/printable.h"
 
 namespace candela::lab3 {
+
 Reader::Reader(const std::string& path, std::string_view text, const LoadOptions& load_options,
                description::SceneDescription& target, Diagnostics& found)
     : options(load_options),

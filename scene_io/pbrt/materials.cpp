@@ -51,6 +51,20 @@ MaterialUse named_part(Arguments& arguments, std::string_view name) {
   return part ? MaterialUse{none, *part, arguments.find(name)->place} : MaterialUse{};
 }
 
+// Of a metal by two lists of samples and nothing else.
+std::optional<std::array<Vec3d, 2>> read_metal_spectra(MaterialReader& reader,
+                                                       std::string_view prefix) {
+  Arguments& arguments = reader.arguments;
+  const Parameter* eta = arguments.find(fmt::format("{}eta", prefix));
+  const Parameter* k = arguments.find(fmt::format("{}k", prefix));
+  const auto is_sampled = [](const Parameter* parameter) {
+    return parameter && parameter->type == ParameterType::Spectrum && !names_a_spectrum(*parameter);
+  };
+  if (!is_sampled(eta) || !is_sampled(k) || arguments.has("reflectance")) return std::nullopt;
+  return metal_of_spectra(*eta, *k, reader.context.scene, arguments.report())
+      .value_or(*metal_named("metal-Cu-eta"));
+}
+
 }  // namespace
 
 bool is_interface(const Material& material) {
@@ -116,24 +130,6 @@ Widths read_widths(MaterialReader& reader, std::string_view prefix) {
   if (is_smooth) widths = {ScalarInput{0.0, {}, 0, {}}, {}};
   return widths;
 }
-
-namespace {
-
-// Of a metal by two lists of samples and nothing else.
-std::optional<std::array<Vec3d, 2>> read_metal_spectra(MaterialReader& reader,
-                                                       std::string_view prefix) {
-  Arguments& arguments = reader.arguments;
-  const Parameter* eta = arguments.find(fmt::format("{}eta", prefix));
-  const Parameter* k = arguments.find(fmt::format("{}k", prefix));
-  const auto is_sampled = [](const Parameter* parameter) {
-    return parameter && parameter->type == ParameterType::Spectrum && !names_a_spectrum(*parameter);
-  };
-  if (!is_sampled(eta) || !is_sampled(k) || arguments.has("reflectance")) return std::nullopt;
-  return metal_of_spectra(*eta, *k, reader.context.scene, arguments.report())
-      .value_or(*metal_named("metal-Cu-eta"));
-}
-
-}  // namespace
 
 // By a reflectance r: n = 1 and k = 2 sqrt(r) / sqrt(1 - r), as pbrt has it.
 std::array<Vec3d, 2> read_metal(MaterialReader& reader, std::string_view prefix) {

@@ -38,6 +38,7 @@ TEST(Unit_CubeMap, PointsLieInTheirDirection) {
     const CubeFace& face = cube_faces[point.face];
     Vec3f back = face.axis + face.right * (2 * point.st.x - 1) + face.down * (2 * point.st.y - 1);
     ASSERT_LT(length(normalize(back) - d), 1e-6f);
+    ASSERT_LT(length(normalize(cube_direction(point)) - d), 1e-6f);
     ASSERT_TRUE(point.st.x >= 0 && point.st.x <= 1 && point.st.y >= 0 && point.st.y <= 1);
   }
 }
@@ -105,6 +106,13 @@ TEST(Unit_EqualAreaMap, TexelsLieAsTheConventionSays) {
       EXPECT_NEAR(seen.x, x + 1, 1e-4);
       EXPECT_NEAR(seen.y, y + 1, 1e-4);
     }
+}
+
+TEST(Unit_LatLongMap, DirectionsLieAtTheirPoint) {
+  for (std::uint64_t i = 0; i < 10'000; ++i) {
+    const Vec3f d = light_test::random_direction(i, 2);
+    ASSERT_LT(length(lat_long_direction(lat_long_point(d)) - d), 2e-6f);
+  }
 }
 
 TEST(Unit_LatLongMap, ConventionIsThatOfAViewerLookingAlongMinusZ) {

@@ -9,13 +9,13 @@
 namespace candela {
 namespace {
 
+using light_test::cube;
 using light_test::equal_area;
 using light_test::lat_long;
 using light_test::MapEnvironment;
 using light_test::write_float_map;
 
-// What lies between the points where they are fewer than the patches: a lamp in one of 16 x 16
-// patches of a dim sky.
+// Between the points where they are fewer than the patches: in one of 16 x 16 patches of a dim sky.
 TEST(Unit_SkyCells, LampsBetweenTheTablesPointsKeepTheirShare) {
   constexpr int side = 64;
   for (int row = 2; row < side; row += 4)
@@ -28,6 +28,34 @@ TEST(Unit_SkyCells, LampsBetweenTheTablesPointsKeepTheirShare) {
       const float pdf = environment_pdf(map.environment, square_to_equal_area_sphere(st));
       EXPECT_GT(pdf, 0.5f) << column << ',' << row;  // of 7 where the lamp has all
     }
+}
+
+// Likewise of 16 x 8 patches, and of 8 x 8 on each face of a cube.
+TEST(Unit_SkyCells, LampsOfOtherMapsKeepTheirShare) {
+  const auto lamp = [](int column, int row) {
+    return [=](int x, int y) { return Vec3f(x == column && y == row ? 1e4f : 0.01f); };
+  };
+  for (int row = 2; row < 32; row += 4)
+    for (int column = 2; column < 64; column += 4) {
+      const MapEnvironment map =
+          lat_long(write_float_map("lamp", 64, 32, lamp(column, row)), Mat3d(1.0), 128);
+      const Vec3f d = lat_long_direction(
+          {(static_cast<float>(column) + 0.5f) / 64, (static_cast<float>(row) + 0.5f) / 32});
+      EXPECT_GT(environment_pdf(map.environment, d), 0.25f) << column << ',' << row;
+    }
+  std::array<description::Image, 6> faces;
+  faces.fill(write_float_map("dim", 32, 32, [](int, int) { return Vec3f(0.01f); }));
+  for (std::uint32_t face = 0; face < 6; ++face)
+    for (int row = 2; row < 32; row += 4)
+      for (int column = 2; column < 32; column += 4) {
+        std::array<description::Image, 6> lit = faces;
+        lit[face] = write_float_map("lamp", 32, 32, lamp(column, row));
+        const MapEnvironment map = cube(lit, 384);
+        const Vec2f st = (Vec2f(Vec2i(column, row)) + 0.5f) / 32.0f;
+        const Vec3f d = normalize(cube_direction({face, st}));
+        EXPECT_GT(environment_pdf(map.environment, d), 0.25f)
+            << face << ' ' << column << ',' << row;
+      }
 }
 
 // The second moment of radiance over density, over the squared integral: 1 where the density
@@ -62,7 +90,7 @@ TEST(Unit_SkyCells, DensityFollowsLightBesideDarknessAndInRings) {
   }
 }
 
-// Nor one of so many stars that none is a lamp.
+// Of so many that none is a lamp.
 TEST(Unit_SkyCells, NoStarIsLost) {
   constexpr int side = 1024;
   const auto star = [](int x, int y) { return Vec3f(x % 12 == 6 && y % 12 == 6 ? 1.0f : 0.0f); };

@@ -87,6 +87,13 @@ struct SpaceOf {
   }
 };
 
+// What a missing image shows.
+Vec3d magenta_of(const description::ImageTexture& image) {
+  const Vec3d scaled = magenta * image.factor;
+  const Vec3d shown = image.is_inverted ? glm::max(1.0 - scaled, 0.0) : scaled;
+  return image.is_scalar ? shown : glm::clamp(shown, 0.0, 1.0);
+}
+
 bool is_grey(const Vec3d& colour) {
   return colour.x == colour.y && colour.y == colour.z;
 }
@@ -320,13 +327,6 @@ WrittenParameter TextureWriter::texture(Kind kind, std::string_view name, Textur
   const std::string made = make(kind, texture);
   textures_[{kind, handle.index}] = made;
   return named(name, made);
-}
-
-// What a missing image shows.
-Vec3d magenta_of(const description::ImageTexture& image) {
-  const Vec3d scaled = magenta * image.factor;
-  const Vec3d shown = image.is_inverted ? glm::max(1.0 - scaled, 0.0) : scaled;
-  return image.is_scalar ? shown : glm::clamp(shown, 0.0, 1.0);
 }
 
 bool TextureWriter::is_image(const description::ColourInput& input) const {

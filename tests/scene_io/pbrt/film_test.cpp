@@ -8,15 +8,12 @@ namespace candela {
 namespace {
 
 using namespace description;
+using test::expect_near;
 using test::pbrt_error;
 using test::pbrt_scene;
 using test::pbrt_warning;
 using test::pbrt_world;
 using test::pbrt_world_error;
-
-void expect_near(const Vec3d& vector, const Vec3d& expected) {
-  EXPECT_LT(length(vector - expected), 1e-9) << vector.x << " " << vector.y << " " << vector.z;
-}
 
 Camera camera_of(const std::string& text) {
   const auto scene = pbrt_scene(text + "\nWorldBegin");

@@ -120,4 +120,8 @@ std::string pbrt_world_warning(std::string_view text) {
   return pbrt_warning(in_world(text));
 }
 
+void expect_near(const Vec3d& vector, const Vec3d& expected) {
+  EXPECT_LT(length(vector - expected), 1e-9) << vector.x << " " << vector.y << " " << vector.z;
+}
+
 }  // namespace candela::test

@@ -18,6 +18,8 @@ namespace candela::test {
 
 [[nodiscard]] Result<description::SceneDescription> parse_pbrt_text(std::string_view text);
 
+void expect_near(const Vec3d& vector, const Vec3d& expected);
+
 // The scene of a text that must have no errors; an empty scene (and a failed test) where it has.
 [[nodiscard]] description::SceneDescription pbrt_scene(std::string_view text);
 // The same of what stands behind WorldBegin.

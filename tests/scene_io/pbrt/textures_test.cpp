@@ -10,13 +10,10 @@ namespace candela {
 namespace {
 
 using namespace description;
+using test::expect_near;
 using test::pbrt_world;
 using test::pbrt_world_error;
 using test::pbrt_world_warning;
-
-void expect_near(const Vec3d& vector, const Vec3d& expected) {
-  EXPECT_LT(length(vector - expected), 1e-9) << vector.x << " " << vector.y << " " << vector.z;
-}
 
 TEST(Unit_PbrtTextures, KindsAndTheirInputs) {
   const auto scene = pbrt_world(R"(
