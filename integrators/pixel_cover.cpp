@@ -70,9 +70,7 @@ void PixelCover::add_rectangle(const FilmBounds& bounds) {
 void PixelCover::add(const Bounds3f& box) {
   std::array<Projection::Point, 8> corners;
   for (unsigned i = 0; i < corners.size(); ++i)
-    corners[i] = projection_.point({((i & 1) != 0 ? box.upper : box.lower).x,
-                                    ((i & 2) != 0 ? box.upper : box.lower).y,
-                                    ((i & 4) != 0 ? box.upper : box.lower).z});
+    corners[i] = projection_.point(box.corner(static_cast<int>(i)));
   add_rectangle(projection_.bounds(corners));
 }
 

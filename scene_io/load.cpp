@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/letter_case.h"
 #include "scene_io/default_camera.h"
 #include "scene_io/lab3/mesh_files.h"
 #include "scene_io/lab3/read_lab3.h"
 #include "scene_io/override_materials.h"
 #include "scene_io/pbrt/read_pbrt.h"
-#include "scene_io/text/cursor.h"
 #include "scene_io/text/file.h"
 #include "scene_io/text/source.h"
 
@@ -24,12 +24,8 @@ using description::SceneDescription;
 // Whether it ends in one of the extensions, with .gz behind it or not.
 bool has_extension(std::string_view path, std::initializer_list<std::string_view> extensions) {
   path = text::without_gzip_extension(path);
-  const std::size_t dot = path.find_last_of("./");
-  if (dot == std::string_view::npos) return false;
-  const std::string_view extension = path.substr(dot);
-  return std::any_of(extensions.begin(), extensions.end(), [&](std::string_view known) {
-    return text::equal_ignoring_case(extension, known);
-  });
+  return std::ranges::any_of(
+      extensions, [&](std::string_view extension) { return ends_ignoring_case(path, extension); });
 }
 
 bool is_lab3(std::string_view path) {
@@ -79,10 +75,6 @@ Result<SceneDescription> load_mesh(const std::string& path, lab3::MeshFormat for
                                    text::quoted_path(path)));
   return {std::move(scene), std::move(diagnostics)};
 }
-
-}  // namespace
-
-namespace {
 
 Result<SceneDescription> load_file(const std::string& path, const LoadOptions& options) {
   if (is_lab3(path)) return lab3::read_lab3(path, options);

@@ -1,11 +1,11 @@
 #include "renderer/base/diagnostic.h"
 
 #include <algorithm>
-#include <cctype>
 #include <numeric>
 
 #include <fmt/format.h>
 
+#include "renderer/base/letter_case.h"
 #include "renderer/base/one_of.h"
 #include "renderer/base/printable.h"
 
@@ -37,10 +37,6 @@ bool is_same_place(const SourceSpan& a, const SourceSpan& b) {
   return a.file == b.file || (a.file && b.file && *a.file == *b.file);
 }
 
-char lower(char c) {
-  return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-}
-
 // Levenshtein's distance, where two neighbours that changed places are one edit as well
 // [Damerau64], each place edited once. Three rows at a time.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -48,7 +44,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::iota(row.begin(), row.end(), std::size_t{0});
   std::vector<std::size_t> above(b.size() + 1);
   std::vector<std::size_t> next(b.size() + 1);
-  const auto is_same = [&](std::size_t i, std::size_t j) { return lower(a[i]) == lower(b[j]); };
+  const auto is_same = [&](std::size_t i, std::size_t j) {
+    return to_lower(a[i]) == to_lower(b[j]);
+  };
   for (std::size_t i = 0; i < a.size(); ++i) {
     next[0] = i + 1;
     for (std::size_t j = 0; j < b.size(); ++j) {

@@ -30,7 +30,7 @@ double mean_light(const Film& film, const PixelRect& region) {
 }
 
 // Where there is so little light that relMSE, whose epsilon is the square of a tenth of the
-// picture's mean (compare.h), does not see it: a thousandth of that tenth.
+// picture's mean (relmse.h), does not see it: a thousandth of that tenth.
 bool is_dim(const Film& film, const PixelRect& region, double picture_mean) {
   constexpr double dimmest = 1e-4;
   return mean_light(film, region) < dimmest * picture_mean;

@@ -1,9 +1,10 @@
 #include "renderer/image/image_format.h"
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <utility>
+
+#include "renderer/base/letter_case.h"
 
 namespace candela {
 namespace {
@@ -36,11 +37,6 @@ constexpr std::array<std::pair<std::string_view, ImageFormat>, 8> marks{{
     {std::string_view("MM\0*", 4), ImageFormat::Tiff},
     {"BM", ImageFormat::Bmp},
 }};
-
-bool is_equal_but_for_case(std::string_view a, std::string_view b) {
-  return std::ranges::equal(
-      a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
-}
 
 // P1 ... P6 and the float maps PF, Pf, each followed by white space.
 bool is_netpbm(std::string_view text) {
@@ -83,7 +79,7 @@ std::string_view extension_of(std::string_view path) {
 std::optional<ImageFormat> format_of_extension(std::string_view path) {
   const std::string_view extension = extension_of(path);
   for (const auto& [known, format] : extensions)
-    if (is_equal_but_for_case(extension, known)) return format;
+    if (equal_ignoring_case(extension, known)) return format;
   return std::nullopt;
 }
 

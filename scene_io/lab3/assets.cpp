@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "scene_io/text/cursor.h"
 #include "scene_io/text/path.h"
 
 namespace candela::lab3 {
@@ -39,12 +38,6 @@ std::string file_name_of(Reader& reader, const Entry& entry) {
   reader.error(node.offset,
                fmt::format("{}found {}, expected the name of a file", key, describe(node)));
   return "";
-}
-
-std::string extension_of(const std::string& name) {
-  std::string extension = std::filesystem::path(name).extension().string();
-  for (char& c : extension) c = text::to_lower(c);
-  return extension;
 }
 
 }  // namespace
@@ -121,12 +114,6 @@ ImageHandle read_required_image(Reader& reader, const Entry& entry, Encoding enc
   const std::string path = required_file(reader, entry, "an image");
   if (path.empty()) return {};
   return reader.images.add({path, encoding, wrap, reader.span(entry.value->offset)}, reader.scene);
-}
-
-Encoding colour_encoding(const std::string& file_name) {
-  const std::string extension = extension_of(file_name);
-  const bool is_linear = extension == ".exr" || extension == ".hdr" || extension == ".pfm";
-  return is_linear ? Encoding::Linear : Encoding::Srgb;
 }
 
 }  // namespace candela::lab3

@@ -8,8 +8,8 @@
 
 namespace candela::lab3 {
 
-// "no such file", "a folder", "a FIFO", "a device", ... or "" for a regular file. Follows links,
-// opens nothing.
+// "no such file", "this is a folder", "this is a FIFO", ... or "" for a regular file. Follows
+// links, opens nothing.
 [[nodiscard]] std::string problem_of_file(const std::string& path);
 
 // The path that `name`, written in the scene file, means. Warns where only the letter case differs.
@@ -34,8 +34,5 @@ namespace candela::lab3 {
 [[nodiscard]] description::ImageHandle read_required_image(Reader& reader, const Entry& entry,
                                                            description::Encoding encoding,
                                                            description::Wrap wrap);
-
-// Encoding of a colour picture in the extension: by its kind of file, EXR, HDR and PFM are linear.
-[[nodiscard]] description::Encoding colour_encoding(const std::string& file_name);
 
 }  // namespace candela::lab3

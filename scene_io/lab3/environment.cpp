@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "renderer/math/constants.h"
+#include "scene_io/image_encoding.h"
 #include "scene_io/lab3/assets.h"
 
 namespace candela::lab3 {
@@ -30,7 +31,7 @@ void read_map(Reader& reader, const Fields& fields, const Vec3d& scale, bool is_
   const Entry& map = *fields.find("Map");
   LatLongEnvironment environment;
   environment.image =
-      read_required_image(reader, map, colour_encoding(map.value->text), Wrap::Repeat);
+      read_required_image(reader, map, encoding_of_colours(map.value->text), Wrap::Repeat);
   environment.scale = scale;
   environment.is_seen_by_camera = is_seen;
   environment.world_from_map = rotation_about_y(fields.number("Rotation", any_number).value_or(0));

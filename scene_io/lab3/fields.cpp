@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/letter_case.h"
 #include "renderer/base/one_of.h"
-#include "scene_io/text/cursor.h"
 #include "scene_io/text/number.h"
 
 namespace candela::lab3 {
@@ -19,7 +19,7 @@ std::string found_expected(std::string_view name, const Node& node, std::string_
 // YAML writes what is not finite with a dot.
 bool is_yaml_not_finite(std::string_view word) {
   if (!word.empty() && (word.front() == '-' || word.front() == '+')) word.remove_prefix(1);
-  return text::equal_ignoring_case(word, ".nan") || text::equal_ignoring_case(word, ".inf");
+  return equal_ignoring_case(word, ".nan") || equal_ignoring_case(word, ".inf");
 }
 
 // After "found 5, expected a list of 3 numbers".
@@ -42,7 +42,7 @@ std::string_view hint_of_missing_blank(const Node& node) {
 std::string plain_name(std::string_view name) {
   std::string plain;
   for (const char c : name)
-    if (c != '_') plain += text::to_lower(c);
+    if (c != '_') plain += to_lower(c);
   return plain;
 }
 
@@ -55,7 +55,7 @@ bool is_same_name(std::string_view a, std::string_view b) {
     while (i < a.size() && a[i] == '_') ++i;
     while (j < b.size() && b[j] == '_') ++j;
     if (i == a.size() || j == b.size()) return i == a.size() && j == b.size();
-    if (text::to_lower(a[i++]) != text::to_lower(b[j++])) return false;
+    if (to_lower(a[i++]) != to_lower(b[j++])) return false;
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "scene_io/image_encoding.h"
 #include "scene_io/lab3/assets.h"
 #include "scene_io/lab3/lab_material.h"
 #include "scene_io/lab3/material_keys.h"
@@ -75,7 +76,7 @@ void read_emission(Reader& reader, const Fields& fields, description::Material& 
   material.emits_both_sides = fields.flag("TwoSided", false);
   if (map)
     material.emission_map =
-        read_image(reader, map, colour_encoding(map->value->text), Wrap::Repeat);
+        read_image(reader, map, encoding_of_colours(map->value->text), Wrap::Repeat);
   const bool emits = fields.has("Emission") || map;
   if (emits) reader.is_extended = true;
   if (fields.has("TwoSided") && !emits)
@@ -88,6 +89,18 @@ void read_opacity(Reader& reader, const Fields& fields, description::Material& m
   if (!map) return;
   material.opacity.map = read_image_over(reader, fields.find("opacity"), map, Encoding::Linear);
   material.opacity.channel = description::alpha_or_first;
+}
+
+// lab3's own materials have their alpha, which is an opacity, too.
+void warn_of_lost_alpha(Reader& reader, const Fields& fields,
+                        const description::Material& material) {
+  const auto* lab = std::get_if<description::LabMaterial>(&material.model);
+  const bool has_opacity = !material.opacity.is_constant() || material.opacity.factor != 1;
+  if (!lab || lab->diffuse.map || lab->alpha == 1 || !has_opacity) return;
+  const Entry* map = fields.find("opacity_map");
+  const Entry& opacity = map ? *map : *fields.find("opacity");
+  reader.warning(opacity.key_offset,
+                 fmt::format("{} replaces this material's alpha of {}", opacity.key, lab->alpha));
 }
 
 void read_relief(Reader& reader, const Fields& fields, description::Material& material) {
@@ -132,6 +145,7 @@ void read_look(Reader& reader, const Fields& fields, MaterialType type,
     material.model = read_typed_material(reader, fields, type);
   read_emission(reader, fields, material);
   read_opacity(reader, fields, material);
+  warn_of_lost_alpha(reader, fields, material);
   read_relief(reader, fields, material);
 }
 

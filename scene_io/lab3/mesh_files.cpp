@@ -4,10 +4,10 @@
 #include <set>
 #include <utility>
 
+#include "renderer/base/letter_case.h"
 #include "renderer/base/parallel.h"
 #include "scene_io/obj/read_obj.h"
 #include "scene_io/ply/read_ply.h"
-#include "scene_io/text/cursor.h"
 #include "scene_io/text/file.h"
 
 namespace candela::lab3 {
@@ -54,12 +54,8 @@ void place(const LoadedFile& file, const MeshRequest& request, SceneDescription&
 
 MeshFormat mesh_format_of(std::string_view path) {
   path = text::without_gzip_extension(path);
-  const auto ends_in = [&](std::string_view extension) {
-    return path.size() > extension.size() &&
-           text::equal_ignoring_case(path.substr(path.size() - extension.size()), extension);
-  };
-  if (ends_in(".obj")) return MeshFormat::Obj;
-  if (ends_in(".ply")) return MeshFormat::Ply;
+  if (ends_ignoring_case(path, ".obj")) return MeshFormat::Obj;
+  if (ends_ignoring_case(path, ".ply")) return MeshFormat::Ply;
   return MeshFormat::Unknown;
 }
 

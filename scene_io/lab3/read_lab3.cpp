@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/description/lamp_surfaces.h"
 #include "renderer/description/used_materials.h"
 #include "scene_io/default_camera.h"
 #include "scene_io/lab3/camera.h"
@@ -48,10 +49,7 @@ const description::Material* first_glowing_material(const description::SceneDesc
 // In the forks that know both, the light and the glowing model stand for one lamp.
 void warn_of_double_lamps(Reader& reader) {
   const description::SceneDescription& scene = reader.scene;
-  const auto is_area = [](const description::Light& light) {
-    return std::holds_alternative<description::TriangleLight>(light.kind);
-  };
-  const auto light = std::find_if(scene.lights.begin(), scene.lights.end(), is_area);
+  const auto light = std::ranges::find_if(scene.lights, description::is_triangle_light);
   const description::Material* material = first_glowing_material(scene);
   if (light == scene.lights.end() || !material) return;
   reader.diagnostics.warning(

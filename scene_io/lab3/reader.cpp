@@ -1,7 +1,6 @@
 #include "scene_io/lab3/reader.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "renderer/base/printable.h"
 

@@ -6,7 +6,6 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
-#include <vector>
 
 #include "renderer/base/diagnostic.h"
 #include "renderer/description/scene_description.h"

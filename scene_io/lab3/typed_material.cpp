@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "renderer/math/reflectance.h"
+#include "scene_io/image_encoding.h"
 #include "scene_io/lab3/assets.h"
 #include "scene_io/lab3/metals.h"
 
@@ -29,7 +30,7 @@ ColourInput read_colour_input(Reader& reader, const Fields& fields, Names factor
   const Entry* factor = fields.last_of(factors);
   const Entry* map = fields.last_of(maps);
   ColourInput input{fields.colour(factor, zero_to_one).value_or(otherwise), {}};
-  const Encoding encoding = map ? colour_encoding(map->value->text) : Encoding::Linear;
+  const Encoding encoding = map ? encoding_of_colours(map->value->text) : Encoding::Linear;
   input.map = read_image_over(reader, factor, map, encoding);
   return input;
 }

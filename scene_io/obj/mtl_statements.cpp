@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/letter_case.h"
 #include "scene_io/obj/mtl_texture.h"
 #include "scene_io/text/cursor.h"
 #include "scene_io/text/number.h"
@@ -50,15 +51,14 @@ constexpr std::array<std::string_view, 1> lost{"map_Pm"};
 
 template <class Table>
 auto find_keyword(const Table& table, std::string_view word) {
-  return std::find_if(table.begin(), table.end(), [&](const auto& entry) {
-    return text::equal_ignoring_case(entry.word, word);
-  });
+  return std::find_if(table.begin(), table.end(),
+                      [&](const auto& entry) { return equal_ignoring_case(entry.word, word); });
 }
 
 template <std::size_t Count>
 bool is_among(const std::array<std::string_view, Count>& words, std::string_view word) {
   return std::any_of(words.begin(), words.end(),
-                     [&](std::string_view w) { return text::equal_ignoring_case(w, word); });
+                     [&](std::string_view w) { return equal_ignoring_case(w, word); });
 }
 
 // Of what a statement says: of its line, or before a comment.
@@ -84,10 +84,10 @@ class StatementParser {
 
  private:
   void parse_statement(std::string_view word, Cursor& line) {
-    if (text::equal_ignoring_case(word, "newmtl")) return begin_material(word, line);
+    if (equal_ignoring_case(word, "newmtl")) return begin_material(word, line);
     if (materials_.empty()) {
       say_lost(word);
-    } else if (text::equal_ignoring_case(word, "illum")) {
+    } else if (equal_ignoring_case(word, "illum")) {
       parse_illum(line);
     } else if (const auto colour = find_keyword(colours, word); colour != colours.end()) {
       if (is_used(colour->is_lab)) parse_colour(word, line, materials_.back().*(colour->member));

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/letter_case.h"
 #include "scene_io/text/number.h"
 
 namespace candela::obj {
@@ -100,8 +101,8 @@ class TextureParser {
 
   void set(const Option& option, std::string_view argument, double number) {
     if (option.name == "-bm") texture_.bump_multiplier = number;
-    if (option.name == "-clamp") texture_.is_clamped = text::equal_ignoring_case(argument, "on");
-    if (option.name == "-imfchan") texture_.channel = text::to_lower(argument[0]);
+    if (option.name == "-clamp") texture_.is_clamped = equal_ignoring_case(argument, "on");
+    if (option.name == "-imfchan") texture_.channel = to_lower(argument[0]);
   }
 
   void resolve(std::string_view name) {

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "renderer/math/constants.h"
+#include "scene_io/image_encoding.h"
+#include "scene_io/pbrt/map_axes.h"
 #include "scene_io/pbrt/spectrum.h"
 #include "scene_io/pbrt/textures.h"
 #include "scene_io/pbrt/transforms.h"
@@ -137,14 +139,14 @@ class LightReader {
     add(light);
   }
 
-  // The image's middle is up, along the light's y; without an image it is a point light.
+  // Without an image it is a point light.
   void goniometric() {
     description::GoniometricLight light;
     light.position = place(Vec3d(0.0));
     light.intensity = colour("I");
     light.power = arguments_.positive("power", unset);
     if (const Parameter* file = arguments_.find("filename", {ParameterType::String})) {
-      light.world_from_map = map_axes(Mat3d(1, 0, 0, 0, 0, 1, 0, 1, 0));
+      light.world_from_map = map_axes(light_from_goniometric_map);
       light.image = light_image(*file);
       if (!light.image) return;
     }
@@ -211,7 +213,7 @@ class LightReader {
   description::Encoding encoding_of_light(const Parameter& file) {
     if (const auto name = arguments_.string("encoding"))
       if (const auto encoding = encoding_named(*name)) return *encoding;
-    return encoding_of_file(file.strings.empty() ? "" : file.strings[0]);
+    return encoding_of_colours(file.strings.empty() ? "" : file.strings[0]);
   }
 
   // candela's own: lab3's six faces, in the world's space.
@@ -249,7 +251,6 @@ class LightReader {
     return axes;
   }
 
-  // pbrt-v3's maps are latitude-longitude with z up: their centre column looks along -x.
   template <class Map>
   void add_map(const Parameter& file, const Vec3d& factor) {
     Map environment;
@@ -259,8 +260,7 @@ class LightReader {
     environment.scale = factor;
     environment.is_seen_by_camera = is_seen_by_camera_;
     const bool is_lat_long = std::is_same_v<Map, description::LatLongEnvironment>;
-    environment.world_from_map =
-        map_axes(is_lat_long ? Mat3d(0, -1, 0, 0, 0, 1, 1, 0, 0) : Mat3d(1.0));
+    environment.world_from_map = map_axes(is_lat_long ? light_from_lat_long_map : Mat3d(1.0));
     add(environment);
   }
 
@@ -294,7 +294,7 @@ Emission read_emission(Context& context, Statement& statement) {
       emission.radiance = Vec3d(1.0);
     }
     const std::string name = file->strings.size() == 1 ? file->strings[0] : "";
-    emission.map = add_light_image(context, *file, encoding_of_file(name),
+    emission.map = add_light_image(context, *file, encoding_of_colours(name),
                                    wrap_of(arguments, description::Wrap::Clamp));  // candela's own
   }
   const double scale = scale_of(arguments);

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "scene_io/pbrt/parser.h"
-#include "scene_io/pbrt/transforms.h"
 #include "scene_io/text/number.h"
 
 namespace candela::pbrt {

@@ -3,9 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/letter_case.h"
+#include "scene_io/image_encoding.h"
 #include "scene_io/pbrt/source_files.h"
 #include "scene_io/pbrt/textures.h"
-#include "scene_io/text/cursor.h"
 
 namespace candela::pbrt {
 namespace {
@@ -16,11 +17,6 @@ using description::ImageHandle;
 using description::MappingKind;
 using description::Wrap;
 
-bool has_extension(std::string_view name, std::string_view extension) {
-  return name.size() > extension.size() &&
-         text::equal_ignoring_case(name.substr(name.size() - extension.size()), extension);
-}
-
 // Only PNG files are as "encoding" says; all are as candela's own "decode" does. pbrt-v3 decodes
 // sRGB unless "gamma" is false.
 Encoding encoding_of(Arguments& arguments, std::string_view file_name) {
@@ -29,12 +25,15 @@ Encoding encoding_of(Arguments& arguments, std::string_view file_name) {
     arguments.accept({"encoding"});
     return *own;
   }
-  if (const Parameter* gamma = arguments.find("gamma"))
-    if (gamma->type == ParameterType::Bool && !arguments.flag("gamma", true))
+  if (const Parameter* gamma = arguments.find("gamma")) {
+    if (gamma->type != ParameterType::Bool)
+      arguments.warning(*gamma, "is no bool and is ignored");  // pbrt-v2's exponent
+    else if (!arguments.flag("gamma", true))
       return Encoding::Linear;
+  }
   const Parameter* parameter = arguments.find("encoding", {ParameterType::String});
-  if (!parameter || parameter->strings.size() != 1 || !has_extension(file_name, ".png"))
-    return encoding_of_file(file_name);
+  if (!parameter || parameter->strings.size() != 1 || !ends_ignoring_case(file_name, ".png"))
+    return encoding_of_colours(file_name);
   const auto encoding = encoding_named(parameter->strings[0]);
   if (!encoding)
     arguments.warning(*parameter, fmt::format("{} is not supported: it counts as sRGB",
@@ -63,12 +62,6 @@ std::optional<Encoding> encoding_named(std::string_view name) {
        {Encoding::Linear, Encoding::Srgb, Encoding::Gamma22, Encoding::LabGamma})
     if (name_of(encoding) == name) return encoding;
   return std::nullopt;
-}
-
-Encoding encoding_of_file(std::string_view name) {
-  const bool is_linear =
-      has_extension(name, ".exr") || has_extension(name, ".hdr") || has_extension(name, ".pfm");
-  return is_linear ? Encoding::Linear : Encoding::Srgb;
 }
 
 namespace {

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/math/transform.h"
 #include "scene_io/pbrt/spectrum.h"
-#include "scene_io/pbrt/transforms.h"
 #include "scene_io/text/cursor.h"
 
 namespace candela::pbrt {

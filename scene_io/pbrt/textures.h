@@ -94,9 +94,6 @@ description::ColourInput Textures::add(Texture kind, const std::string& name, co
 [[nodiscard]] std::string_view name_of(description::Wrap wrap);
 [[nodiscard]] description::Wrap wrap_of(Arguments& arguments, description::Wrap otherwise);
 
-// As pbrt reads image files: EXR, HDR and PFM are linear, all others sRGB.
-[[nodiscard]] description::Encoding encoding_of_file(std::string_view name);
-
 // Adds an image of the scene, or finds the equal one that is there. Invalid after an error.
 [[nodiscard]] description::ImageHandle add_image(Context& context, const Parameter& file,
                                                  description::Encoding encoding,

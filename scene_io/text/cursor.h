@@ -16,10 +16,6 @@ namespace candela::text {
 [[nodiscard]] constexpr bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
-[[nodiscard]] constexpr char to_lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-[[nodiscard]] bool equal_ignoring_case(std::string_view a, std::string_view b);
 
 // Blanks and lines' ends off both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);

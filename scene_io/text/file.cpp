@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "scene_io/text/cursor.h"
+#include "renderer/base/letter_case.h"
 #include "scene_io/text/source.h"
 
 namespace candela::text {
@@ -96,7 +96,7 @@ Diagnostics file_error(const std::string& path, std::string message) {
 }
 
 bool has_gzip_name(std::string_view path) {
-  return path.size() > 3 && equal_ignoring_case(path.substr(path.size() - 3), ".gz");
+  return path.size() > 3 && ends_ignoring_case(path, ".gz");
 }
 
 std::string_view without_gzip_extension(std::string_view path) {

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/letter_case.h"
 #include "scene_io/text/cursor.h"
 #include "scene_io/text/source.h"
 
@@ -36,12 +37,6 @@ bool exists(const std::string& path) {
   return path.find('\0') == std::string::npos && std::filesystem::exists(path, error);
 }
 
-std::string lower(std::string_view text) {
-  std::string small(text);
-  std::transform(small.begin(), small.end(), small.begin(), to_lower);
-  return small;
-}
-
 // What folders hold, read once each: scenes may name thousands of files that are not there.
 class Listings {
  public:
@@ -53,7 +48,7 @@ class Listings {
     std::error_code error;
     const auto changed = std::filesystem::last_write_time(path, error);
     if (error || !listing.is_settled || changed != listing.changed) read(path, changed, listing);
-    const auto found = listing.by_lower_case.find(lower(part));
+    const auto found = listing.by_lower_case.find(to_lower(std::string(part)));
     if (found == listing.by_lower_case.end()) return std::nullopt;
     return found->second;
   }
@@ -74,7 +69,7 @@ class Listings {
     std::filesystem::directory_iterator entry(path, error);
     for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
       std::string name = entry->path().filename().string();
-      const auto [at, is_new] = listing.by_lower_case.try_emplace(lower(name), name);
+      const auto [at, is_new] = listing.by_lower_case.try_emplace(to_lower(name), name);
       if (!is_new && name < at->second) at->second = std::move(name);
     }
   }

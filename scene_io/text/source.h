@@ -37,7 +37,8 @@ struct Source {
 void report(Diagnostics& diagnostics, const Source& source, std::size_t offset, Severity severity,
             std::string message);
 
-// Whether one more of this severity would be kept: for messages that are costly to compose.
+// Whether one more of this severity is worth composing: errors and warnings that would be kept, and
+// notes while there are few messages of all kinds (Diagnostics keeps all notes).
 [[nodiscard]] bool is_kept(const Diagnostics& diagnostics, Severity severity);
 
 // Spans of many places of one text, cheap where each lies behind the one before.

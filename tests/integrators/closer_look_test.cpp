@@ -125,7 +125,7 @@ TEST(Unit_CloserLook, LeavesThePictureAsItIs) {
 TEST(Unit_CloserLook, HasRandomNumbersOfItsOwn) {
   std::vector<std::uint64_t> taken;
   for (const SeedStream stream : {SeedStream::LampPixels, SeedStream::GuideTraining,
-                                  SeedStream::GuideTrial, SeedStream::Roulette})
+                                  SeedStream::GuideTrial, SeedStream::Roulette, SeedStream::Reuse})
     for (std::uint64_t n = 0; n < 1024; ++n) taken.push_back(hash_counter(seed_of(stream, 5), n));
   std::mutex mutex;
   std::vector<std::uint64_t> looks;

@@ -14,9 +14,9 @@ TEST(Unit_SeedStream, NoStreamIsOneOfAnotherPicture) {
   for (std::uint64_t seed = 0; seed < pictures; ++seed)
     for (const SeedStream stream :
          {SeedStream::LampPixels, SeedStream::GuideTraining, SeedStream::GuideTrial,
-          SeedStream::Roulette, SeedStream::CloserLook})
+          SeedStream::Roulette, SeedStream::CloserLook, SeedStream::Reuse})
       seeds.insert(seed_of(stream, seed));
-  EXPECT_EQ(seeds.size(), 5 * pictures);
+  EXPECT_EQ(seeds.size(), 6 * pictures);
 }
 
 }  // namespace

@@ -84,19 +84,27 @@ TEST(Unit_BsdfAt, LabReflectsAsDiffuseWhereItsMapOfHighlightsIsBlack) {
   EXPECT_FLOAT_EQ(f.pdf, inverse_pi);
 }
 
-// Whatever bsdf_at() makes lies in the set that bsdf_models() names.
+// Whatever bsdf_at() makes lies in the set that bsdf_models() names: a model outside is black.
 TEST(Unit_BsdfAt, ModelsAreTheOnesNamed) {
   const TextureStore none;
+  Material material;
+  material.coat = std::make_shared<const CoatTable>(1.5f, 0.01f, 0.1f);
   for (const MaterialModel model :
        {MaterialModel::Diffuse, MaterialModel::CookTorrance, MaterialModel::Lab,
         MaterialModel::Mirror, MaterialModel::Conductor, MaterialModel::Dielectric,
-        MaterialModel::ThinDielectric})
-    for (const float specular : {0.0f, 0.5f}) {
-      Material material{.model = model};
-      material.specular.constant = Rgb{specular};
-      const Bsdf bsdf = bsdf_at(material, none, {}, true);
-      EXPECT_NE(bsdf_models(material) & model_bit(bsdf.model), 0u);
-    }
+        MaterialModel::ThinDielectric, MaterialModel::DiffuseTransmission,
+        MaterialModel::CoatedDiffuse, MaterialModel::CoatedConductor})
+    for (const float specular : {0.0f, 0.5f})
+      for (const bool is_anisotropic : {false, true})
+        for (const bool energy_compensation : {false, true}) {
+          material.model = model;
+          material.specular.constant = Rgb{specular};
+          material.is_anisotropic = is_anisotropic;
+          material.energy_compensation = energy_compensation;
+          const Bsdf bsdf = bsdf_at(material, none, {}, true);
+          EXPECT_NE(bsdf_models(material) & model_bit(bsdf.model), 0u)
+              << static_cast<int>(model) << is_anisotropic << energy_compensation;
+        }
 }
 
 TEST(Unit_BsdfAt, GlassSeesTheInverseIndexFromInside) {

@@ -17,6 +17,8 @@ RenderOptions small_crop_of_a_giant() {
 }
 
 TEST(Unit_MemoryNeed, IsThatOfTheCrop) {
+  constexpr double colours = 4 * 4 * 3 * sizeof(float);
+  EXPECT_GE(needed_memory(small_crop_of_a_giant()), colours);
   EXPECT_LT(needed_memory(small_crop_of_a_giant()), little);
 }
 

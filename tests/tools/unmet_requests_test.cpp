@@ -53,6 +53,11 @@ TEST(Errors_UnmetRequests, EndARenderThatIsStrict) {
                  "--adaptive on: with 8 samples a pixel there is no pilot");
 }
 
+TEST(Unit_UnmetRequests, LightThatAClampTakes) {
+  EXPECT_EQ(warnings_of({cornell_box, "--size", "8x8", "--spp", "4", "--clamp", "10"}),
+            Sentences{"clamp 10: the picture is biased, it lacks light"});
+}
+
 TEST(Unit_UnmetRequests, GuidesThatLearnNothing) {
   const std::string none = "--guiding on: no paths were guided, since too little was learned";
   EXPECT_EQ(warnings_of({cornell_box, "--size", "8x8", "--spp", "4", "--guiding", "on"}),

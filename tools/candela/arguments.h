@@ -2,7 +2,6 @@
 // An empty optional means "not said": the scene's own default counts, then the program's.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>

@@ -1,5 +1,4 @@
 // candela info SCENE
-#include <fmt/format.h>
 
 #include "integrators/render.h"
 #include "renderer/accel/any_accel.h"

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/description/files_read.h"
 #include "renderer/image/image_io.h"
 #include "renderer/image/output_target.h"
 
@@ -61,9 +62,7 @@ Diagnostics check_inputs_are_spared(const std::vector<std::string>& outputs,
 
 Diagnostics check_scene_is_spared(const std::vector<std::string>& outputs,
                                   const description::SceneDescription& description) {
-  std::vector<std::string> inputs = description.files;
-  for (const description::Image& image : description.images) inputs.push_back(image.path);
-  return check_inputs_are_spared(outputs, inputs, "the scene");
+  return check_inputs_are_spared(outputs, description::files_read(description), "the scene");
 }
 
 }  // namespace candela::cli

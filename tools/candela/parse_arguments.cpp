@@ -1,6 +1,8 @@
 #include "tools/candela/parse_arguments.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>

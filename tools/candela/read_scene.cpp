@@ -1,7 +1,5 @@
 #include "tools/candela/read_scene.h"
 
-#include <fmt/format.h>
-
 #include "renderer/scene/compile.h"
 #include "scene_io/load.h"
 

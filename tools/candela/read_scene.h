@@ -1,4 +1,4 @@
-// Load and compile with messages: what info, check and bench begin with.
+// Load and compile with messages: what info, check, convert and bench begin with.
 #pragma once
 
 #include <optional>

@@ -198,9 +198,9 @@ std::vector<std::string> RenderRun::warnings_of_options(
   if ((load.fresnel || load.geometry) &&
       std::ranges::none_of(description.materials, is_cook_torrance))
     warnings.push_back("--fresnel and --geometry: there is no material of the type cook_torrance");
-  for (const std::string& bias : biases_of(options()))
-    if (bias.starts_with("clamp"))
-      warnings.push_back(bias + ": the picture is biased, it lacks light");
+  if (std::isfinite(options().clamp))
+    warnings.push_back(
+        fmt::format("clamp {}: the picture is biased, it lacks light", options().clamp));
   return warnings;
 }
 

@@ -13,6 +13,8 @@
 #include <unistd.h>
 #include <xxhash.h>
 
+#include "renderer/description/files_read.h"
+
 namespace candela::cli {
 namespace {
 
@@ -69,13 +71,10 @@ std::optional<Digest> digest_of_file(const std::string& path, std::vector<unsign
 }  // namespace
 
 std::string scene_hash(const description::SceneDescription& description) {
-  std::vector<std::string> paths = description.files;
-  for (const description::Image& image : description.images) paths.push_back(image.path);
-
   std::map<std::string, Digest> known;  // each file is read once
   std::vector<unsigned char> buffer(std::size_t{1} << 20);
   std::vector<unsigned char> bytes;
-  for (const std::string& path : paths) {
+  for (const std::string& path : description::files_read(description)) {
     const auto [entry, is_new] = known.try_emplace(path, Digest{});
     if (is_new) entry->second = digest_of_file(path, buffer).value_or(Digest{});
     bytes.insert(bytes.end(), entry->second.begin(), entry->second.end());

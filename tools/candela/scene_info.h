@@ -1,4 +1,4 @@
-// What is in a scene, for `candela info`: gathered here, printed elsewhere.
+// What is in a scene, for `candela info`.
 #pragma once
 
 #include <cstdint>

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/letter_case.h"
 #include "scene_io/text/file.h"
 
 namespace candela::pbrt {
@@ -44,10 +45,7 @@ std::string stem_of(std::string_view path) {
 
 std::string lower_extension_of(std::string_view path) {
   const std::string_view name = last_part(path);
-  std::string extension(name.substr(extension_begin(name)));
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+  return to_lower(std::string(name.substr(extension_begin(name))));
 }
 
 }  // namespace candela::pbrt

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "renderer/math/constants.h"
+#include "scene_io/image_encoding.h"
+#include "scene_io/pbrt/map_axes.h"
 #include "scene_io/pbrt/textures.h"
 
 namespace candela::pbrt {
@@ -54,14 +56,12 @@ struct LightWriter {
         .text();
   }
 
-  // The image's middle is up, along the light's y (scene_io/pbrt/lights.cpp).
   std::string operator()(const description::GoniometricLight& light) const {
     Directive out("LightSource", "goniometric");
     out.add("rgb I", light.intensity);
     if (light.image) add_image(light.image, out);
     if (light.power) out.add("float power", *light.power);
-    const Mat3d map_from_light(1, 0, 0, 0, 0, 1, 0, 1, 0);
-    return placed(light.world_from_map * map_from_light, out, light.position);
+    return placed(light.world_from_map * light_from_goniometric_map, out, light.position);
   }
 
   // pbrt scales by one number.
@@ -111,11 +111,9 @@ struct LightWriter {
     return out.text();
   }
 
-  // The image made for pbrt lies in the space that pbrt-v3's latitudes and longitudes lie in: z up,
-  // and their middle along -x.
+  // The image made for pbrt lies in the space that pbrt-v3's latitudes and longitudes lie in.
   std::string operator()(const description::LatLongEnvironment& light) const {
-    const Mat3d map_from_light = glm::transpose(Mat3d(0, -1, 0, 0, 0, 1, 1, 0, 0));
-    const Mat3d world_from_light = light.world_from_map * map_from_light;
+    const Mat3d world_from_light = light.world_from_map * glm::transpose(light_from_lat_long_map);
     const auto facts = textures.facts_of(light.image);
     const std::string file = textures.file_of(light.image);
     Directive out =
@@ -169,7 +167,7 @@ struct LightWriter {
 
   void add_encoding(ImageHandle image, const std::string& file, Directive& out) const {
     const Encoding encoding = context.scene.images[image.index].encoding;
-    if (encoding != encoding_of_file(file))
+    if (encoding != encoding_of_colours(file))
       out.add_own("string encoding", std::string(name_of(encoding)));
   }
 };

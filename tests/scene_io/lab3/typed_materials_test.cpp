@@ -147,6 +147,16 @@ TEST(Unit_TypedMaterials, Opacity) {
             "2:30: opacity is not used: opacity_map replaces it");
 }
 
+TEST(Unit_TypedMaterials, OpacityReplacesLab3sAlpha) {
+  const std::string clear = "Diffuse: [1, 1, 1, .25], ";
+  EXPECT_EQ(warning_in(materials(clear + "opacity: .5")),
+            "2:40: opacity replaces this material's alpha of 0.25");
+  EXPECT_EQ(warning_in(materials(clear + "opacity_map: picture.png")),
+            "2:40: opacity_map replaces this material's alpha of 0.25");
+  EXPECT_TRUE(said(Severity::Warning, materials(clear + "opacity: 1")).empty());
+  EXPECT_TRUE(said(Severity::Warning, materials("Diffuse: [1, 1, 1, 1], opacity: .5")).empty());
+}
+
 TEST(Unit_TypedMaterials, Conductors) {
   const auto gold = model_of<ConductorMaterial>("Type: conductor, metal: Gold, roughness: .12");
   EXPECT_EQ(gold.eta, Vec3d(0.188, 0.544, 1.332));

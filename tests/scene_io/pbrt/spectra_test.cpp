@@ -100,6 +100,8 @@ TEST(Unit_PbrtSpectra, MetalsThatNoneIsAreMetals) {
                     "Shape \"disk\"",
                     eta));
     EXPECT_FALSE(description::validate(scene).has_errors()) << eta;
+    EXPECT_TRUE(std::holds_alternative<description::ConductorMaterial>(scene.materials.at(0).model))
+        << eta;
   }
 }
 

@@ -213,6 +213,15 @@ TEST(Unit_PbrtTextures, WithoutGammaTexelsAreLinear) {
   EXPECT_EQ(encoding_of("\"float gamma\" 2.2"), Encoding::Srgb);
 }
 
+// pbrt-v2's was an exponent.
+TEST(Errors_PbrtTextures, AGammaThatIsNoFlagIsToldOf) {
+  const auto scene = test::parse_pbrt_text(
+      "WorldBegin\nTexture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"picture.png\" "
+      "\"float gamma\" 2.2\nMaterial \"diffuse\" \"texture reflectance\" \"t\"\nShape \"disk\"");
+  ASSERT_EQ(scene.diagnostics.warning_count(), 1u);
+  EXPECT_EQ(scene.diagnostics.list().at(0).message, "'gamma' is no bool and is ignored");
+}
+
 std::vector<Diagnostic> said_of_filter(const std::string& parameters) {
   const std::string map = "\"spectrum\" \"imagemap\" \"string filename\" \"picture.png\" ";
   const auto scene = test::parse_pbrt_text(
