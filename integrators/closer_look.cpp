@@ -39,31 +39,29 @@ CloserLook::CloserLook(const RenderOptions& options, TileFunction render_tile,
     : options_(options), render_tile_(std::move(render_tile)), is_over_(std::move(is_over)) {}
 
 // Again where better known errors let others matter.
-TileCounts CloserLook::correct(const Film& film, const TilePass& settings, PixelErrors& errors) {
-  TileCounts counts;
+std::uint64_t CloserLook::correct(const Film& film, const TilePass& settings, PixelErrors& errors) {
+  std::uint64_t invalid_samples = 0;
   replace(film, errors);
   while (!is_over_()) {
     const std::vector<Part> parts = parts_to_render(film, errors);
     if (parts.empty()) break;
     constexpr std::size_t at_once = 4096;  // what they tell is held in memory
     for (std::size_t first = 0; first < parts.size(); first += at_once)
-      look_at(film, settings,
-              std::span(parts).subspan(first, std::min(at_once, parts.size() - first)), counts);
+      invalid_samples += look_at(
+          film, settings, std::span(parts).subspan(first, std::min(at_once, parts.size() - first)));
     replace(film, errors);
   }
-  counts.rays = {};
-  counts.skipped = {};
-  counts.first_invalid.reset();
-  return counts;
+  return invalid_samples;
 }
 
 // Summed in the order of the parts.
-void CloserLook::look_at(const Film& film, const TilePass& settings, std::span<const Part> parts,
-                         TileCounts& counts) {
+std::uint64_t CloserLook::look_at(const Film& film, const TilePass& settings,
+                                  std::span<const Part> parts) {
   std::vector<std::optional<Look>> looks(parts.size());
   parallel_for(parts.size(), [&](std::size_t i) {
     if (!is_over_()) looks[i] = render_part(film, settings, parts[i]);
   });
+  std::uint64_t invalid_samples = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (!looks[i]) continue;
     Seen& seen = seen_[parts[i].index];
@@ -71,8 +69,9 @@ void CloserLook::look_at(const Film& film, const TilePass& settings, std::span<c
     seen.variances += looks[i]->variance;
     ++seen.parts;
     samples_ += part_samples;
-    counts.add(looks[i]->counts);
+    invalid_samples += looks[i]->invalid_samples;
   }
+  return invalid_samples;
 }
 
 void CloserLook::replace(const Film& film, PixelErrors& errors) const {
@@ -118,7 +117,7 @@ CloserLook::Look CloserLook::render_part(const Film& film, const TilePass& setti
   Film own(film.full_width(), film.full_height(), pass.tile, 0, part_replicates,
            film_balance(options_));
   const TileCounts counts = render_tile_(pass, own);
-  return {own.mean(0), variance_of_mean(own, 0), counts};
+  return {own.mean(0), variance_of_mean(own, 0), counts.invalid_samples};
 }
 
 }  // namespace candela

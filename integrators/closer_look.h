@@ -19,9 +19,9 @@ class CloserLook {
 
   // Looks at the pixels of `film` that need it, and replaces the errors of all that were looked at
   // by those that this tells. `settings`: of the picture's passes; tile, range and seed are the
-  // look's own. Tells how many samples were invalid, not which: those are none of the picture's,
-  // nor are its rays.
-  TileCounts correct(const Film& film, const TilePass& settings, PixelErrors& errors);
+  // look's own. Returns how many samples were invalid, which like its rays are none of the
+  // picture's.
+  std::uint64_t correct(const Film& film, const TilePass& settings, PixelErrors& errors);
 
   [[nodiscard]] std::size_t pixels() const { return seen_.size(); }
   [[nodiscard]] std::uint64_t samples() const { return samples_; }
@@ -40,14 +40,14 @@ class CloserLook {
   struct Look {
     Vec3d mean{0.0};
     Vec3d variance{0.0};  // of the mean
-    TileCounts counts;
+    std::uint64_t invalid_samples = 0;
   };
 
   void replace(const Film& film, PixelErrors& errors) const;
   [[nodiscard]] std::vector<Part> parts_to_render(const Film& film,
                                                   const PixelErrors& errors) const;
-  void look_at(const Film& film, const TilePass& settings, std::span<const Part> parts,
-               TileCounts& counts);
+  // Likewise.
+  std::uint64_t look_at(const Film& film, const TilePass& settings, std::span<const Part> parts);
   [[nodiscard]] Look render_part(const Film& film, const TilePass& settings,
                                  const Part& part) const;
 

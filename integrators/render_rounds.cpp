@@ -110,7 +110,7 @@ class Loop {
       if (progress_ != nullptr) progress_->miss_light();
       return {};
     }
-    if (is_sure) counts_.add(look_.correct(film_, pass_of({}), *errors));
+    if (is_sure) counts_.invalid_samples += look_.correct(film_, pass_of({}), *errors);
     ErrorEstimate estimate =
         estimate_error(film_, *errors, plan_.reuses_paths ? int{reuse_group_size} : 1);
     estimate.looked_at = look_.pixels();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/base/diagnostic.h"
-#include "scene_io/load.h"
+#include "scene_io/load_options.h"
 
 namespace candela {
 

@@ -120,7 +120,7 @@ Pair noise_of(const std::vector<PixelTrial>& pixels) {
 }
 
 // Noise times cost.
-Pair toll_of(const std::vector<Group>& groups) {
+Pair effort_of(const std::vector<Group>& groups) {
   std::vector<PixelTrial> pixels;
   Pair cost;
   for (const Group& group : groups) {
@@ -136,10 +136,10 @@ constexpr double least_gain = 1.2;
 
 // Whether more groups would hardly change what these say. The pixels of a group share their noise,
 // so that of n groups is known within a factor of about exp(1 / sqrt(n)).
-bool is_clear(const Pair& toll, std::size_t groups) {
+bool is_clear(const Pair& effort, std::size_t groups) {
   const double factor = std::exp(2 / std::sqrt(static_cast<double>(groups)));
-  const double bound = least_gain * toll.shared;
-  return toll.alone > factor * bound || factor * toll.alone < bound;
+  const double bound = least_gain * effort.shared;
+  return effort.alone > factor * bound || factor * effort.alone < bound;
 }
 
 }  // namespace
@@ -151,13 +151,13 @@ ReuseChoice choose_reuse(const RenderOptions& options, PathPlan plan,
   const std::size_t most = groups_to_ask(options);
   if (most == 0) return {};
   std::vector<Group> groups;
-  Pair toll;
+  Pair effort;
   do {
     const std::size_t count = std::min(std::max(fewest_groups, 2 * groups.size()), most);
     run_groups(options, plan, render_tile, is_over, count, groups);
-    toll = toll_of(groups);
-  } while (groups.size() < most && !is_clear(toll, groups.size()) && !is_over());
-  ReuseChoice choice{!is_over() && toll.alone > least_gain * toll.shared};
+    effort = effort_of(groups);
+  } while (groups.size() < most && !is_clear(effort, groups.size()) && !is_over());
+  ReuseChoice choice{!is_over() && effort.alone > least_gain * effort.shared};
   for (const Group& group : groups) choice.samples += group.samples;
   return choice;
 }

@@ -83,9 +83,9 @@ Effort effort_of(const PixelWalks& pixel, double picture_mean, Roulette roulette
     for (const Walk& walk : block.walks) {
       if (walk.steps.empty())
         continue;  // into the sky: of little cost, and skipped by some kernels
-      const RouletteToll toll = toll_of(walk, roulette);
-      variance += toll.variance / static_cast<double>(samples_a_pixel);
-      cost += (camera_cost + bounce_cost * toll.bounces) / samples_a_pixel;
+      const RouletteOutcome outcome = expected_under(walk, roulette);
+      variance += outcome.variance / static_cast<double>(samples_a_pixel);
+      cost += (camera_cost + bounce_cost * outcome.bounces) / samples_a_pixel;
     }
   return {relative_noise(variance, pixel.mean(), picture_mean), cost};
 }

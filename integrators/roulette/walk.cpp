@@ -15,8 +15,8 @@ float highest_survival_at(const WalkStep& step) {
 
 }  // namespace
 
-RouletteToll toll_of(const Walk& walk, Roulette other) {
-  RouletteToll toll;
+RouletteOutcome expected_under(const Walk& walk, Roulette other) {
+  RouletteOutcome outcome;
   double ratio = 1;  // P / Q, of the steps so far
   for (std::size_t i = 0; i < walk.steps.size(); ++i) {
     const WalkStep& step = walk.steps[i];
@@ -28,10 +28,10 @@ RouletteToll toll_of(const Walk& walk, Roulette other) {
     const double ratio_before = ratio;
     ratio *= static_cast<double>(step.survival / survival);
     const Vec3d rest(walk.radiance - step.radiance);
-    toll.variance += (ratio - ratio_before) * rest * rest;
-    toll.bounces += 1 / ratio;
+    outcome.variance += (ratio - ratio_before) * rest * rest;
+    outcome.bounces += 1 / ratio;
   }
-  return toll;
+  return outcome;
 }
 
 }  // namespace candela

@@ -28,7 +28,7 @@ struct Walk {
 };
 
 // Expectations of another roulette, as far as one walk tells.
-struct RouletteToll {
+struct RouletteOutcome {
   Vec3d variance{0};   // of the radiance, beyond that by the walk's own roulette
   double bounces = 0;  // after the camera ray
 };
@@ -36,6 +36,6 @@ struct RouletteToll {
 // What comes after step k, R_k, is there with probability P_k = p_0 ... p_k by the walk's own
 // roulette, and counts 1 / P_k; the other one has Q_k. So the second moment of a walk changes by
 // the sum over k of R_k^2 (P_k / Q_k - P_k-1 / Q_k-1), and the bounces are the sum of Q_k / P_k.
-[[nodiscard]] RouletteToll toll_of(const Walk& walk, Roulette other);
+[[nodiscard]] RouletteOutcome expected_under(const Walk& walk, Roulette other);
 
 }  // namespace candela

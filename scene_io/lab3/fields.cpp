@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/counted.h"
 #include "renderer/base/letter_case.h"
 #include "renderer/base/one_of.h"
 #include "scene_io/text/number.h"
@@ -67,8 +68,7 @@ std::string describe(const Node& node) {
       return text::quoted(node.text);
     case Node::Kind::Sequence:
       if (node.entries.empty()) return "an empty list";
-      return fmt::format("a list of {} value{}", node.entries.size(),
-                         node.entries.size() == 1 ? "" : "s");
+      return "a list of " + counted(node.entries.size(), "value");
     case Node::Kind::Map:
       return "a map of keys";
   }

@@ -6,7 +6,7 @@
 
 #include "renderer/description/scene_description.h"
 #include "renderer/math/transform.h"
-#include "scene_io/load.h"
+#include "scene_io/load_options.h"
 
 namespace candela::lab3 {
 

@@ -10,7 +10,7 @@
 #include "renderer/base/diagnostic.h"
 #include "renderer/description/scene_description.h"
 #include "scene_io/image_index.h"
-#include "scene_io/load.h"
+#include "scene_io/load_options.h"
 #include "scene_io/text/line_begins.h"
 #include "scene_io/text/source.h"
 

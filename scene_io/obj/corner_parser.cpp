@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/counted.h"
 #include "scene_io/text/cursor.h"
 #include "scene_io/text/source.h"
 
@@ -24,8 +25,8 @@ std::string out_of_range(std::string_view digits, const Table& table, const Tabl
     return fmt::format("index {} reaches before the first {}: {} '{}' stand{} above this line",
                        digits, table.what, size.above, table.statement, size.above == 1 ? "s" : "");
   }
-  return fmt::format("index {} is out of range: the file has {} {}{} ('{}')", digits, size.total,
-                     table.what, size.total == 1 ? "" : "s", table.statement);
+  return fmt::format("index {} is out of range: the file has {} ('{}')", digits,
+                     counted(size.total, table.what), table.statement);
 }
 
 // An integer at `at`; moves `at` behind it.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/counted.h"
 #include "scene_io/mesh/float_direction.h"
 #include "scene_io/obj/corner_parser.h"
 #include "scene_io/text/number.h"
@@ -135,7 +136,7 @@ class ChunkParser {
     const std::size_t count = chunk_.corners.size() - first;
     if (is_sound && count < 3) {
       error(keyword.data(),
-            fmt::format("a face of {} corner{}; expected 3 or more", count, count == 1 ? "" : "s"));
+            fmt::format("a face of {}; expected 3 or more", counted(count, "corner")));
       is_sound = false;
     }
     if (!is_sound) return chunk_.corners.shorten_to(first);

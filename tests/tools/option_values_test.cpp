@@ -85,11 +85,6 @@ TEST(Unit_OptionValues, NamesReadBackAsTheirValues) {
             "unknown integrator 'zzzz'. Known: path, whitted, raster, report");
 }
 
-TEST(Unit_OptionValues, CommandLinesAreQuotedForAShell) {
-  EXPECT_EQ(quoted_command_line({"render", "a b.yaml", "it's", "", "--size", "2x2"}),
-            "candela render 'a b.yaml' 'it'\\''s' '' --size 2x2");
-}
-
 // `candela render s.yaml` with these words, which spaces part.
 RenderArguments rendering(const std::string& options) {
   std::istringstream stream("render s.yaml " + options);

@@ -11,7 +11,7 @@
 #include "integrators/render_options.h"
 #include "renderer/accel/any_accel.h"
 #include "renderer/image/image_io.h"
-#include "scene_io/load.h"
+#include "scene_io/load_options.h"
 #include "tools/candela/savings.h"
 
 namespace candela::cli {

@@ -3,6 +3,7 @@
 
 #include "integrators/ray_bench/number_bench.h"
 #include "integrators/ray_bench/ray_bench.h"
+#include "renderer/base/counted.h"
 #include "renderer/base/parallel.h"
 #include "renderer/base/printable.h"
 #include "tools/candela/commands.h"
@@ -36,9 +37,9 @@ std::string ratio_line(const std::array<Spread, ray_class_names.size()>& embree_
 
 std::string to_text(const std::string& scene, const RayBenchResult& result,
                     const NumberFigures& numbers) {
-  std::string text =
-      fmt::format("{}: {} triangles, Embree {}, {} thread{}\n", printable(scene), result.triangles,
-                  result.embree_version, result.threads, result.threads == 1 ? "" : "s");
+  std::string text = fmt::format("{}: {} triangles, Embree {}, {}\n", printable(scene),
+                                 result.triangles, result.embree_version,
+                                 counted(static_cast<std::size_t>(result.threads), "thread"));
   text += fmt::format("  {:<8}{:>9}{:>9}", "", "build s", "MB");
   for (const std::string_view name : ray_class_names) text += fmt::format("{:>18}", name);
   text += fmt::format("   Mray/s on one thread, on all\n");

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "integrators/render.h"
+#include "renderer/base/counted.h"
 #include "renderer/base/printable.h"
 #include "renderer/description/validate.h"
 #include "tools/candela/commands.h"
@@ -10,13 +11,6 @@
 #include "tools/candela/read_scene.h"
 
 namespace candela::cli {
-namespace {
-
-std::string counted(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
-}  // namespace
 
 ExitCode run_check(const CheckArguments& arguments) {
   Console console(false);

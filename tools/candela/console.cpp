@@ -6,6 +6,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "renderer/base/counted.h"
 #include "renderer/base/printable.h"
 #include "renderer/image/file_descriptor.h"
 
@@ -44,8 +45,7 @@ void Console::error(std::string_view sentence) {
 }
 
 void Console::strict_error(std::size_t warnings, std::string_view scene) {
-  error(
-      fmt::format("--strict: {} warning{} about '{}'", warnings, warnings == 1 ? "" : "s", scene));
+  error(fmt::format("--strict: {} about '{}'", counted(warnings, "warning"), scene));
 }
 
 void Console::print(const Diagnostics& diagnostics) {

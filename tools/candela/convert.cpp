@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/counted.h"
 #include "renderer/film/filter.h"
 #include "renderer/image/image_io.h"
 #include "renderer/image/output_target.h"
@@ -126,8 +127,8 @@ class Conversion {
       console_.print(problems);
       if (problems.has_errors()) return ExitCode::Output;
     }
-    console_.note(fmt::format("wrote {} and {} file{} beside it", target_.string(),
-                              outputs.size() - 1, outputs.size() == 2 ? "" : "s"));
+    console_.note(fmt::format("wrote {} and {} beside it", target_.string(),
+                              counted(outputs.size() - 1, "file")));
     return ExitCode::Done;
   }
 

@@ -1,14 +1,13 @@
 #include "tools/candela/parse_arguments.h"
 
 #include <algorithm>
-#include <cctype>
-#include <cstring>
 
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include "renderer/base/printable.h"
 #include "tools/candela/option_values.h"
+#include "tools/candela/quoted_command_line.h"
 
 namespace candela::cli {
 namespace {
@@ -58,6 +57,21 @@ void add_scene(CLI::App& command, SceneArguments& scene) {
   command.add_option("SCENE", scene.path, "The scene file")->required()->type_name("");
 }
 
+// A file's name; the last one counts.
+void add_path(CLI::App& command, const std::string& name, const std::string& type,
+              std::optional<std::string>& path, const std::string& help) {
+  command
+      .add_option_function<std::string>(
+          name, [&path](const std::string& given) { path = given; }, help)
+      ->type_name(type)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
+void add_camera(CLI::App& command, std::size_t& camera) {
+  add_value(command, "--camera", "N", camera, integer_between(0, 1'000'000),
+            "The scene's N-th camera, from 0 [0]");
+}
+
 void add_reading(CLI::App& command, SceneArguments& scene) {
   add_value(
       command, "--materials", "lab|mtl", scene.load.use_mtl_materials,
@@ -66,12 +80,8 @@ void add_reading(CLI::App& command, SceneArguments& scene) {
         return choose("kind of materials", text, std::span<const Choice<bool>>(kinds));
       },
       "What of an OBJ's MTL file counts: what the lab reads, or all of it [lab]");
-  command
-      .add_option_function<std::string>(
-          "--lab3-ground", [&scene](const std::string& path) { scene.load.lab3_ground = path; },
-          "Add the textured ground plane that the lab adds to sports_car and white_oak")
-      ->type_name("IMAGE")
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  add_path(command, "--lab3-ground", "IMAGE", scene.load.lab3_ground,
+           "Add the textured ground plane that the lab adds to sports_car and white_oak");
   add_value(command, "--ambient", "R,G,B", scene.load.ambient, parse_rgb,
             "Radiance of the constant environment in place of the scene's AmbientIntensity");
   add_flag(command, "--strict", scene.is_strict, "Treat warnings as errors (exit 3)");
@@ -93,12 +103,8 @@ void add_render_outputs(CLI::App& command, RenderArguments& render) {
                   "times [SCENE-stem.exr in the current folder]")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  command
-      .add_option_function<std::string>(
-          "--stats", [&render](const std::string& path) { render.stats_path = path; },
-          "Write what was done, how long it took and what it cost as JSON")
-      ->type_name("FILE.json")
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  add_path(command, "--stats", "FILE.json", render.stats_path,
+           "Write what was done, how long it took and what it cost as JSON");
   add_value(command, "--exposure", "STOPS", render.exposure, parse_number,
             "Multiply by 2^STOPS in 8-bit outputs [the scene's, else 0]");
   add_choice(command, "--tonemap", "tone map", render.tone_map, tone_map_choices(),
@@ -109,7 +115,8 @@ void add_render_outputs(CLI::App& command, RenderArguments& render) {
   add_flag(command, "-q,--quiet", render.is_quiet, "Print warnings and errors only");
 }
 
-void add_render_picture(CLI::App& command, RenderArguments& render) {
+// When a render stops, and how samples are dealt out.
+void add_render_samples(CLI::App& command, RenderArguments& render) {
   add_choice(command, "--integrator", "integrator", render.integrator, integrator_choices(),
              "How light is followed [the scene's, else path]");
   add_value(command, "--spp", "N", render.samples_per_pixel,
@@ -126,6 +133,9 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
             "Independent sequences a pixel, from which the error is stated; 1 states none [4]");
   add_value(command, "--adaptive", "on|off", render.adaptive, parse_switch,
             "Deal out samples by a pilot: --spp is then the mean [on; off with --replicates 1]");
+}
+
+void add_render_paths(CLI::App& command, RenderArguments& render) {
   add_value(command, "--splitting", "N", render.splitting,
             integer_between(1, static_cast<int>(max_splitting)),
             "Paths that go on from the first hit of a camera ray [1]");
@@ -141,16 +151,21 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
              "it pays [off]");
   add_value(command, "--clamp", "X", render.clamp, parse_positive_float,
             "Dim samples to X in their largest channel: less noise, less light (biased)");
+}
+
+void add_render_view(CLI::App& command, RenderArguments& render) {
   add_value(command, "--size", "WxH", render.size, parse_size,
             "Pixels [the scene's, else 512x512]");
   add_value(command, "--scale", "F", render.scale, parse_positive_number, "Multiply the size by F");
-  add_value(command, "--camera", "N", render.camera, integer_between(0, 1'000'000),
-            "The scene's N-th camera, from 0 [0]");
+  add_camera(command, render.camera);
   add_value(command, "--crop", "X0,Y0,X1,Y1", render.crop, parse_crop,
             "Render these pixels only, the same bits as in the whole picture");
   add_value(command, "--max-depth", "N|none", render.max_depth, parse_depth_limit,
             "Longest path in bounces: 0 sees lights only, 1 direct light [the scene's, else none]; "
             "for whitted surfaces that a ray may meet [the scene's, else 5]");
+}
+
+void add_render_sampling(CLI::App& command, RenderArguments& render) {
   add_choice(command, "--sampling", "strategy", render.sampling, sampling_choices(),
              "How path finds light, for comparisons: light samples and directions weighted (mis), "
              "one of them alone, or light samples with plain directions; report takes light, "
@@ -174,6 +189,9 @@ void add_render_picture(CLI::App& command, RenderArguments& render) {
              "near lamps by solid angle [area]");
   add_value(command, "--light-cells", "on|off", render.light_cells, parse_switch,
             "Picks among many lights by where it is asked for one, not by power alone [on]");
+}
+
+void add_render_shading(CLI::App& command, RenderArguments& render) {
   add_choice(command, "--fresnel", "Fresnel term", render.scene.load.fresnel, fresnel_choices(),
              "Of all cook_torrance materials [the scene's]");
   add_choice(command, "--geometry", "geometry term", render.scene.load.geometry, geometry_choices(),
@@ -237,7 +255,11 @@ struct CommandLine {
     CLI::App& command = *app.add_subcommand("render", "Render a scene to image files");
     add_scene(command, render.scene);
     add_render_outputs(command, render);
-    add_render_picture(command, render);
+    add_render_samples(command, render);
+    add_render_paths(command, render);
+    add_render_view(command, render);
+    add_render_sampling(command, render);
+    add_render_shading(command, render);
     add_render_machinery(command, render);
     add_reading(command, render.scene);
   }
@@ -263,12 +285,8 @@ struct CommandLine {
     command.add_option("REFERENCE", compare.reference, "What it should be")
         ->required()
         ->type_name("");
-    command
-        .add_option_function<std::string>(
-            "--heatmap", [this](const std::string& path) { compare.heatmap = path; },
-            "Write a picture of where the error is")
-        ->type_name("FILE.png")
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    add_path(command, "--heatmap", "FILE.png", compare.heatmap,
+             "Write a picture of where the error is");
     add_value(command, "--max-relmse", "X", compare.max_relmse, parse_non_negative_number,
               "Exit with 6 where relMSE is above X");
     add_json(command, compare.as_json);
@@ -280,8 +298,7 @@ struct CommandLine {
     command.add_option("OUT", convert.output, "The file to write, with the ending .pbrt")
         ->required()
         ->type_name("");
-    add_value(command, "--camera", "N", convert.camera, integer_between(0, 1'000'000),
-              "The scene's N-th camera, from 0 [0]");
+    add_camera(command, convert.camera);
     add_reading(command, convert.scene);
   }
 
@@ -378,23 +395,6 @@ ParsedArguments parse_arguments(const std::vector<std::string>& words) {
   }
   line.render.command_line = quoted_command_line(words);
   return {line.chosen(), "", "", ExitCode::Done};
-}
-
-std::string quoted_command_line(const std::vector<std::string>& words) {
-  std::string line = "candela";
-  for (const std::string& word : words) {
-    const bool is_plain = !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
-      return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("-_./,=:+@%", c);
-    });
-    if (is_plain) {
-      line += ' ' + word;
-      continue;
-    }
-    line += " '";
-    for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    line += '\'';
-  }
-  return line;
 }
 
 }  // namespace candela::cli

@@ -22,9 +22,6 @@ struct ParsedArguments {
 // `words`: the command line without the program's name.
 [[nodiscard]] ParsedArguments parse_arguments(const std::vector<std::string>& words);
 
-// The words as one line that a shell reads back as the same words.
-[[nodiscard]] std::string quoted_command_line(const std::vector<std::string>& words);
-
 [[nodiscard]] std::vector<std::string_view> command_names();
 
 }  // namespace candela::cli

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "renderer/base/counted.h"
 #include "renderer/base/parallel.h"
 #include "renderer/image/image_format.h"
 #include "tools/candela/decode_textures.h"
@@ -231,10 +232,10 @@ ProgressSink* RenderRun::start_rendering(const Scene& scene) {
   set_interrupt_mode(InterruptMode::Cancel);
   const PixelRect crop = report_.rect();
   report_.triangles = triangle_count(scene);
-  console_.note(fmt::format("{}: {} triangles, {}x{}, {}, {}, {} thread{}", report_.scene,
-                            report_.triangles, crop.width(), crop.height(), rules_text(report_),
-                            integrator_name(options()), report_.threads,
-                            report_.threads == 1 ? "" : "s"));
+  console_.note(fmt::format("{}: {} triangles, {}x{}, {}, {}, {}", report_.scene, report_.triangles,
+                            crop.width(), crop.height(), rules_text(report_),
+                            integrator_name(options()),
+                            counted(static_cast<std::size_t>(report_.threads), "thread")));
   progress_ = std::make_unique<ProgressReport>(console_);
   return arguments_.is_quiet ? nullptr : progress_.get();  // its numbers cost a little
 }

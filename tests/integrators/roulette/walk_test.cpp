@@ -48,7 +48,7 @@ double squared_error(const Walk& found, const Walk& truth) {
 }
 
 // Walks by one roulette tell what another one has and takes, which is seen by playing that.
-TEST(Statistical_RouletteToll, IsWhatTheOtherRouletteHas) {
+TEST(Statistical_RouletteOutcome, IsWhatTheOtherRouletteHas) {
   const Walk walk = walk_of_four_steps();
   std::mt19937 random(3);
   for (const Roulette own : {Roulette{0.1f, 9}, Roulette{2, 1}, Roulette{4, 0}})
@@ -57,10 +57,10 @@ TEST(Statistical_RouletteToll, IsWhatTheOtherRouletteHas) {
       for (int i = 0; i < 100'000; ++i) {
         const Walk by_own = played(walk, own, random);
         const Walk by_other = played(walk, other, random);
-        const RouletteToll toll = toll_of(by_own, other);
-        told.add(squared_error(by_own, walk) + toll.variance.x);
+        const RouletteOutcome outcome = expected_under(by_own, other);
+        told.add(squared_error(by_own, walk) + outcome.variance.x);
         seen.add(squared_error(by_other, walk));
-        bounces_told.add(toll.bounces);
+        bounces_told.add(outcome.bounces);
         bounces_seen.add(static_cast<double>(by_other.steps.size()));
       }
       EXPECT_GT(statistics::welch_p_value(told, seen), 1e-4) << told.mean() << " " << seen.mean();
@@ -69,30 +69,30 @@ TEST(Statistical_RouletteToll, IsWhatTheOtherRouletteHas) {
     }
 }
 
-TEST(Unit_RouletteToll, NoneWherePathsAreSpared) {
-  const RouletteToll spared = toll_of(walk_of_four_steps(), {1, 4});
+TEST(Unit_RouletteOutcome, NoneWherePathsAreSpared) {
+  const RouletteOutcome spared = expected_under(walk_of_four_steps(), {1, 4});
   EXPECT_EQ(spared.variance, Vec3d(0));
   EXPECT_EQ(spared.bounces, 4);
-  const RouletteToll empty = toll_of({{}, Rgb(1)}, {1, 0});
+  const RouletteOutcome empty = expected_under({{}, Rgb(1)}, {1, 0});
   EXPECT_EQ(empty.variance, Vec3d(0));
   EXPECT_EQ(empty.bounces, 0);
 }
 
 // The same roulette takes nothing, within media too, where paths survive more often.
-TEST(Unit_RouletteToll, IsNoneOfTheWalksOwnRoulette) {
+TEST(Unit_RouletteOutcome, IsNoneOfTheWalksOwnRoulette) {
   Walk walk;
   for (int i = 0; i < 500; ++i) walk.steps.push_back({1, highest_survival_in_media, Rgb(0)});
   walk.radiance = Rgb(1);
-  const RouletteToll same = toll_of(walk, {1, 0});
+  const RouletteOutcome same = expected_under(walk, {1, 0});
   EXPECT_EQ(same.variance, Vec3d(0));
   EXPECT_EQ(same.bounces, 500);
 }
 
-TEST(Unit_RouletteToll, IsOfTheRadianceThatTheFilmHas) {
+TEST(Unit_RouletteOutcome, IsOfTheRadianceThatTheFilmHas) {
   Walk walk = walk_of_four_steps();
-  const RouletteToll plain = toll_of(walk, {1, 0});
+  const RouletteOutcome plain = expected_under(walk, {1, 0});
   walk.multiply_radiance(Mat3d(2, 0, 0, 0, 1, 0, 0, 0, 0));
-  const RouletteToll balanced = toll_of(walk, {1, 0});
+  const RouletteOutcome balanced = expected_under(walk, {1, 0});
   EXPECT_FLOAT_EQ(balanced.variance.x, 4 * plain.variance.x);
   EXPECT_FLOAT_EQ(balanced.variance.y, plain.variance.y);
   EXPECT_EQ(balanced.variance.z, 0);
