@@ -25,7 +25,7 @@ class PathObserver {
   virtual ~PathObserver() = default;
   virtual void leave(std::uint32_t lane, const LeftSurface& left) = 0;
   // Its radiance so far, light samples of that surface included.
-  virtual void had(std::uint32_t lane, const Rgb& radiance) = 0;
+  virtual void radiance_so_far(std::uint32_t lane, const Rgb& radiance) = 0;
   // Where its ray ended; infinite where it left the scene.
   virtual void meet(std::uint32_t lane, float distance) = 0;
   // It has ended with so much radiance in all.

@@ -27,7 +27,7 @@ class TrainingLog final : public PathObserver {
     open_[lane].push_back(vertex);
   }
   // What comes later came from the direction.
-  void had(std::uint32_t lane, const Rgb& radiance) override {
+  void radiance_so_far(std::uint32_t lane, const Rgb& radiance) override {
     if (Vertex* vertex = last_unmet(lane)) vertex->radiance = radiance;
   }
   void meet(std::uint32_t lane, float distance) override {

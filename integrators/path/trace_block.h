@@ -211,7 +211,7 @@ inline void go_on(BlockTrip<A>& trip, PlainLanes& lanes) {
   if constexpr (F.observed()) {
     if (trip.context.observer != nullptr)
       for_each_lane(trip.alive, [&](std::uint32_t i) {
-        trip.context.observer->had(i, block.paths.radiance[i]);
+        trip.context.observer->radiance_so_far(i, block.paths.radiance[i]);
       });
   }
   Branches& branches = trip.branches;

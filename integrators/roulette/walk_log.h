@@ -14,7 +14,7 @@ class WalkLog final : public PathObserver {
   void leave(std::uint32_t lane, const LeftSurface& left) override {
     left_[lane] = {left.roulette_throughput, left.survival};
   }
-  void had(std::uint32_t lane, const Rgb& radiance) override {
+  void radiance_so_far(std::uint32_t lane, const Rgb& radiance) override {
     constexpr std::size_t most_steps = 256;  // in dense media paths may take thousands
     if (open_[lane].steps.size() == most_steps) return;
     left_[lane].radiance = radiance;

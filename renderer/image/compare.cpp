@@ -164,9 +164,9 @@ void add_errors(ImageComparison& result, const std::vector<PixelError>& errors,
   std::ranges::transform(errors, relative.begin(), &PixelError::relative);
   double squared = 0;
   for (const PixelError& error : errors) squared += error.squared;
-  result.rel_mse = mean_of(relative, relative.size());
-  result.r_mse = std::sqrt(result.rel_mse);
-  result.rel_mse_trimmed = trimmed_mean(relative);
+  result.relmse = mean_of(relative, relative.size());
+  result.rmse = std::sqrt(result.relmse);
+  result.relmse_trimmed = trimmed_mean(relative);
   result.mse = squared / static_cast<double>(errors.size());
   result.psnr = psnr_of(largest_reference, result.mse);
 }

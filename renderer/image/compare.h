@@ -11,17 +11,17 @@ namespace candela {
 
 // Relative errors have relmse_epsilon() (relmse.h) of mean(r), over all pixels and channels.
 //
-// A pixel with a value that is not finite, in either image, has infinite error: rel_mse, mse and
-// r_mse are infinite then, psnr is -infinity, and the trimmed mean is finite only where such pixels
+// A pixel with a value that is not finite, in either image, has infinite error: relmse, mse and
+// rmse are infinite then, psnr is -infinity, and the trimmed mean is finite only where such pixels
 // are fewer than it leaves out. Means are over finite values.
 struct ImageComparison {
   int width = 0;
   int height = 0;
-  double rel_mse = 0;          // mean of the pixels' relative errors
-  double rel_mse_trimmed = 0;  // the same without the worst 0.1 % of the pixels (rounded down)
-  double r_mse = 0;            // sqrt(rel_mse): 0.01 is an error of 1 %
-  double mse = 0;              // mean of (x - r)^2
-  double psnr = 0;             // 10 log10(max(r)^2 / mse), in dB; infinite for equal images
+  double relmse = 0;          // mean of the pixels' relative errors
+  double relmse_trimmed = 0;  // the same without the worst 0.1 % of the pixels (rounded down)
+  double rmse = 0;            // sqrt(relmse): 0.01 is an error of 1 %
+  double mse = 0;             // mean of (x - r)^2
+  double psnr = 0;            // 10 log10(max(r)^2 / mse), in dB; infinite for equal images
   std::array<double, 3> mean_ratio{1, 1, 1};  // mean(x) / mean(r) of R, G, B; 1 for 0 / 0
   int worst_x = 0;
   int worst_y = 0;

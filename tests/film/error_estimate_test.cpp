@@ -83,7 +83,7 @@ TEST(Statistical_ErrorEstimate, ChannelsBelowZeroAreHeldAgainstTheirSize) {
             },
             balance);
         stated += estimate_error(film)->relmse;
-        error += compare_images(film.to_image(false), truth)->rel_mse;
+        error += compare_images(film.to_image(false), truth)->relmse;
       }
       EXPECT_NEAR(stated / error, 1, 0.15) << noise.name << ", " << replicates << " replicates";
     }
@@ -110,7 +110,7 @@ TEST(Statistical_ErrorEstimate, FlashesDoNotMakeDarkPixelsLookBright) {
                    (uniform(random) < probability ? flash : 0);
           });
       stated += estimate_error(film)->relmse;
-      error += compare_images(film.to_image(false), truth)->rel_mse;
+      error += compare_images(film.to_image(false), truth)->relmse;
     }
     EXPECT_NEAR(stated / error, 1, 0.1) << samples << " samples";
   }
@@ -183,7 +183,7 @@ TEST(Statistical_ErrorEstimate, DarkChannelsOfSaturatedColoursAreHeldAgainstThem
             return Rgb(radiance);
           });
       stated += estimate_error(film)->relmse;
-      error += compare_images(film.to_image(false), truth)->rel_mse;
+      error += compare_images(film.to_image(false), truth)->relmse;
     }
     EXPECT_NEAR(stated / error, 1, 0.3) << dark;
   }

@@ -26,7 +26,7 @@ Image pattern(int width, int height, int shift) {
 }
 
 struct Expected {
-  double rel_mse = 0, trimmed = 0, mse = 0;
+  double relmse = 0, trimmed = 0, mse = 0;
 };
 
 Expected expected_of(const Image& x, const Image& r) {
@@ -49,7 +49,7 @@ Expected expected_of(const Image& x, const Image& r) {
   std::sort(errors.begin(), errors.end());
   const std::size_t kept = errors.size() - errors.size() / 1000;
   for (std::size_t i = 0; i < errors.size(); ++i) {
-    expected.rel_mse += errors[i] / static_cast<double>(errors.size());
+    expected.relmse += errors[i] / static_cast<double>(errors.size());
     if (i < kept) expected.trimmed += errors[i] / static_cast<double>(kept);
   }
   return expected;
@@ -61,10 +61,10 @@ TEST(Unit_Compare, MeasuresFollowTheirDefinition) {
   const Result<ImageComparison> found = compare_images(x, r);
   ASSERT_TRUE(found);
   const Expected expected = expected_of(x, r);
-  EXPECT_NEAR(found->rel_mse, expected.rel_mse, 1e-12 * expected.rel_mse);
-  EXPECT_NEAR(found->rel_mse_trimmed, expected.trimmed, 1e-12 * expected.trimmed);
-  EXPECT_LT(found->rel_mse_trimmed, found->rel_mse);
-  EXPECT_NEAR(found->r_mse, std::sqrt(expected.rel_mse), 1e-12);
+  EXPECT_NEAR(found->relmse, expected.relmse, 1e-12 * expected.relmse);
+  EXPECT_NEAR(found->relmse_trimmed, expected.trimmed, 1e-12 * expected.trimmed);
+  EXPECT_LT(found->relmse_trimmed, found->relmse);
+  EXPECT_NEAR(found->rmse, std::sqrt(expected.relmse), 1e-12);
   EXPECT_NEAR(found->mse, expected.mse, 1e-12);
   const double largest = static_cast<double>(*std::max_element(r.values.begin(), r.values.end()));
   EXPECT_NEAR(found->psnr, 20 * std::log10(largest) - 10 * std::log10(expected.mse), 1e-9);
@@ -76,21 +76,21 @@ TEST(Unit_Compare, ScalingBothChangesNoRelativeError) {
   Image big_r = r, big_x = x;
   for (float& v : big_r.values) v *= 1024;
   for (float& v : big_x.values) v *= 1024;
-  EXPECT_EQ(compare_images(big_x, big_r)->rel_mse, compare_images(x, r)->rel_mse);
+  EXPECT_EQ(compare_images(big_x, big_r)->relmse, compare_images(x, r)->relmse);
 }
 
 TEST(Unit_Compare, AOnePercentErrorIsOnePercent) {
   const Image r = filled(10, 10, 2);
   const Image x = filled(10, 10, 2.02f);
   const Result<ImageComparison> found = compare_images(x, r);
-  EXPECT_NEAR(found->r_mse, 0.01 / std::sqrt(1.01), 1e-8);
+  EXPECT_NEAR(found->rmse, 0.01 / std::sqrt(1.01), 1e-8);
   for (const double ratio : found->mean_ratio) EXPECT_NEAR(ratio, 1.01, 1e-7);
 }
 
 TEST(Unit_Compare, EqualImagesHaveNoError) {
   for (const float value : {0.0f, 0.7f}) {
     const Result<ImageComparison> found = compare_images(filled(8, 4, value), filled(8, 4, value));
-    EXPECT_EQ(found->rel_mse, 0);
+    EXPECT_EQ(found->relmse, 0);
     EXPECT_EQ(found->mse, 0);
     EXPECT_EQ(found->psnr, std::numeric_limits<double>::infinity());
     EXPECT_EQ(found->mean_ratio[1], 1);
@@ -108,8 +108,8 @@ TEST(Unit_Compare, FindsTheWorstPixelAndTrimsIt) {
   EXPECT_NEAR(found->worst_error, 1e6 / 1.01 / 3, 1e-3);
   EXPECT_EQ(found->worst_image[1], 1001);
   EXPECT_EQ(found->worst_reference[1], 1);
-  EXPECT_GT(found->rel_mse, 100);
-  EXPECT_EQ(found->rel_mse_trimmed, 0);
+  EXPECT_GT(found->relmse, 100);
+  EXPECT_EQ(found->relmse_trimmed, 0);
 }
 
 TEST(Unit_Compare, AGreyImageIsThreeEqualChannels) {
@@ -117,13 +117,13 @@ TEST(Unit_Compare, AGreyImageIsThreeEqualChannels) {
   grey.values = {0.5f, 0.25f};
   Image colour(2, 1, {"R", "G", "B", "A"});
   colour.values = {0.5f, 0.5f, 0.5f, 0.1f, 0.25f, 0.25f, 0.25f, 1};
-  EXPECT_EQ(compare_images(grey, colour)->rel_mse, 0);
-  EXPECT_EQ(compare_images(colour, grey)->rel_mse, 0);
+  EXPECT_EQ(compare_images(grey, colour)->relmse, 0);
+  EXPECT_EQ(compare_images(colour, grey)->relmse, 0);
 }
 
 TEST(Unit_Compare, BlackReferencesDivideByNothing) {
   const Result<ImageComparison> found = compare_images(filled(4, 4, 1), filled(4, 4, 0));
-  EXPECT_EQ(found->rel_mse, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(found->relmse, std::numeric_limits<double>::infinity());
   EXPECT_EQ(found->mean_ratio[0], std::numeric_limits<double>::infinity());
 }
 
@@ -137,9 +137,9 @@ TEST(Errors_Compare, WhatIsNotFiniteIsCountedAndInfinitelyWrong) {
   EXPECT_EQ(found->invalid_in_image, 2u);
   EXPECT_EQ(found->invalid_in_reference, 1u);
   EXPECT_EQ(found->invalid_values, 3u);
-  EXPECT_EQ(found->rel_mse, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(found->relmse, std::numeric_limits<double>::infinity());
   EXPECT_EQ(found->psnr, -std::numeric_limits<double>::infinity());
-  EXPECT_EQ(found->rel_mse_trimmed, 0);
+  EXPECT_EQ(found->relmse_trimmed, 0);
   EXPECT_EQ(found->worst_x, 3);
   EXPECT_EQ(found->mean_ratio, (std::array<double, 3>{1, 1, 1}));  // of what both have
 }

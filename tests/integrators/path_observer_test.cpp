@@ -18,7 +18,7 @@ struct DensityLog final : PathObserver {
     ++directions;
     EXPECT_EQ(left.bsdf_pdf, left.pdf);
   }
-  void had(std::uint32_t, const Rgb&) override {}
+  void radiance_so_far(std::uint32_t, const Rgb&) override {}
   void meet(std::uint32_t, float) override {}
   void end(std::uint32_t, const Rgb&) override {}
 

@@ -76,7 +76,7 @@ Errors errors_over_seeds(const Scene& scene, std::uint32_t splitting, const Imag
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const auto result = rendered(scene, split_settings(reference.width, 64, splitting, seed));
     errors.stated += result.error->relmse;
-    errors.true_relmse += compare_images(result.film.to_image(false), reference)->rel_mse;
+    errors.true_relmse += compare_images(result.film.to_image(false), reference)->relmse;
   }
   return errors;
 }

@@ -64,7 +64,7 @@ inline Errors errors_over_seeds(const Scene& scene, bool reuses_paths, const Ima
     settings.options.adaptive = adaptive;
     const auto result = rendered(scene, settings);
     errors.stated += result.error->relmse;
-    errors.true_relmse += compare_images(result.film.to_image(false), reference)->rel_mse;
+    errors.true_relmse += compare_images(result.film.to_image(false), reference)->relmse;
   }
   return errors;
 }

@@ -33,7 +33,7 @@ Image mean_of(const std::vector<Image>& images) {
 double relmse(const Image& image, const Image& reference) {
   const Result<ImageComparison> comparison = compare_images(image, reference);
   EXPECT_TRUE(comparison);
-  return comparison ? comparison->rel_mse : 0;
+  return comparison ? comparison->relmse : 0;
 }
 
 }  // namespace

@@ -225,7 +225,7 @@ TEST(Unit_RenderCommand, AllAcceleratorsRenderTheSamePicture) {
     EXPECT_FALSE(are_same_bits(*other, embree));
     const Result<ImageComparison> comparison = compare_images(*other, embree);
     ASSERT_TRUE(comparison);
-    EXPECT_LT(comparison->rel_mse_trimmed, 1e-3);
+    EXPECT_LT(comparison->relmse_trimmed, 1e-3);
     EXPECT_NEAR(comparison->mean_ratio[1], 1, 1e-2);
   }
 }

@@ -26,7 +26,7 @@ std::string to_text(const ImageComparison& comparison) {
       "PSNR            {:.2f} dB\n"
       "mean ratio      {:.5f} {:.5f} {:.5f}  (R G B)\n"
       "worst pixel     {},{}: {:.6g}\n",
-      comparison.rel_mse, comparison.rel_mse_trimmed, 100 * comparison.r_mse, comparison.psnr,
+      comparison.relmse, comparison.relmse_trimmed, 100 * comparison.rmse, comparison.psnr,
       ratio[0], ratio[1], ratio[2], comparison.worst_x, comparison.worst_y, comparison.worst_error);
 }
 
@@ -80,11 +80,11 @@ ExitCode judge(const CompareArguments& arguments, const ImageComparison& compari
         "{} values are not finite, and so relMSE, rMSE and PSNR are not; the mean ratio leaves out "
         "these values, relMSE trimmed {}",
         comparison.invalid_values,
-        std::isfinite(comparison.rel_mse_trimmed) ? "their pixels" : "not all of their pixels"));
+        std::isfinite(comparison.relmse_trimmed) ? "their pixels" : "not all of their pixels"));
   if (!arguments.max_relmse) return ExitCode::Done;
-  if (comparison.rel_mse <= *arguments.max_relmse) return ExitCode::Done;  // false for NaN
+  if (comparison.relmse <= *arguments.max_relmse) return ExitCode::Done;  // false for NaN
   console.error(
-      fmt::format("relMSE {:.6g} is not within {:g}", comparison.rel_mse, *arguments.max_relmse));
+      fmt::format("relMSE {:.6g} is not within {:g}", comparison.relmse, *arguments.max_relmse));
   return ExitCode::Comparison;
 }
 

@@ -240,9 +240,9 @@ std::string to_json(const std::string& scene, const RayBenchResult& result,
 
 std::string to_json(const ImageComparison& comparison) {
   Json json;
-  json["relmse"] = comparison.rel_mse;
-  json["relmse_trimmed"] = comparison.rel_mse_trimmed;
-  json["rmse"] = comparison.r_mse;
+  json["relmse"] = comparison.relmse;
+  json["relmse_trimmed"] = comparison.relmse_trimmed;
+  json["rmse"] = comparison.rmse;
   json["psnr"] = comparison.psnr;
   json["mean_ratio"] = comparison.mean_ratio;
   json["worst_pixel"] = {

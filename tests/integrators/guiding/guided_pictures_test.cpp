@@ -125,7 +125,7 @@ TEST(Statistical_Guiding, KeepsTheFurnace) {
 
 double error_of(const Scene& scene, Guiding guiding, std::uint64_t seed, const Image& right) {
   return compare_images(picture(scene, guided_settings(right.width, 256, guiding, seed)), right)
-      ->rel_mse;
+      ->relmse;
 }
 
 TEST(Statistical_Guiding, LowersTheErrorBehindAGap) {

@@ -54,7 +54,7 @@ double effort(const Scene& scene, const PathPlan& plan, const Image& reference) 
     RenderSettings settings = settings_of(reference.width, 64, seed);
     settings.options.plan = plan;
     const RenderResult result = rendered(scene, settings);
-    error += compare_images(result.film.to_image(false), reference)->rel_mse;
+    error += compare_images(result.film.to_image(false), reference)->relmse;
     rays += static_cast<double>(cost_of(result.statistics.rays));
   }
   return error * rays;

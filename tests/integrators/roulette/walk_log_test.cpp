@@ -13,7 +13,7 @@ TEST(Unit_WalkLog, LostPathsAreNoWalks) {
   WalkLog log;
   for (const float radiance : {1.0f, std::numeric_limits<float>::quiet_NaN(), 2.0f}) {
     log.leave(0, {.ray = ray});
-    log.had(0, Rgb(0.5f));
+    log.radiance_so_far(0, Rgb(0.5f));
     log.end(0, Rgb(radiance));
   }
   ASSERT_EQ(log.walks().size(), 2u);
