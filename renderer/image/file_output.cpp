@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/file_descriptor.h"
 #include "renderer/image/blocked_signals.h"
-#include "renderer/image/file_descriptor.h"
 #include "renderer/image/image_io.h"
 #include "renderer/image/output_target.h"
 #include "renderer/image/temporary_file.h"

@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/file_descriptor.h"
 #include "renderer/base/result.h"
-#include "renderer/image/file_descriptor.h"
 
 namespace candela {
 namespace {
@@ -112,7 +112,7 @@ OutputTarget find_output_target(const std::string& path) {
     return target;
   }
   if (S_ISDIR(status.st_mode))
-    target.diagnostics = failure(fmt::format("'{}' cannot be written: it is a directory", path));
+    target.diagnostics = failure(fmt::format("'{}' cannot be written: it is a folder", path));
   else if (::access(target.path.c_str(), W_OK) != 0)
     target.diagnostics =
         failure(fmt::format("'{}' cannot be written: {}", path, system_message(errno)));

@@ -4,7 +4,7 @@
 #include <mutex>
 #include <string>
 
-#include "renderer/image/file_descriptor.h"
+#include "renderer/base/file_descriptor.h"
 
 namespace candela {
 

@@ -1,54 +1,20 @@
 #include "scene_io/text/file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
-#include <system_error>
 
 #include <fmt/format.h>
 
 #include "renderer/base/letter_case.h"
+#include "renderer/base/regular_file.h"
 #include "scene_io/text/source.h"
 
 namespace candela::text {
 namespace {
 
-class FileDescriptor {
- public:
-  explicit FileDescriptor(int number) : number_(number) {}
-  ~FileDescriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  FileDescriptor(const FileDescriptor&) = delete;
-  FileDescriptor& operator=(const FileDescriptor&) = delete;
-  [[nodiscard]] int number() const { return number_; }
-
- private:
-  int number_;
-};
-
-std::string system_message() {
-  return std::generic_category().message(errno);
-}
-
-std::string_view kind_of(mode_t mode) {
-  if (S_ISDIR(mode)) return "a folder";
-  if (S_ISFIFO(mode)) return "a FIFO";
-  if (S_ISCHR(mode) || S_ISBLK(mode)) return "a device";
-  if (S_ISSOCK(mode)) return "a socket";
-  return "something else";
-}
-
-Diagnostics not_regular(const std::string& path, mode_t mode) {
-  return file_error(path, fmt::format("is {}; expected a regular file", kind_of(mode)));
-}
-
 // Reads to the end, which may have moved since the size was asked for, but never past `max_bytes`.
-Result<std::string> read_descriptor(int descriptor, const std::string& path, std::size_t size,
-                                    std::uint64_t max_bytes) {
+Result<std::string> read_to_end(const FileDescriptor& file, const std::string& path,
+                                std::size_t size, std::uint64_t max_bytes) {
   // One byte more, so that the end is met without growing.
   std::string bytes(std::min<std::uint64_t>(size + 1, max_bytes), '\0');
   std::size_t filled = 0;
@@ -57,9 +23,8 @@ Result<std::string> read_descriptor(int descriptor, const std::string& path, std
       if (filled >= max_bytes) break;
       bytes.resize(filled + std::min<std::uint64_t>(max_bytes - filled, 4096));
     }
-    const ssize_t count = ::read(descriptor, bytes.data() + filled, bytes.size() - filled);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return file_error(path, fmt::format("cannot be read: {}", system_message()));
+    const ssize_t count = read_some(file, bytes.data() + filled, bytes.size() - filled);
+    if (count < 0) return file_error(path, "cannot be read: " + system_message(errno));
     if (count == 0) break;
     filled += static_cast<std::size_t>(count);
   }
@@ -69,22 +34,14 @@ Result<std::string> read_descriptor(int descriptor, const std::string& path, std
 
 Result<std::string> read_plain(const std::string& path, std::uint64_t max_bytes) {
   if (path.find('\0') != std::string::npos) return file_error(path, "is not the name of a file");
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) {
-    return file_error(path, fmt::format("cannot be opened: {}", system_message()));
-  }
-  if (!S_ISREG(status.st_mode)) return not_regular(path, status.st_mode);
-  // The file may have been exchanged since: opened without waiting, and looked at again.
-  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
-  if (file.number() < 0 || ::fstat(file.number(), &status) != 0) {
-    return file_error(path, fmt::format("cannot be opened: {}", system_message()));
-  }
-  if (!S_ISREG(status.st_mode)) return not_regular(path, status.st_mode);
-  const auto size = static_cast<std::uint64_t>(status.st_size);
-  if (size > max_bytes) {
-    return file_error(path, fmt::format("holds {} bytes; at most {} are read", size, max_bytes));
-  }
-  return read_descriptor(file.number(), path, static_cast<std::size_t>(size), max_bytes);
+  const RegularFile file = open_regular_file(path);
+  if (!file.kind.empty())
+    return file_error(path, fmt::format("is {}; expected a regular file", file.kind));
+  if (file.error != 0) return file_error(path, "cannot be opened: " + system_message(file.error));
+  if (file.size > max_bytes)
+    return file_error(path,
+                      fmt::format("holds {} bytes; at most {} are read", file.size, max_bytes));
+  return read_to_end(file.descriptor, path, static_cast<std::size_t>(file.size), max_bytes);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "tests/fuzz/readers.h"
-#include "tests/image/temporary_folder.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela::fuzz {
 namespace {

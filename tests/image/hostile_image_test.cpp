@@ -11,7 +11,7 @@
 #include "renderer/image/encode.h"
 #include "renderer/image/image_io.h"
 #include "tests/image/crafted_files.h"
-#include "tests/image/temporary_folder.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela {
 namespace {
@@ -137,7 +137,7 @@ TEST(Errors_HostileImage, OnlyRegularFilesAreOpened) {
   std::filesystem::create_symlink("/dev/zero", folder.file("zero.png"));
   std::filesystem::create_symlink("loop.png", folder.file("loop.png"));
   const std::map<std::string, std::string> expected{
-      {"fifo.png", "is a FIFO"},      {"folder.png", "is a directory"},
+      {"fifo.png", "is a FIFO"},      {"folder.png", "is a folder"},
       {"zero.png", "is a device"},    {"loop.png", "cannot be read"},
       {"none.png", "does not exist"}, {"none/x.png", "does not exist"}};
   for (const auto& [name, reason] : expected) {

@@ -11,7 +11,7 @@
 #include <functional>
 
 #include "renderer/image/image_io.h"
-#include "tests/image/temporary_folder.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela {
 namespace {
@@ -138,7 +138,7 @@ TEST(Errors_OutputFile, NamesMissingFoldersDirectoriesAndFullDevices) {
     return first_message(write_file_atomically(path, "bytes"));
   };
   EXPECT_NE(message(folder.file("none/x.bin")).find("does not exist"), std::string::npos);
-  EXPECT_NE(message(folder.path()).find("it is a directory"), std::string::npos);
+  EXPECT_NE(message(folder.path()).find("it is a folder"), std::string::npos);
   EXPECT_NE(message(folder.path() + "/").find("it names no file"), std::string::npos);
   EXPECT_NE(message("").find("it names no file"), std::string::npos);
   EXPECT_NE(message("/dev/full").find("No space left on device"), std::string::npos);

@@ -12,7 +12,7 @@
 #include "renderer/image/half.h"
 #include "renderer/image/image_io.h"
 #include "tests/image/crafted_files.h"
-#include "tests/image/temporary_folder.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela {
 namespace {

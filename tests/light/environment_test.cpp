@@ -8,9 +8,9 @@
 #include "renderer/light/sample_light.h"
 #include "renderer/math/colour.h"
 #include "tests/image/crafted_files.h"
-#include "tests/image/temporary_folder.h"
 #include "tests/light/directions.h"
 #include "tests/light/map_images.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela {
 namespace {

@@ -8,7 +8,7 @@
 #include "renderer/sampling/sobol.h"
 #include "renderer/sampling/warp.h"
 #include "tests/image/crafted_files.h"
-#include "tests/image/temporary_folder.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela {
 namespace {

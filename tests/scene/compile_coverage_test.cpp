@@ -9,9 +9,9 @@
 #include "renderer/accel/alpha_test.h"
 #include "renderer/accel/embree_accel.h"
 #include "tests/image/crafted_files.h"
-#include "tests/image/temporary_folder.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela {
 namespace {

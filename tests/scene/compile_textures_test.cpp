@@ -6,10 +6,10 @@
 #include "renderer/description/validate.h"
 #include "renderer/scene/compile.h"
 #include "tests/image/crafted_files.h"
-#include "tests/image/temporary_folder.h"
 #include "tests/light/map_images.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela {
 namespace {

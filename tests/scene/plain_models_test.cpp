@@ -3,10 +3,10 @@
 
 #include "renderer/scene/compile.h"
 #include "tests/image/crafted_files.h"
-#include "tests/image/temporary_folder.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/exact_sphere.h"
 #include "tests/scenes/render_scene.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela {
 namespace {

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "scene_io/load.h"
-#include "tests/image/temporary_folder.h"
 #include "tests/scene_io/pbrt/write/round_trip.h"
+#include "tests/scenes/temporary_folder.h"
 #include "tests/stress/busy_room.h"
 #include "tests/stress/disturb.h"
 #include "tests/stress/row.h"

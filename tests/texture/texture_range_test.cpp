@@ -7,7 +7,7 @@
 
 #include "renderer/texture/texture.h"
 #include "tests/image/crafted_files.h"
-#include "tests/image/temporary_folder.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela {
 namespace {

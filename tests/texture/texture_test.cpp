@@ -12,7 +12,7 @@
 #include "renderer/base/floating_point_traps.h"
 #include "renderer/image/encode.h"
 #include "tests/image/crafted_files.h"
-#include "tests/image/temporary_folder.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "renderer/image/image_io.h"
 #include "renderer/texture/texture.h"
-#include "tests/image/temporary_folder.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela {
 namespace {

@@ -4,9 +4,9 @@
 #include "renderer/image/image_io.h"
 #include "renderer/sampling/warp.h"
 #include "scene_io/pbrt/write/write_pbrt.h"
-#include "tests/image/temporary_folder.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/render_scene.h"
+#include "tests/scenes/temporary_folder.h"
 #include "tools/candela/convert_images.h"
 
 namespace candela::cli {

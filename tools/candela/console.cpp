@@ -7,8 +7,8 @@
 #include <unistd.h>
 
 #include "renderer/base/counted.h"
+#include "renderer/base/file_descriptor.h"
 #include "renderer/base/printable.h"
-#include "renderer/image/file_descriptor.h"
 
 namespace candela::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include "renderer/image/encode.h"
 #include "renderer/image/image_io.h"
 #include "renderer/sampling/hash.h"
-#include "tests/image/temporary_folder.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela {
 namespace {

@@ -6,7 +6,6 @@
 #include "integrators/path/kernels.h"
 #include "integrators/path/reuse_groups.h"
 #include "tests/image/crafted_files.h"
-#include "tests/image/temporary_folder.h"
 #include "tests/integrators/leaning_mirror.h"
 #include "tests/integrators/reused_paths.h"
 #include "tests/integrators/sample_ranges.h"
@@ -14,6 +13,7 @@
 #include "tests/scenes/exact_sphere.h"
 #include "tests/scenes/render_scene.h"
 #include "tests/scenes/room_of_a_point.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela {
 namespace {

@@ -8,13 +8,13 @@
 
 #include "renderer/base/floating_point_traps.h"
 #include "tests/image/crafted_files.h"
-#include "tests/image/temporary_folder.h"
 #include "tests/integrators/lane_steps.h"
 #include "tests/integrators/sample_ranges.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/exact_sphere.h"
 #include "tests/scenes/meshes.h"
 #include "tests/scenes/render_scene.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela {
 namespace {

@@ -1,7 +1,7 @@
 // raster: whitted's light without shadows and further rays, holes left out.
 #include "tests/image/crafted_files.h"
-#include "tests/image/temporary_folder.h"
 #include "tests/integrators/whitted/lab_scenes.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "integrators/render.h"
 #include "tests/image/crafted_files.h"
-#include "tests/image/temporary_folder.h"
 #include "tests/scenes/description.h"
 #include "tests/scenes/exact_sphere.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "scene_io/obj/read_mtl.h"
 #include "scene_io/obj/read_obj.h"
-#include "tests/image/temporary_folder.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela::obj {
 namespace {

@@ -3,9 +3,9 @@
 
 #include "scene_io/obj/read_mtl.h"
 #include "scene_io/obj/read_obj.h"
-#include "tests/image/temporary_folder.h"
 #include "tests/scene_io/mutate.h"
 #include "tests/scene_io/obj/check_model.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela::obj {
 namespace {

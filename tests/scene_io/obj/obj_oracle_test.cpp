@@ -12,8 +12,8 @@
 #include <tuple>
 
 #include "scene_io/obj/read_obj.h"
-#include "tests/image/temporary_folder.h"
 #include "tests/scene_io/shared_scenes.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela::obj {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/image/temporary_folder.h"
 #include "tests/scene_io/obj/check_model.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela::obj {
 namespace {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "scene_io/load.h"
-#include "tests/image/temporary_folder.h"
 #include "tests/scene_io/gzip.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela {
 namespace {

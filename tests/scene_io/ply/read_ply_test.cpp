@@ -6,9 +6,9 @@
 #include <bit>
 #include <cstring>
 
-#include "tests/image/temporary_folder.h"
 #include "tests/scene_io/gzip.h"
 #include "tests/scene_io/mutate.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela::ply {
 namespace {

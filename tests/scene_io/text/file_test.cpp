@@ -12,8 +12,8 @@
 
 #include "renderer/base/thread_clock.h"
 #include "scene_io/text/path.h"
-#include "tests/image/temporary_folder.h"
 #include "tests/scene_io/gzip.h"
+#include "tests/scenes/temporary_folder.h"
 
 namespace candela::text {
 namespace {
