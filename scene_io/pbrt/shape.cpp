@@ -146,8 +146,9 @@ MaybeMesh make_mesh(ShapeStatement& shape, const ShapeOptions& options, const Re
     report.warning(shape.statement.place, "this shape has no area: it is left out");
     return std::nullopt;
   }
-  orient(mesh, shape.is_reversed);
+  // By the order of the corners as written.
   if (options.needs_uvs && mesh.uvs.empty()) add_default_uvs(mesh);
+  orient(mesh, shape.is_reversed);
   return made;
 }
 

@@ -200,6 +200,21 @@ TEST(Unit_PbrtShapes, TexturedTrianglesWithoutCoordinatesGetThem) {
   EXPECT_EQ(textured.uvs[2], Vec2f(1, 1));
 }
 
+// By the order of the corners in the file, whichever way the triangle then faces.
+TEST(Unit_PbrtShapes, TheirCoordinatesDoNotTurnWithTheTriangle) {
+  const std::string brushed = "Material \"conductor\" \"float uroughness\" .4 ";
+  const std::string triangle =
+      "Shape \"trianglemesh\" \"integer indices\" [0 1 2] \"point3 P\" [0 0 0 1 0 0 1 1 0] ";
+  for (const std::string& turned :
+       {"ReverseOrientation " + triangle, triangle + "\"normal N\" [0 0 -1 0 0 -1 0 0 -1]"}) {
+    const Mesh mesh = mesh_of(brushed + turned);
+    EXPECT_EQ(mesh.triangles.at(0), (std::array<std::uint32_t, 3>{0, 2, 1})) << turned;
+    ASSERT_EQ(mesh.uvs.size(), 3u) << turned;
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_EQ(mesh.uvs[i], Vec2f(mesh.positions[i].x, mesh.positions[i].y)) << turned;
+  }
+}
+
 // Which the direction of a brushed metal needs: a width along alone differs from that of both.
 TEST(Unit_PbrtShapes, SoDoThoseOfBrushedMetals) {
   for (const std::string name : {"uroughness", "vroughness"})
