@@ -30,7 +30,7 @@ RegularFile open_regular_file(const std::string& path) {
       FileDescriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   if (!file.descriptor.is_open() || ::fstat(file.descriptor.get(), &status) != 0)
     return {.error = errno};
-  file.kind = kind_of(status.st_mode);
+  if (!kind_of(status.st_mode).empty()) return {.kind = kind_of(status.st_mode)};
   file.size = static_cast<std::uint64_t>(status.st_size);
   return file;
 }

@@ -13,7 +13,7 @@
 
 namespace candela {
 
-// Open where `error` is 0 and `kind` is empty.
+// Open, or with one of `error` and `kind`.
 struct RegularFile {
   FileDescriptor descriptor{-1};
   std::uint64_t size = 0;      // bytes, as the file system claims

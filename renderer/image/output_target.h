@@ -18,7 +18,7 @@ struct OutputTarget {
   Diagnostics diagnostics;
 };
 
-// Errors: no such folder, a folder, a write-protected file.
+// Errors: no such folder, a folder of that name, a write-protected file.
 [[nodiscard]] OutputTarget find_output_target(const std::string& path);
 
 }  // namespace candela

@@ -29,7 +29,7 @@ Digest canonical(XXH128_hash_t hash) {
 // `buffer`: of any size but 0, for what is read of the file.
 std::optional<Digest> digest_of_file(const std::string& path, std::vector<unsigned char>& buffer) {
   const RegularFile file = open_regular_file(path);
-  if (!file.descriptor.is_open() || !file.kind.empty()) return std::nullopt;
+  if (!file.descriptor.is_open()) return std::nullopt;
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(),
                                                                       &XXH3_freeState);
   if (!hash) throw std::bad_alloc();
